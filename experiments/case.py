@@ -1,0 +1,115 @@
+"""A case: everything in which one run of the shake test can differ from another, as plain data."""
+
+import math
+from dataclasses import dataclass, fields, replace
+
+CUBE_GAP_DEFAULT = 0.1
+"""Contact gap [m] of a fresh ``newton.ModelBuilder``, which is what the cube is shipped with."""
+
+
+class CaseError(ValueError):
+    """A parameter of a case is out of range; the message is one line for the person who typed it."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One run of the shake test. The defaults are the scene as shipped, with buffers sized for the scene."""
+
+    name: str
+
+    # What each world of a batch has for itself.
+    pad_ke: float = 2.5e3
+    """Authored contact stiffness of the finger pads (``ShapeConfig`` default)."""
+    pad_kd: float = 100.0
+    """Authored contact damping of the finger pads (``ShapeConfig`` default)."""
+    pad_mu: float = 1.0
+    """Friction coefficient of the finger pads (``ShapeConfig`` default)."""
+    pad_dmax: float = 0.95
+    """Second entry of the pads' solimp: the impedance at full penetration."""
+    cube_ke: float = 8e4
+    cube_kd: float = 8e2
+    cube_mu: float = 1.2
+    cube_density_kg_m3: float = 500.0
+    """Density of the cube [kg/m³]."""
+    cube_gap_m: float = CUBE_GAP_DEFAULT
+    """Distance [m] from the cube at which contacts are generated; the gaps of a pair add."""
+    robot_gap_m: float = 0.005
+    shake_amplitude_m: float = 0.03
+    """Amplitude A of the shake along its main axis [m]; 0 holds the arm still."""
+    shake_frequency_hz: float = 1.0
+    """Frequency f of the shake along its main axis [Hz]."""
+
+    # What all worlds of a batch share: mujoco_warp keeps one geom_priority, one set of geoms, one solver.
+    ground_gap_m: float = 0.005
+    pad_priority: int = 1
+    pad_shape: str = "box"
+    """``box``, or ``convex-mesh``: the same boxes as convex meshes."""
+    hand_collides: bool = True
+    asset: str = "assets/fr3.urdf"
+    """Robot description below the project's root, or ``upstream`` for the one that newton downloads."""
+    backend: str = "warp"
+    """``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU)."""
+    device: str | None = None
+    """Warp device; None is the device of the measurement."""
+    contacts: str = "newton"
+    """Who generates contacts: ``newton`` or ``mujoco``. The C engine always generates its own."""
+    collide_count: int = 1
+    """Collision passes per frame; must divide ``substeps``."""
+    substeps: int = 16
+    solver: str = "newton"
+    integrator: str = "implicitfast"
+    iterations: int = 15
+    ls_iterations: int = 100
+    tolerance: float | None = None
+    ls_tolerance: float | None = None
+    cone: str = "elliptic"
+    impratio: float = 50.0
+    contact_max: int | None = None
+    """Contacts per world that the buffers hold; None sizes them for the scene."""
+    constraint_max: int | None = None
+    """Constraint rows per world that the buffers hold; None sizes them for the scene."""
+    ik_iterations: int = 24
+    frame_count: int = 900
+
+    def __post_init__(self):
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, (float, int)) and not math.isfinite(value):
+                raise CaseError(f"{field.name} must be a finite number, got {value}")
+        for name in ("pad_ke", "pad_kd", "cube_ke", "cube_kd", "cube_density_kg_m3", "shake_frequency_hz"):
+            if getattr(self, name) <= 0.0:
+                raise CaseError(f"{name} must be greater than 0, got {getattr(self, name):g}")
+        for name in ("pad_mu", "cube_mu", "cube_gap_m", "robot_gap_m", "ground_gap_m", "shake_amplitude_m"):
+            if getattr(self, name) < 0.0:
+                raise CaseError(f"{name} must not be negative, got {getattr(self, name):g}")
+        for name in ("substeps", "collide_count", "iterations", "ls_iterations", "ik_iterations", "frame_count"):
+            if getattr(self, name) < 1:
+                raise CaseError(f"{name} must be at least 1, got {getattr(self, name)}")
+        if self.substeps % self.collide_count:
+            raise CaseError(f"collide_count must divide substeps ({self.substeps}), got {self.collide_count}")
+
+
+WORLD_FIELDS = (
+    "pad_ke pad_kd pad_mu pad_dmax cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
+    " shake_amplitude_m shake_frequency_hz"
+).split()
+"""Parameters that may differ between the worlds of one batch."""
+
+
+def batch_key(case: Case) -> Case:
+    """What must be equal for two cases to be worlds of the same simulation."""
+    baseline = Case(name="")
+    return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
+
+
+def differences(case: Case) -> dict[str, object]:
+    """Parameters in which ``case`` differs from the scene as shipped, by name."""
+    baseline = Case(name="")
+    names = (field.name for field in fields(case) if field.name != "name")
+    return {name: getattr(case, name) for name in names if getattr(case, name) != getattr(baseline, name)}
+
+
+AS_SHIPPED = Case(name="as-shipped")
+"""The baseline of every comparison."""
+STIFF_PADS = replace(AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3)
+"""The one change that holds the cube."""

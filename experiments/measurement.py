@@ -1,0 +1,111 @@
+"""What a section hands over to be kept: rows of plain numbers, and long traces beside them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from experiments import metrics
+from experiments.case import Case, differences
+from experiments.simulation import simulate
+from experiments.trace import Trace
+
+QUICK_FRAME_COUNT = 420
+"""Frames of a quick run: the set-up and about 3.5 s of shake."""
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """How a section is to be measured."""
+
+    device: str
+    """Warp device: ``cuda:0`` or ``cpu``."""
+    quick: bool
+    """Small grids and short runs."""
+
+    @property
+    def is_cuda(self) -> bool:
+        return self.device.startswith("cuda")
+
+    def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
+        """``simulation.simulate`` on this device, with the runs cut short when quick."""
+        if self.quick:
+            cases = [replace(case, frame_count=min(case.frame_count, QUICK_FRAME_COUNT)) for case in cases]
+        return simulate(cases, device=self.device, **options)
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Rows, each with its case's name and plain numbers, and traces: a table (column: values) for each case."""
+
+    rows: Sequence[dict[str, object]]
+    traces: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
+
+
+def summarize(case: Case, trace: Trace) -> dict[str, object]:
+    """One row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
+
+    A number that does not exist is None, with a reason under ``<name>_reason``.
+    """
+    row = {"case": case.name, "backend": case.backend, **differences(case)}
+    row |= {"failure": str(trace.failure) if trace.failure else None}
+    row |= {"failure_frame": trace.failure.frame} if trace.failure else {}
+    moved = metrics.displacement(trace)
+    increments = metrics.cycle_increments_mm(moved, case.shake_frequency_hz) if len(moved.time_s) else np.zeros(0)
+    reason = None
+    if trace.failure:
+        reason = str(trace.failure)
+    elif len(moved.time_s) < 2:
+        reason = "the shake was never reached"
+    numbers = {} if reason else _shake_numbers(moved, trace)
+    numbers |= _cycle_numbers(increments) if not reason and len(increments) else {}
+    cycle_reason = reason or "the shake is shorter than one cycle"
+    for name in SHAKE_COLUMNS + CYCLE_COLUMNS:
+        row[name] = numbers.get(name)
+        if row[name] is None:
+            row[f"{name}_reason"] = cycle_reason if name in CYCLE_COLUMNS else reason
+    row["dropped"] = None if trace.failure else metrics.is_dropped(trace)
+    return row | {
+        "frame_count": len(trace.phase),
+        "shake_start_s": float((trace.phase < metrics.SHAKE).sum() * trace.frame_dt),
+        "peak_contact_count": trace.peak_contact_count,
+        "peak_constraint_count": trace.peak_constraint_count,
+        "world_count": trace.world_count,
+        "wall_s": trace.wall_s,
+    }
+
+
+SHAKE_COLUMNS = ("slip_mm", "drift_mm_s", "oscillation_mm", "wander_mm", "cube_height_m", "shake_duration_s")
+CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
+
+
+def _shake_numbers(moved: metrics.Displacement, trace: Trace) -> dict[str, float]:
+    return {
+        "slip_mm": metrics.slip_mm(moved),
+        "drift_mm_s": metrics.drift_mm_s(moved),
+        "oscillation_mm": metrics.oscillation_mm(moved),
+        "wander_mm": metrics.wander_mm(moved),
+        "cube_height_m": metrics.cube_height_m(trace),
+        "shake_duration_s": float(moved.time_s[-1]),
+    }
+
+
+def _cycle_numbers(increments_mm: np.ndarray) -> dict[str, float]:
+    return {
+        "increment_mean_mm": float(increments_mm.mean()),
+        "increment_last_mm": float(increments_mm[-1]),
+        "cycle_count": len(increments_mm),
+    }
+
+
+def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
+    """Displacement of the cube in the TCP frame [mm] over the shake, a column for each axis and one along the shake."""
+    moved = metrics.displacement(trace)
+    vector = 1e3 * moved.vector_m
+    return {
+        "time_s": moved.time_s,
+        "x_mm": vector[:, 0],
+        "y_mm": vector[:, 1],
+        "z_mm": vector[:, 2],
+        "along_mm": 1e3 * moved.along_m,
+    }

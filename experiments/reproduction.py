@@ -1,0 +1,34 @@
+"""The shake test as shipped, with stiff pads and with the arm held still, on every engine and device at hand."""
+
+from dataclasses import replace
+
+from experiments.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.measurement import Conditions, Measurement, displacement_table, summarize
+
+HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
+BATCH_SIZE = {"cuda": 64, "cpu": 16}
+BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
+
+
+def measure(conditions: Conditions) -> Measurement:
+    cases = [AS_SHIPPED, STIFF_PADS, HOLD]
+    cases += [replace(case, name=f"{case.name}-mujoco-c", backend="mujoco") for case in cases[:2]]
+    if conditions.is_cuda:
+        cases += [replace(case, name=f"{case.name}-warp-cpu", device="cpu") for case in cases[:2]]
+    traces = conditions.simulate(cases, title="reproduction")
+    rows = [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
+    tables = {case.name: displacement_table(trace) for case, trace in zip(cases[:3], traces[:3], strict=True)}
+    return Measurement(rows + batch_rows(conditions), tables)
+
+
+def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
+    """Wall time of the same case alone and as every world of a batch."""
+    kind = "cuda" if conditions.is_cuda else "cpu"
+    case = replace(AS_SHIPPED, frame_count=BATCH_FRAME_COUNT[kind])
+    rows = []
+    for size in (1, BATCH_SIZE[kind]):
+        batch: list[Case] = [replace(case, name=f"batch-{size}")] * size
+        trace = conditions.simulate(batch, title=f"batch of {size}")[0]
+        rows.append({"case": f"batch-{size}", "world_count": size, "frame_count": len(trace.phase)})
+        rows[-1] |= {"wall_s": trace.wall_s}
+    return rows

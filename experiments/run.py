@@ -1,0 +1,117 @@
+"""Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
+
+import argparse
+import importlib
+import os
+import platform
+import subprocess
+import sys
+import time
+from datetime import datetime, timezone
+
+import pandas as pd
+import warp as wp
+
+from experiments.case import CaseError
+from experiments.measurement import Conditions
+from report import ReportError
+from report.identity import identity_of, installed_release, sections
+from report.records import Record, record_path, units_of, write_record
+from report.traces import write_traces
+
+
+def main() -> int:
+    arguments = parse_arguments()
+    try:
+        device = measuring_device(arguments.device)
+        for section in arguments.section:
+            measure_section(section, device, arguments.profile)
+    except (CaseError, ReportError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    return 0
+
+
+def parse_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m experiments.run", description=__doc__.split(":")[0])
+    parser.add_argument("section", nargs="+", choices=sections(), metavar="SECTION", help=", ".join(sections()))
+    parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
+    parser.add_argument("--profile", choices=("full", "quick"), default="full")
+    return parser.parse_args()
+
+
+def measuring_device(name: str | None) -> wp.Device:
+    """The device to measure on; ReportError when it is not there."""
+    wp.config.log_level = wp.LOG_WARNING
+    wp.init()
+    if name is None:
+        name = "cuda" if wp.is_cuda_available() else "cpu"
+    if name == "cuda" and not wp.is_cuda_available():
+        raise ReportError("DEVICE=cuda: this machine has no CUDA device; use DEVICE=cpu")
+    return wp.get_device("cuda:0" if name == "cuda" else "cpu")
+
+
+def measure_section(section: str, device: wp.Device, profile: str) -> None:
+    """Run one section's module and write its record and traces."""
+    start = time.perf_counter()
+    measurement = importlib.import_module(f"experiments.{section}").measure(
+        Conditions(device=device.alias, quick=profile == "quick")
+    )
+    record = Record(
+        section=section,
+        identity=identity_of(section, profile),
+        machine=machine(device),
+        measured={
+            "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            "commit": commit(),
+            "command": command(section, device, profile),
+            "seconds": round(time.perf_counter() - start, 1),
+        },
+        units=units_of(measurement.rows),
+        rows=measurement.rows,
+    )
+    path = record_path(section, installed_release(), profile)
+    write_traces(path, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
+    write_record(path, record)
+    print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
+
+
+def machine(device: wp.Device) -> dict[str, str | None]:
+    """The machine that measures, as far as a reader needs it to judge a number."""
+    gpu = driver = None
+    if device.is_cuda:
+        gpu = device.name
+        query = ["nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader"]
+        driver = subprocess.run(query, capture_output=True, text=True, check=False).stdout.split("\n")[0].strip() or None
+    return {
+        "device": "cuda" if device.is_cuda else "cpu",
+        "gpu": gpu,
+        "driver": driver,
+        "cpu": cpu_name(),
+        "cores": str(os.cpu_count()),
+        "python": platform.python_version(),
+        "system": f"{platform.system()} {platform.machine()}",
+    }
+
+
+def cpu_name() -> str:
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+def commit() -> str | None:
+    """The commit that is checked out, with a mark when the working tree differs from it; None without git."""
+    git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
+    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or None
+
+
+def command(section: str, device: wp.Device, profile: str) -> str:
+    parts = ["make rerun", f"SECTION={section}", f"DEVICE={'cuda' if device.is_cuda else 'cpu'}"]
+    return " ".join(parts + ([] if profile == "full" else [f"PROFILE={profile}"]))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

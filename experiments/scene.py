@@ -1,0 +1,195 @@
+"""The scene: an FR3 arm and a cube on the ground, once for each case of a batch."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import newton
+import numpy as np
+import warp as wp
+from newton import GeoType, ModelBuilder, ShapeFlags
+from newton.solvers import SolverMuJoCo
+
+from experiments.case import CUBE_GAP_DEFAULT, Case
+
+ROOT = Path(__file__).resolve().parent.parent
+
+ROBOT_POSITION = (-0.5, -0.5, 0.0)
+READY_POSE = (0.0, 0.5, 0.0, -1.5, 0.0, 2.0, np.pi / 4.0, 0.035, 0.035)
+"""Joint coordinates [rad, rad, …, m, m] from which the approach pose is solved."""
+ARM_DOF_COUNT = 7
+ROBOT_DOF_COUNT = 9
+TARGET_KE = 400.0
+TARGET_KD = 40.0
+EFFORT_LIMIT = (87.0,) * 4 + (12.0,) * 3 + (100.0,) * 2
+ARMATURE = (0.3,) * 4 + (0.11,) * 3 + (0.15,) * 2
+PAD_SOLIMP = (0.7, 0.95, 0.0001, 0.5, 2.0)
+CUBE_EDGE = 0.04
+CUBE_POSITION = (0.0, -0.44, 0.02)
+GROUND_MU = 0.8
+
+TRACKED_BODIES = ("cube", "fr3_hand_tcp", "fr3_hand", "fr3_leftfinger", "fr3_rightfinger", "fr3_link7")
+"""Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
+FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
+
+
+def body_index(builder_or_model, name: str) -> int:
+    """Index of the first body whose label ends with ``name``; KeyError if there is none."""
+    for index, label in enumerate(builder_or_model.body_label):
+        if label.rsplit("/", 1)[-1] == name:
+            return index
+    raise KeyError(f"the scene has no body {name}")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A finalized batch and where to find things in it. Indices are within one world."""
+
+    model: newton.Model
+    """All worlds and the ground."""
+    robot: newton.Model
+    """The arm alone, once: what inverse kinematics works on."""
+    bodies: tuple[int, ...]
+    """Body index of each of TRACKED_BODIES."""
+    pads: tuple[int, ...]
+    """Shape indices of the finger boxes."""
+    cube: int
+    """Shape index of the cube."""
+
+
+def robot_builder(case: Case) -> ModelBuilder:
+    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority."""
+    builder = ModelBuilder()
+    SolverMuJoCo.register_custom_attributes(builder)
+    builder.rigid_gap = Case(name="").robot_gap_m
+    builder.add_urdf(
+        str(_asset_path(case.asset)),
+        xform=wp.transform(ROBOT_POSITION, wp.quat_identity()),
+        floating=False,
+        enable_self_collisions=False,
+    )
+    dofs = slice(ROBOT_DOF_COUNT)
+    builder.joint_q[dofs] = READY_POSE
+    builder.joint_target_q[dofs] = READY_POSE
+    builder.joint_target_ke[dofs] = [TARGET_KE] * ROBOT_DOF_COUNT
+    builder.joint_target_kd[dofs] = [TARGET_KD] * ROBOT_DOF_COUNT
+    builder.joint_effort_limit[dofs] = EFFORT_LIMIT
+    builder.joint_armature[dofs] = ARMATURE
+
+    fixed = {body_index(builder, "base"), body_index(builder, "fr3_link0")}
+    _set(builder, "mujoco:gravcomp", {body: 1.0 for body in range(builder.body_count) if body not in fixed})
+    _set(builder, "mujoco:jnt_actgravcomp", dict.fromkeys(range(ARM_DOF_COUNT), True))
+    pads = pad_shapes(builder)
+    _set(builder, "mujoco:geom_solimp", dict.fromkeys(pads, PAD_SOLIMP))
+    _set(builder, "mujoco:geom_priority", dict.fromkeys(pads, case.pad_priority))
+
+    if case.pad_shape == "convex-mesh":
+        for shape in pads:
+            half_extents = builder.shape_scale[shape]
+            builder.shape_type[shape] = GeoType.CONVEX_MESH
+            builder.shape_source[shape] = newton.Mesh.create_box(
+                *half_extents, duplicate_vertices=False, compute_normals=False, compute_uvs=False
+            )
+            builder.shape_scale[shape] = (1.0, 1.0, 1.0)
+    if not case.hand_collides:
+        hand = body_index(builder, "fr3_hand")
+        for shape in range(builder.shape_count):
+            if builder.shape_body[shape] == hand:
+                builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
+    return builder
+
+
+def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
+    """Shapes of the two fingers that collide."""
+    fingers = {body_index(builder, name) for name in FINGERS}
+    return tuple(
+        shape
+        for shape in range(builder.shape_count)
+        if builder.shape_body[shape] in fingers and builder.shape_flags[shape] & ShapeFlags.COLLIDE_SHAPES
+    )
+
+
+def build_scene(cases: list[Case], device: wp.Device) -> Scene:
+    """Build one world per case; the cases must have the same ``batch_key``."""
+    robot = robot_builder(cases[0])
+    world = ModelBuilder()
+    SolverMuJoCo.register_custom_attributes(world)
+    world.add_builder(robot)
+    cube_body = world.add_body(xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube")
+    half = 0.5 * CUBE_EDGE
+    baseline = Case(name="")
+    cube_cfg = ModelBuilder.ShapeConfig(
+        density=baseline.cube_density_kg_m3, ke=baseline.cube_ke, kd=baseline.cube_kd, mu=baseline.cube_mu
+    )
+    assert world.rigid_gap == CUBE_GAP_DEFAULT, "newton changed ModelBuilder.rigid_gap: as shipped is no longer 0.1"
+    cube_shape = world.add_shape_box(cube_body, hx=half, hy=half, hz=half, cfg=cube_cfg, label="cube")
+
+    scene = ModelBuilder()
+    scene.replicate(world, len(cases))
+    scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=baseline.ground_gap_m))
+
+    model = scene.finalize(device=device)
+    result = Scene(
+        model=model,
+        robot=robot.finalize(device=device),
+        bodies=tuple(body_index(world, name) for name in TRACKED_BODIES),
+        pads=pad_shapes(robot),
+        cube=cube_shape,
+    )
+    _apply_world_parameters(result, cases, cube_body)
+    return result
+
+
+def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> None:
+    """Write what each case has for itself into its world's part of the model's arrays."""
+    model = scene.model
+    world_count = len(cases)
+
+    def column(name: str) -> np.ndarray:
+        return np.array([getattr(case, name) for case in cases], dtype=np.float32)
+
+    def write(array: wp.array, indices, values: np.ndarray) -> None:
+        host = array.numpy()
+        worlds = host[: host.shape[0] // world_count * world_count].reshape(world_count, -1, *host.shape[1:])
+        for index in indices:
+            worlds[:, index] = values
+        array.assign(host)
+
+    pads, cube = scene.pads, (scene.cube,)
+    robot_shapes = [shape for shape in range(model.shape_count // world_count) if shape != scene.cube]
+    write(model.shape_material_ke, pads, column("pad_ke"))
+    write(model.shape_material_kd, pads, column("pad_kd"))
+    write(model.shape_material_mu, pads, column("pad_mu"))
+    write(model.shape_material_ke, cube, column("cube_ke"))
+    write(model.shape_material_kd, cube, column("cube_kd"))
+    write(model.shape_material_mu, cube, column("cube_mu"))
+    write(model.shape_gap, robot_shapes, column("robot_gap_m"))
+    write(model.shape_gap, cube, column("cube_gap_m"))
+    gap = model.shape_gap.numpy()
+    gap[-1] = cases[0].ground_gap_m
+    model.shape_gap.assign(gap)
+
+    solimp = np.tile(np.array(PAD_SOLIMP, dtype=np.float32), (world_count, 1))
+    solimp[:, 1] = column("pad_dmax")
+    write(model.mujoco.geom_solimp, pads, solimp)
+
+    scale = column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3
+    for array, power in (
+        (model.body_mass, 1),
+        (model.body_inv_mass, -1),
+        (model.body_inertia, 1),
+        (model.body_inv_inertia, -1),
+    ):
+        host = array.numpy().reshape(world_count, -1, *array.numpy().shape[1:])
+        values = host[:, cube_body]
+        write(array, (cube_body,), values * (scale**power).reshape(-1, *[1] * (values.ndim - 1)))
+
+
+def _set(builder: ModelBuilder, name: str, values: dict[int, object]) -> None:
+    attribute = builder.custom_attributes[name]
+    attribute.values = {**(attribute.values or {}), **values}
+
+
+def _asset_path(asset: str) -> Path:
+    if asset == "upstream":
+        return newton.utils.download_asset("franka_emika_panda") / "urdf/fr3_franka_hand.urdf"
+    return ROOT / asset

@@ -1,0 +1,138 @@
+"""The shake test as a Newton example.
+
+    python -m experiments.shake --viewer gl
+    python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
+"""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import newton.examples
+import numpy as np
+import warp as wp
+
+from experiments.case import AS_SHIPPED, Case, CaseError
+from experiments.measurement import summarize
+from experiments.simulation import Simulation
+
+SLIP_LIMIT_MM = 20.0
+"""Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
+
+
+class Example:
+    """What ``newton.examples.run`` drives: one frame a step, drawn after it, judged at the end."""
+
+    def __init__(self, viewer, args):
+        self.viewer = viewer
+        self.case = case_of(args)
+        device = wp.get_device("cpu") if self.case.backend == "mujoco" else wp.get_device()
+        self.simulation = Simulation([self.case] * args.world_count, device)
+        self.model = self.simulation.model
+        self.state_0 = self.simulation.state
+        self.control = self.simulation.control
+        self.contacts = self.simulation.contacts
+        self.json_path = args.json
+        self.frame_count = 0
+        viewer.set_model(self.model)
+
+    def step(self) -> None:
+        self.simulation.step()
+        self.frame_count += 1
+
+    def render(self) -> None:
+        self.viewer.begin_frame(self.frame_count * self.simulation.frame_dt)
+        self.viewer.log_state(self.state_0)
+        self.viewer.end_frame()
+
+    def summaries(self) -> list[dict[str, object]]:
+        """The measured summary of each world so far."""
+        frame_count = min(self.frame_count, self.case.frame_count)
+        traces = self.simulation.recorder.traces(self.simulation.frame_dt, frame_count, wall_s=0.0)
+        return [summarize(self.case, trace) for trace in traces]
+
+    def test_final(self) -> None:
+        """The cube must still be in the grasp, in every world."""
+        for world, summary in enumerate(self.summaries()):
+            if summary["failure"]:
+                raise ValueError(f"world {world}: {summary['failure']}")
+            if summary["slip_mm"] is None:
+                raise ValueError(f"world {world}: {summary['slip_mm_reason']} in {self.frame_count} frames")
+            if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
+                raise ValueError(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
+
+
+def create_parser():
+    """Newton's example arguments and the scene's own."""
+    parser = newton.examples.create_parser()
+    newton.examples.add_world_count_arg(parser)
+    parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
+    parser.add_argument("--asset", choices=("own", "upstream"), default="own", help="robot description")
+    parser.add_argument("--shake-amplitude", type=float, default=AS_SHIPPED.shake_amplitude_m, help="[m]")
+    parser.add_argument("--shake-frequency", type=float, default=AS_SHIPPED.shake_frequency_hz, help="[Hz]")
+    parser.add_argument("--pad-ke", type=float, default=AS_SHIPPED.pad_ke, help="authored pad stiffness")
+    parser.add_argument("--pad-kd", type=float, default=AS_SHIPPED.pad_kd, help="authored pad damping")
+    parser.add_argument("--pad-mu", type=float, default=AS_SHIPPED.pad_mu, help="pad friction")
+    parser.add_argument("--cube-gap", type=float, default=AS_SHIPPED.cube_gap_m, help="contact gap of the cube [m]")
+    parser.add_argument("--substeps", type=int, default=AS_SHIPPED.substeps, help="solver steps per frame")
+    parser.add_argument("--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo's C engine")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
+    return parser
+
+
+def case_of(args) -> Case:
+    """The case that the command line describes; CaseError when a value makes no sense."""
+    if args.backend == "mujoco" and args.world_count != 1:
+        raise CaseError(f"--world-count must be 1 with --backend mujoco, got {args.world_count}")
+    if args.world_count < 1:
+        raise CaseError(f"--world-count must be at least 1, got {args.world_count}")
+    return replace(
+        AS_SHIPPED,
+        name="shake",
+        asset="upstream" if args.asset == "upstream" else AS_SHIPPED.asset,
+        shake_amplitude_m=args.shake_amplitude,
+        shake_frequency_hz=args.shake_frequency,
+        pad_ke=args.pad_ke,
+        pad_kd=args.pad_kd,
+        pad_mu=args.pad_mu,
+        cube_gap_m=args.cube_gap,
+        substeps=args.substeps,
+        backend=args.backend,
+        frame_count=args.num_frames,
+    )
+
+
+def check_device(name: str | None) -> None:
+    """CaseError when warp has no such device."""
+    try:
+        wp.get_device(name)
+    except (ValueError, RuntimeError):
+        known = ", ".join(device.alias for device in wp.get_devices())
+        raise CaseError(f"--device {name} is not there; this machine has {known}") from None
+
+
+def main() -> int:
+    parser = create_parser()
+    args = parser.parse_args()
+    try:
+        case_of(args)
+        check_device(args.device)
+    except CaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    viewer, args = newton.examples.init(parser)
+    example = Example(viewer, args)
+    newton.examples.run(example, args)
+    if args.json:
+        args.json.write_text(json.dumps(plain(example.summaries()[0]), indent=1) + "\n")
+    return 0
+
+
+def plain(row: dict[str, object]) -> dict[str, object]:
+    """The row with numpy's scalars turned into Python's."""
+    return {name: value.item() if isinstance(value, np.generic) else value for name, value in row.items()}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,160 @@
+"""From cases to traces: cases that can share a simulation are worlds of one batch."""
+
+import time
+from collections.abc import Sequence
+
+import newton
+import warp as wp
+from newton.solvers import SolverMuJoCo
+from tqdm import tqdm
+
+from experiments.case import Case, batch_key
+from experiments.recorder import Recorder
+from experiments.scene import ARM_DOF_COUNT, build_scene
+from experiments.task import FRAME_RATE, build_task
+from experiments.trace import Trace
+
+CONTACT_MAX = 64
+CONSTRAINT_MAX = 96
+"""Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped; every
+record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
+PROGRESS_FRAMES = 30
+"""Frames between two looks at the clock, which wait for the device."""
+
+
+class Simulation:
+    """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
+
+    def __init__(self, cases: Sequence[Case], device: wp.Device):
+        newton.use_coord_layout_targets = True
+        case = cases[0]
+        cases = list(cases)
+        self.case = case
+        self.device = device
+        self.world_count = len(cases)
+        self.frame_dt = 1.0 / FRAME_RATE
+        self.substep_dt = self.frame_dt / case.substeps
+        with wp.ScopedDevice(device):
+            self.scene = build_scene(cases, device)
+            self.model = self.scene.model
+            self.task = build_task(self.scene, cases)
+            self._start_at_approach_pose()
+            self.pipeline, self.contacts = self._build_collision()
+            self.solver = self._build_solver()
+            self.recorder = Recorder(self.scene, self.solver, self.world_count, case.frame_count)
+        self.graph = None
+
+    def _start_at_approach_pose(self) -> None:
+        model = self.model
+        joint_q = model.joint_q.numpy().reshape(self.world_count, -1)
+        joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
+        model.joint_q.assign(joint_q.reshape(-1))
+        self.state = model.state()
+        self.control = model.control()
+        wp.copy(self.control.joint_target_q, model.joint_q)
+        newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
+        self.body_q = self.state.body_q.reshape((self.world_count, -1))
+        self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
+        wp.copy(self.task.phase_start_q, self.body_q)
+
+    def _build_collision(self):
+        if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
+            return None, None
+        pipeline = newton.CollisionPipeline(
+            self.model,
+            broad_phase="nxn",
+            reduce_contacts=True,
+            rigid_contact_max=self.world_count * (self.case.contact_max or CONTACT_MAX),
+        )
+        return pipeline, pipeline.contacts()
+
+    def _build_solver(self) -> SolverMuJoCo:
+        case = self.case
+        return SolverMuJoCo(
+            self.model,
+            solver=case.solver,
+            integrator=case.integrator,
+            iterations=case.iterations,
+            ls_iterations=case.ls_iterations,
+            tolerance=case.tolerance,
+            ls_tolerance=case.ls_tolerance,
+            cone=case.cone,
+            impratio=case.impratio,
+            nconmax=case.contact_max or CONTACT_MAX,
+            njmax=case.constraint_max or CONSTRAINT_MAX,
+            use_mujoco_contacts=self.pipeline is None,
+            use_mujoco_cpu=case.backend == "mujoco",
+        )
+
+    def frame(self) -> None:
+        """Queue one frame: targets, IK, collide, substeps, recording."""
+        case = self.case
+        self.task.launch(self.body_q, self.joint_target, case.ik_iterations)
+        self.recorder.begin_frame()
+        for substep in range(case.substeps):
+            if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
+                self.pipeline.collide(self.state, self.contacts)
+            self.solver.step(self.state, self.state, self.control, self.contacts, self.substep_dt)
+            self.recorder.watch_substep()
+        self.recorder.end_frame(self.body_q, self.task.phase)
+
+    def step(self) -> None:
+        """Run one frame, as a graph from the second on: a first step must not happen inside a capture."""
+        with wp.ScopedDevice(self.device):
+            if self.graph is not None:
+                wp.capture_launch(self.graph)
+                return
+            self.frame()
+            if self.device.is_cuda:
+                with wp.ScopedCapture() as capture:
+                    self.frame()
+                self.graph = capture.graph
+
+    def run(self, progress: tqdm | None = None, contact_frames: Sequence[int] = ()) -> list[Trace]:
+        """Run all frames and return one trace per world.
+
+        Args:
+            progress: Told of every finished frame.
+            contact_frames: Frames after which all live contacts are kept.
+        """
+        self.step()  # compiles and captures, so the clock starts after it
+        wp.synchronize_device(self.device)
+        start = time.perf_counter()
+        for frame in range(self.case.frame_count):
+            if frame > 0:
+                self.step()
+            if frame in contact_frames:
+                self.recorder.keep_contact_rows(frame)
+            if progress is not None and (frame + 1) % PROGRESS_FRAMES == 0:
+                wp.synchronize_device(self.device)
+                progress.update(PROGRESS_FRAMES)
+        wp.synchronize_device(self.device)
+        wall_s = time.perf_counter() - start
+        return self.recorder.traces(self.frame_dt, self.case.frame_count, wall_s)
+
+
+def simulate(
+    cases: Sequence[Case], *, device: str | None = None, contact_frames: Sequence[int] = (), title: str = ""
+) -> list[Trace]:
+    """Run every case and return its trace, in the order of the cases.
+
+    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine run one by one on the CPU.
+
+    Args:
+        device: Warp device; None takes CUDA where there is one.
+        contact_frames: Frames after which all live contacts are kept in the traces.
+        title: What the progress bar says.
+    """
+    batches: dict[object, list[int]] = {}
+    for index, case in enumerate(cases):
+        key = index if case.backend == "mujoco" else batch_key(case)
+        batches.setdefault(key, []).append(index)
+    traces: dict[int, Trace] = {}
+    total = sum(cases[members[0]].frame_count for members in batches.values())
+    with tqdm(total=total, desc=title, unit="frame", delay=3.0) as progress:
+        for members in batches.values():
+            case = cases[members[0]]
+            chosen = "cpu" if case.backend == "mujoco" else case.device or device
+            simulation = Simulation([cases[index] for index in members], wp.get_device(chosen))
+            traces.update(zip(members, simulation.run(progress, contact_frames), strict=True))
+    return [traces[index] for index in range(len(cases))]

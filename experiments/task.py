@@ -1,0 +1,233 @@
+"""The task: approach, descend, grasp, lift, shake; its state lives on the device, one entry per world."""
+
+from dataclasses import dataclass
+
+import newton.ik as ik
+import numpy as np
+import warp as wp
+
+from experiments.case import Case
+from experiments.scene import ARM_DOF_COUNT, READY_POSE, ROBOT_DOF_COUNT, TRACKED_BODIES, Scene
+
+FRAME_RATE = 60
+APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
+PHASE_NAMES = ("approach", "descend", "grasp", "lift", "shake")
+PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
+"""Least time of each phase [s]; the shake has no end."""
+
+FINGER_OPEN = wp.constant(0.035)
+FINGER_CLOSED = wp.constant(-0.01)
+APPROACH_HEIGHT = wp.constant(0.10)
+LIFT_HEIGHT = wp.constant(0.20)
+SHAKE_RATIO_Y = wp.constant(0.65)
+SHAKE_RATIO_Z = wp.constant(0.35)
+POSITION_TOLERANCE = wp.constant(0.005)
+ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
+FRAME_DT = wp.constant(1.0 / FRAME_RATE)
+IK_LIMIT_WEIGHT = 10.0
+IK_LAMBDA = 0.1
+APPROACH_SOLVE_COUNT = 30
+"""Warm-started IK solves from the ready pose to the approach pose."""
+
+
+@wp.func
+def tool_down() -> wp.quat:
+    return wp.quat(1.0, 0.0, 0.0, 0.0)
+
+
+@wp.kernel
+def set_targets(
+    body_q: wp.array2d[wp.transform],
+    phase_start_q: wp.array2d[wp.transform],
+    tcp: int,
+    cube: int,
+    phase: wp.array[int],
+    phase_seconds: wp.array[float],
+    amplitude: wp.array[float],
+    frequency: wp.array[float],
+    elapsed: wp.array[float],
+    goal: wp.array[wp.transform],
+    target_position: wp.array[wp.vec3],
+    target_rotation: wp.array[wp.vec4],
+    target_finger: wp.array[float],
+):
+    """Advance the phase clock by a frame and say where the TCP and the fingers should be now."""
+    world = wp.tid()
+    t = elapsed[world] + FRAME_DT
+    elapsed[world] = t
+
+    start = phase_start_q[world, tcp]
+    start_position = wp.transform_get_translation(start)
+    position = start_position
+    rotation = wp.transform_get_rotation(start)
+    cube_position = wp.transform_get_translation(body_q[world, cube])
+    finger_start = FINGER_OPEN
+    finger_end = FINGER_OPEN
+
+    now = phase[world]
+    if now == APPROACH:
+        position = cube_position + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
+        rotation = tool_down()
+    elif now == DESCEND:
+        position = cube_position
+        rotation = tool_down()
+    elif now == GRASP:
+        finger_end = FINGER_CLOSED
+    elif now == LIFT:
+        position = start_position + wp.vec3(0.0, 0.0, LIFT_HEIGHT)
+        finger_start = FINGER_CLOSED
+        finger_end = FINGER_CLOSED
+    else:
+        angle = 2.0 * wp.pi * frequency[world] * t
+        position = start_position + amplitude[world] * wp.vec3(
+            wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
+        )
+        finger_start = FINGER_CLOSED
+        finger_end = FINGER_CLOSED
+
+    goal[world] = wp.transform(position, rotation)
+    blend = float(1.0)
+    if now < SHAKE:
+        progress = wp.min(1.0, t / phase_seconds[now])
+        blend = progress * progress * (3.0 - 2.0 * progress)
+    blended = wp.quat_slerp(wp.transform_get_rotation(start), rotation, blend)
+    target_position[world] = (1.0 - blend) * start_position + blend * position
+    target_rotation[world] = wp.vec4(blended[0], blended[1], blended[2], blended[3])
+    target_finger[world] = (1.0 - blend) * finger_start + blend * finger_end
+
+
+@wp.kernel
+def apply_targets(
+    body_q: wp.array2d[wp.transform],
+    body_count: int,
+    tcp: int,
+    phase_seconds: wp.array[float],
+    goal: wp.array[wp.transform],
+    solution: wp.array2d[float],
+    target_finger: wp.array[float],
+    joint_target: wp.array2d[float],
+    phase: wp.array[int],
+    elapsed: wp.array[float],
+    phase_start_q: wp.array2d[wp.transform],
+):
+    """Command the joints and end the phase when its time is up and the TCP is where the phase wants it."""
+    world = wp.tid()
+    for dof in range(ARM_DOF_COUNT):
+        joint_target[world, dof] = solution[world, dof]
+    for dof in range(ARM_DOF_COUNT, ROBOT_DOF_COUNT):
+        joint_target[world, dof] = target_finger[world]
+
+    now = phase[world]
+    if now == SHAKE:
+        return
+    if elapsed[world] < phase_seconds[now]:
+        return
+    pose = body_q[world, tcp]
+    distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
+    between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
+    angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
+    if distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE:
+        phase[world] = now + 1
+        elapsed[world] = 0.0
+        for body in range(body_count):
+            phase_start_q[world, body] = body_q[world, body]
+
+
+@dataclass(frozen=True)
+class Task:
+    """State of the task, one entry per world, and the inverse kinematics that serves it."""
+
+    phase: wp.array
+    """Current phase, shape [worlds], int."""
+    elapsed: wp.array
+    """Time since the phase began [s], shape [worlds]."""
+    phase_start_q: wp.array
+    """Body poses when the phase began, shape [worlds, bodies]."""
+    phase_seconds: wp.array
+    amplitude: wp.array
+    """Shake amplitude [m], shape [worlds]."""
+    frequency: wp.array
+    """Shake frequency [Hz], shape [worlds]."""
+    goal: wp.array
+    """Where the phase ends, shape [worlds], transform."""
+    target_position: wp.array
+    target_rotation: wp.array
+    target_finger: wp.array
+    """Finger joint target [m], shape [worlds]."""
+    solver: ik.IKSolver
+    solution: wp.array
+    """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
+    tcp: int
+    cube: int
+
+    def launch(self, body_q: wp.array, joint_target: wp.array, ik_iterations: int) -> None:
+        """Queue one frame of targets, IK and phase logic.
+
+        Args:
+            body_q: Body poses, shape [worlds, bodies].
+            joint_target: Joint position targets to write, shape [worlds, coordinates].
+        """
+        world_count, body_count = body_q.shape
+        wp.launch(
+            set_targets,
+            dim=world_count,
+            inputs=[body_q, self.phase_start_q, self.tcp, self.cube, self.phase, self.phase_seconds]
+            + [self.amplitude, self.frequency],
+            outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
+            device=body_q.device,
+        )
+        self.solver.step(self.solution, self.solution, iterations=ik_iterations)
+        wp.launch(
+            apply_targets,
+            dim=world_count,
+            inputs=[body_q, body_count, self.tcp, self.phase_seconds, self.goal, self.solution, self.target_finger],
+            outputs=[joint_target, self.phase, self.elapsed, self.phase_start_q],
+            device=body_q.device,
+        )
+
+
+def build_task(scene: Scene, cases: list[Case]) -> Task:
+    """Set up the task with the arm solved to the approach pose (in ``solution``)."""
+    device = scene.model.device
+    world_count = len(cases)
+    cube, tcp = (scene.bodies[TRACKED_BODIES.index(name)] for name in ("cube", "fr3_hand_tcp"))
+    body_count = scene.model.body_count // world_count
+
+    def floats(values) -> wp.array:
+        return wp.array(list(values), dtype=wp.float32, device=device)
+
+    cube_position = scene.model.body_q.numpy()[cube][:3]
+    approach = wp.vec3(*cube_position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
+    target_position = wp.array([approach] * world_count, dtype=wp.vec3, device=device)
+    target_rotation = wp.array([wp.vec4(1.0, 0.0, 0.0, 0.0)] * world_count, dtype=wp.vec4, device=device)
+    limits = (scene.robot.joint_limit_lower, scene.robot.joint_limit_upper)
+    solver = ik.IKSolver(
+        model=scene.robot,
+        n_problems=world_count,
+        objectives=[
+            ik.IKObjectivePosition(tcp, wp.vec3(), target_position),
+            ik.IKObjectiveRotation(tcp, wp.quat_identity(), target_rotation),
+            ik.IKObjectiveJointLimit(*limits, weight=IK_LIMIT_WEIGHT),
+        ],
+        lambda_initial=IK_LAMBDA,
+        jacobian_mode=ik.IKJacobianType.ANALYTIC,
+    )
+    solution = wp.array([READY_POSE] * world_count, dtype=wp.float32, device=device)
+    for _ in range(APPROACH_SOLVE_COUNT):
+        solver.step(solution, solution, iterations=cases[0].ik_iterations)
+    return Task(
+        phase=wp.zeros(world_count, dtype=int, device=device),
+        elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
+        phase_start_q=wp.zeros((world_count, body_count), dtype=wp.transform, device=device),
+        phase_seconds=floats(PHASE_SECONDS),
+        amplitude=floats(case.shake_amplitude_m for case in cases),
+        frequency=floats(case.shake_frequency_hz for case in cases),
+        goal=wp.zeros(world_count, dtype=wp.transform, device=device),
+        target_position=target_position,
+        target_rotation=target_rotation,
+        target_finger=wp.zeros(world_count, dtype=wp.float32, device=device),
+        solver=solver,
+        solution=solution,
+        tcp=tcp,
+        cube=cube,
+    )

@@ -1,0 +1,105 @@
+"""What a run leaves behind, as plain arrays on the host."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+FRAME_COLUMNS = (
+    "contact_count",
+    "loaded_count",
+    "normal_force_n",
+    "tangential_force_n",
+    "cone_use",
+    "penetration_m",
+    "unloaded_near_m",
+    "unloaded_far_m",
+)
+"""Contact statistics of a frame, taken in its last substep: how many contacts there are and how many carry force, sums
+of normal and of tangential force, largest tangential force over friction times normal force (1 = sliding), largest
+penetration, least and largest distance of the contacts that carry no force (NaN if all do)."""
+
+
+@dataclass(frozen=True)
+class ContactRows:
+    """The solver's live contacts of one world at the end of one frame; n contacts with up to 3 (pyramid: 4) rows."""
+
+    frame: int
+    geom: np.ndarray
+    """Names of the two geoms, shape [n, 2]."""
+    distance_m: np.ndarray
+    """Negative where the geoms overlap, shape [n]."""
+    friction: np.ndarray
+    """Sliding friction, shape [n]."""
+    solref: np.ndarray
+    """timeconst [s] and dampratio, shape [n, 2]."""
+    solimp: np.ndarray
+    """Shape [n, 5]."""
+    dim: np.ndarray
+    """Contact dimension, shape [n]."""
+    force_n: np.ndarray
+    """Normal and two tangential forces, shape [n, 3]; 0 where the contact is not in the solver."""
+    residual_m: np.ndarray
+    """Position residual of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
+    velocity_m_s: np.ndarray
+    """Velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a world's numbers can't be used from some frame on."""
+
+    kind: str
+    """``non-finite`` or ``overflow``."""
+    frame: int
+    detail: str
+
+    def __str__(self) -> str:
+        return f"{self.detail} in frame {self.frame}"
+
+
+@dataclass(frozen=True)
+class Trace:
+    """One world, frame by frame. Poses are position [m] and quaternion (x, y, z, w) in the world."""
+
+    frame_dt: float
+    """Duration of a frame [s]."""
+    phase: np.ndarray
+    """Task phase of each frame, shape [frames]."""
+    poses: np.ndarray
+    """Poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies, 7]."""
+    contacts: np.ndarray
+    """FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]."""
+    failure: Failure | None = None
+    """The first thing that went wrong, if anything did."""
+    peak_contact_count: int = 0
+    """Most contacts of this world in any frame."""
+    peak_constraint_count: int = 0
+    """Most constraint rows of this world in any substep."""
+    peak_iteration_count: int = 0
+    """Most solver iterations of this world in any substep."""
+    contact_rows: tuple[ContactRows, ...] = field(default=())
+    """The frames of which all contacts were asked for."""
+    world_count: int = 1
+    """Worlds that were simulated together."""
+    wall_s: float = 0.0
+    """Wall time of the whole batch: all frames, without building, compiling and capturing."""
+
+    def column(self, name: str) -> np.ndarray:
+        """One of FRAME_COLUMNS over time, shape [frames]."""
+        return self.contacts[:, FRAME_COLUMNS.index(name)]
+
+
+def first_failure(poses: np.ndarray, overflow: Failure | None) -> Failure | None:
+    """The earlier of an overflow and the first frame with a pose that is not finite.
+
+    Args:
+        poses: Shape [frames, bodies, 7].
+        overflow: An overflow that the recorder saw, or None.
+    """
+    bad = ~np.isfinite(poses).all(axis=(1, 2))
+    if not bad.any():
+        return overflow
+    non_finite = Failure("non-finite", int(bad.argmax()), "a body's pose is not finite")
+    if overflow is not None and overflow.frame <= non_finite.frame:
+        return overflow
+    return non_finite
