@@ -2,6 +2,7 @@
 
 import numpy as np
 import warp as wp
+from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
 from experiments.scene import Scene
@@ -126,11 +127,18 @@ def end_frame(
 
 
 class Recorder:
-    """Device buffers for a batch of ``world_count`` worlds and ``frame_count`` frames."""
+    """Device buffers for a batch of ``world_count`` worlds and ``frame_count`` frames.
 
-    def __init__(self, scene: Scene, solver: SolverMuJoCo, world_count: int, frame_count: int):
+    Args:
+        contacts: Newton's contact buffer, or None when MuJoCo generates the contacts.
+    """
+
+    def __init__(
+        self, scene: Scene, solver: SolverMuJoCo, contacts: Contacts | None, world_count: int, frame_count: int
+    ):
         device = scene.model.device
         self.solver = solver
+        self.contacts_in = contacts
         self.names = _geom_names(scene, solver)
         self.tracked = wp.array(scene.bodies, dtype=int, device=device)
         self.cursor = wp.zeros(world_count, dtype=int, device=device)
@@ -155,7 +163,7 @@ class Recorder:
         wp.launch(
             watch_substep,
             dim=self.cursor.shape,
-            inputs=[self.cursor, data.nacon, data.naconmax, data.nefc, data.njmax, data.solver_niter],
+            inputs=[self.cursor, *self._contact_count(), data.nefc, data.njmax, data.solver_niter],
             outputs=[self.peak_contact_total, self.peak_constraint, self.peak_iteration]
             + [self.contact_overflow, self.constraint_overflow],
         )
@@ -216,6 +224,16 @@ class Recorder:
                 )
             )
         return result
+
+    def _contact_count(self) -> tuple[wp.array, int]:
+        """Where the generator of the contacts counts them, and how many there is room for.
+
+        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer.
+        """
+        data = self.solver.mjw_data
+        if self.contacts_in is None:
+            return data.nacon, data.naconmax
+        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max, data.naconmax)
 
     @property
     def _elliptic(self) -> bool:

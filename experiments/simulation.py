@@ -19,7 +19,7 @@ CONSTRAINT_MAX = 96
 """Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped; every
 record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
 PROGRESS_FRAMES = 30
-"""Frames between two looks at the clock, which wait for the device."""
+"""Frames between two updates of the progress bar, which wait for the devices."""
 
 
 class Simulation:
@@ -34,6 +34,7 @@ class Simulation:
         self.world_count = len(cases)
         self.frame_dt = 1.0 / FRAME_RATE
         self.substep_dt = self.frame_dt / case.substeps
+        self.stream = wp.Stream(device) if device.is_cuda else None
         with wp.ScopedDevice(device):
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
@@ -41,7 +42,8 @@ class Simulation:
             self._start_at_approach_pose()
             self.pipeline, self.contacts = self._build_collision()
             self.solver = self._build_solver()
-            self.recorder = Recorder(self.scene, self.solver, self.world_count, case.frame_count)
+            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, case.frame_count)
+        wp.synchronize_device(device)  # what was built on the device's own stream is used on another
         self.graph = None
 
     def _start_at_approach_pose(self) -> None:
@@ -99,38 +101,52 @@ class Simulation:
         self.recorder.end_frame(self.body_q, self.task.phase)
 
     def step(self) -> None:
-        """Run one frame, as a graph from the second on: a first step must not happen inside a capture."""
-        with wp.ScopedDevice(self.device):
+        """Run one frame, as a graph from the second on: a first step must not happen inside a capture.
+
+        Warp replays graphs on the CPU as well, which saves the cost of launching from Python; MuJoCo's C engine is no
+        kernel and is called frame by frame.
+        """
+        with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
             if self.graph is not None:
                 wp.capture_launch(self.graph)
                 return
             self.frame()
-            if self.device.is_cuda:
+            if not self.solver.use_mujoco_cpu:
                 with wp.ScopedCapture() as capture:
                     self.frame()
                 self.graph = capture.graph
 
-    def run(self, progress: tqdm | None = None, contact_frames: Sequence[int] = ()) -> list[Trace]:
-        """Run all frames and return one trace per world.
 
-        Args:
-            progress: Told of every finished frame.
-            contact_frames: Frames after which all live contacts are kept.
-        """
-        self.step()  # compiles and captures, so the clock starts after it
-        wp.synchronize_device(self.device)
-        start = time.perf_counter()
-        for frame in range(self.case.frame_count):
-            if frame > 0:
-                self.step()
-            if frame in contact_frames:
-                self.recorder.keep_contact_rows(frame)
-            if progress is not None and (frame + 1) % PROGRESS_FRAMES == 0:
-                wp.synchronize_device(self.device)
-                progress.update(PROGRESS_FRAMES)
-        wp.synchronize_device(self.device)
-        wall_s = time.perf_counter() - start
-        return self.recorder.traces(self.frame_dt, self.case.frame_count, wall_s)
+def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
+    """Run all frames of all simulations side by side and return the traces of each one's worlds.
+
+    On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap.
+
+    Args:
+        title: What the progress bar says.
+        contact_frames: Frames after which all live contacts are kept.
+    """
+    for simulation in simulations:
+        simulation.step()  # compiles and captures, so the clock starts after it
+    _synchronize(simulations)
+    start = time.perf_counter()
+    frame_count = max(simulation.case.frame_count for simulation in simulations)
+    for frame in tqdm(range(frame_count), desc=title, unit="frame", delay=3.0, miniters=PROGRESS_FRAMES):
+        for simulation in simulations:
+            if 0 < frame < simulation.case.frame_count:
+                simulation.step()
+        if frame in contact_frames:
+            _synchronize(simulations)
+            for simulation in simulations:
+                simulation.recorder.keep_contact_rows(frame)
+        if (frame + 1) % PROGRESS_FRAMES == 0:
+            _synchronize(simulations)
+    _synchronize(simulations)
+    wall_s = time.perf_counter() - start
+    return [
+        simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s)
+        for simulation in simulations
+    ]
 
 
 def simulate(
@@ -138,7 +154,8 @@ def simulate(
 ) -> list[Trace]:
     """Run every case and return its trace, in the order of the cases.
 
-    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine run one by one on the CPU.
+    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the CPU.
+    To time a case, run it in a call of its own: simulations of one call run side by side.
 
     Args:
         device: Warp device; None takes CUDA where there is one.
@@ -149,12 +166,17 @@ def simulate(
     for index, case in enumerate(cases):
         key = index if case.backend == "mujoco" else batch_key(case)
         batches.setdefault(key, []).append(index)
+    simulations = []
+    for members in batches.values():
+        case = cases[members[0]]
+        chosen = "cpu" if case.backend == "mujoco" else case.device or device
+        simulations.append(Simulation([cases[index] for index in members], wp.get_device(chosen)))
     traces: dict[int, Trace] = {}
-    total = sum(cases[members[0]].frame_count for members in batches.values())
-    with tqdm(total=total, desc=title, unit="frame", delay=3.0) as progress:
-        for members in batches.values():
-            case = cases[members[0]]
-            chosen = "cpu" if case.backend == "mujoco" else case.device or device
-            simulation = Simulation([cases[index] for index in members], wp.get_device(chosen))
-            traces.update(zip(members, simulation.run(progress, contact_frames), strict=True))
+    for members, worlds in zip(batches.values(), run(simulations, title, contact_frames), strict=True):
+        traces.update(zip(members, worlds, strict=True))
     return [traces[index] for index in range(len(cases))]
+
+
+def _synchronize(simulations: Sequence[Simulation]) -> None:
+    for alias in {simulation.device.alias for simulation in simulations}:
+        wp.synchronize_device(alias)

@@ -1,0 +1,55 @@
+# make help says what there is. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
+
+ifeq ($(origin PYTHON), undefined)
+PYTHON := .venv/bin/python
+READY := .venv/.ready
+endif
+
+PORT ?= 8000
+OPTIONS = $(if $(NEWTON),--newton '$(NEWTON)') $(if $(DEVICE),--device '$(DEVICE)') $(if $(PROFILE),--profile '$(PROFILE)')
+
+.PHONY: report status rerun check publish serve test lint help
+.DEFAULT_GOAL := report
+
+report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
+	@$(PYTHON) build.py report $(OPTIONS)
+
+status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
+	@$(PYTHON) build.py status $(OPTIONS)
+
+rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE]
+	@$(PYTHON) build.py rerun --section '$(SECTION)' $(OPTIONS)
+
+check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
+	@$(PYTHON) build.py check $(OPTIONS)
+
+publish: $(READY) ## Check site/ and put it at TARGET=dir:PATH in one step [TARGET]
+	@$(PYTHON) build.py publish --target '$(TARGET)'
+
+serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
+	@$(PYTHON) -m http.server --directory site --bind 127.0.0.1 $(PORT)
+
+test: $(READY) ## Run the tests, which need no GPU
+	@$(PYTHON) -m pytest
+
+lint: $(READY) ## Check the style of the sources
+	@$(PYTHON) -m ruff check .
+	@$(PYTHON) -m ruff format --check .
+
+help: ## Print this
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@echo
+	@echo 'SECTION=reproduction    section to measure'
+	@echo 'NEWTON=1.8.0            Newton release, in an environment of its own'
+	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
+	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
+	@echo 'TARGET=dir:PATH         where to publish'
+	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'
+
+.venv/.ready: pyproject.toml uv.lock
+	@if command -v uv >/dev/null; then \
+		uv sync --frozen --quiet; \
+	else \
+		python3 -m venv .venv && .venv/bin/python -m pip install --quiet uv && .venv/bin/uv sync --frozen --inexact --quiet; \
+	fi
+	@touch $@

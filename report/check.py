@@ -1,0 +1,139 @@
+"""Check of a built site: what it shows is what was measured, and it needs nothing from elsewhere."""
+
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from report.format import format_number
+from report.quantities import VALUES_FILE
+
+FETCHING = {"src", "srcset", "poster", "data", "xlink:href"}
+"""Attributes whose address a browser fetches unasked, as it does every href but that of ``a``."""
+OUTCOMES = {"holds", "fails", "unknown"}
+FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
+
+
+class Reading(HTMLParser):
+    """What a page holds, as far as it is checked."""
+
+    def __init__(self, html: str):
+        super().__init__()
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+        self.scripts: list[str] = []
+        self.numbers: list[dict[str, str]] = []
+        self.claims: list[dict[str, str]] = []
+        self.styles = ""
+        self._open: list[str] = []
+        self.feed(html)
+
+    def handle_starttag(self, tag, attrs):
+        attributes = {name: value or "" for name, value in attrs}
+        self._open.append(tag)
+        if tag == "script" or any(name.startswith("on") for name in attributes):
+            self.scripts.append(tag)
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if "href" in attributes:
+            (self.links if tag == "a" else self.fetched).append(attributes["href"])
+        self.fetched += [value for name, value in attributes.items() if name in FETCHING]
+        self.styles += attributes.get("style", "")
+        if tag == "data":
+            self.numbers.append({**attributes, "text": ""})
+        if "data-claim" in attributes:
+            self.claims.append(attributes)
+
+    def handle_data(self, data):
+        tag = self._open[-1] if self._open else ""
+        if tag == "data":
+            self.numbers[-1]["text"] += data
+        if tag == "style":
+            self.styles += data
+
+    def handle_endtag(self, tag):
+        while self._open and self._open.pop() != tag:
+            pass
+
+
+def check_site(site: Path) -> list[str]:
+    """What is wrong with the site in folder ``site``, a line each; empty when nothing is."""
+    problems = []
+    for path in sorted(site.rglob("*.html")):
+        reading = Reading(path.read_text(encoding="utf-8"))
+        found = [*_check_self_contained(reading), *_check_links(reading, path, site), *_check_claims(reading)]
+        found += _check_numbers(reading, path.parent / "data")
+        problems += [f"{path.relative_to(site)}: {problem}" for problem in found]
+    for path in sorted(site.rglob("*.css")):
+        if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
+            problems.append(f"{path.relative_to(site)} fetches something")
+    if not (site / "index.html").is_file():
+        problems.append("there is no index.html")
+    return problems
+
+
+def _check_self_contained(reading: Reading) -> list[str]:
+    problems = [f"<{tag}> runs a script" for tag in reading.scripts]
+    problems += [
+        f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)
+    ]
+    return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
+
+
+def _check_links(reading: Reading, page: Path, site: Path) -> list[str]:
+    problems = [
+        f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1
+    ]
+    for address in reading.links + reading.fetched:
+        parts = urlsplit(address)
+        if parts.scheme or parts.netloc:
+            continue
+        target = (page.parent / unquote(parts.path)).resolve() if parts.path else page.resolve()
+        if parts.path.startswith("/") or not target.is_relative_to(site.resolve()):
+            problems.append(f"{address} leaves the site")
+        elif not target.exists() or (
+            target == page.resolve() and parts.fragment and unquote(parts.fragment) not in reading.ids
+        ):
+            problems.append(f"{address} leads nowhere")
+    return problems
+
+
+def _check_claims(reading: Reading) -> list[str]:
+    problems = [
+        f"the claim {claim['data-claim']} has no outcome"
+        for claim in reading.claims
+        if claim.get("data-outcome") not in OUTCOMES
+    ]
+    return problems if reading.claims else ["there is no claim"]
+
+
+def _check_numbers(reading: Reading, data: Path) -> list[str]:
+    problems = []
+    files: dict[str, object] = {}
+    for number in reading.numbers:
+        name, _, pointer = number.get("data-src", "").partition("#")
+        try:
+            if name not in files:
+                files[name] = json.loads((data / name).read_text(encoding="utf-8"))
+            kept = _resolve(files[name], pointer)
+            kept = kept["value"] if name == VALUES_FILE else kept
+        except (OSError, ValueError, LookupError, TypeError):
+            problems.append(f"{number.get('data-src')} resolves to nothing")
+            continue
+        shown = json.loads(number["value"]) if number.get("value") else None
+        if shown != kept or number["text"] != format_number(kept):
+            problems.append(f"{number['data-src']} is {kept}, but {number['text']} ({shown}) is shown")
+    return problems
+
+
+def _resolve(data: object, pointer: str) -> object:
+    for part in pointer.removeprefix("/").split("/"):
+        data = data[int(part)] if isinstance(data, list) else data[part]
+    return data
+
+
+def _is_elsewhere(address: str) -> bool:
+    parts = urlsplit(address)
+    return bool(parts.netloc or parts.scheme not in ("", "data"))

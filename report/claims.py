@@ -1,0 +1,78 @@
+"""Claims: sentences that say what the data shows, each a test with a wording for every outcome."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from markupsafe import Markup
+
+from report.quantities import Quantity
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a test on the results found: ``holds``, ``fails`` or ``unknown``."""
+
+    name: str
+    reason: str = ""
+    """Why it is unknown."""
+
+
+HOLDS = Outcome("holds")
+FAILS = Outcome("fails")
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One checked sentence. The wordings name their numbers in braces, as in ``The cube slips {slip}.``"""
+
+    name: str
+    outcome: Outcome
+    holds: str
+    fails: str
+    unknown: str
+    """Said when the data can't tell; the outcome's reason is added to it."""
+    numbers: Mapping[str, Quantity | str] = field(default_factory=dict)
+    explanation: str = ""
+    """Said only when the claim holds."""
+
+    @property
+    def sentence(self) -> Markup:
+        wording = {"holds": self.holds, "fails": self.fails, "unknown": self.unknown}[self.outcome.name]
+        sentence = Markup(wording).format(**self.numbers)
+        if not self.outcome.reason:
+            return sentence
+        return Markup("{} ({}).").format(Markup(sentence.removesuffix(".")), self.outcome.reason)
+
+    @property
+    def text(self) -> str:
+        return self.sentence.striptags().replace("\xa0", " ")
+
+    def html(self, section: str) -> Markup:
+        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}">{}</span>')
+        html = claim.format(section, self.name, self.outcome.name, self.sentence)
+        if self.explanation and self.outcome == HOLDS:
+            html += " " + Markup(self.explanation).format(**self.numbers)
+        return html
+
+
+def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
+    """Whether ``a`` is greater than ``b``; a difference that is not above the noise can't tell."""
+    if absent := _absent(a, b, noise):
+        return absent
+    difference = a.value - b.value
+    if abs(difference) <= noise.value:
+        return Outcome("unknown", "the difference is within the noise")
+    return HOLDS if difference > 0 else FAILS
+
+
+def at_least(a: Quantity, bound: Quantity) -> Outcome:
+    return _absent(a, bound) or (HOLDS if a.value >= bound.value else FAILS)
+
+
+def at_most(a: Quantity, bound: Quantity) -> Outcome:
+    return _absent(a, bound) or (HOLDS if a.value <= bound.value else FAILS)
+
+
+def _absent(*quantities: Quantity) -> Outcome | None:
+    reasons = [quantity.reason for quantity in quantities if quantity.value is None]
+    return Outcome("unknown", reasons[0]) if reasons else None

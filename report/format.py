@@ -1,0 +1,40 @@
+"""The only place where a number or a time becomes text."""
+
+from datetime import datetime
+
+MINUS = "\u2212"
+THIN_SPACE = "\u202f"
+"""Narrow and no-break, so that a number never wraps."""
+ABSENT = "n/a"
+
+PLAIN_EXPONENTS = range(-4, 7)
+"""Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+LABELS = {"1": ""}
+"""Units that are written in another way than they are named."""
+
+
+def unit_label(unit: str) -> str:
+    return LABELS.get(unit, unit)
+
+
+def format_number(value: float | int | None, *, digits: int = 3) -> str:
+    """``value`` to ``digits`` significant digits; digits before the point are never rounded away."""
+    if value is None:
+        return ABSENT
+    if isinstance(value, int) or value == 0:
+        return _typeset(f"{value:,.0f}" if value == 0 else f"{value:,}")
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    if int(exponent) not in PLAIN_EXPONENTS:
+        return f"{_typeset(mantissa)}{THIN_SPACE}×{THIN_SPACE}10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+    return _typeset(f"{value:,.{max(0, digits - 1 - int(exponent))}f}")
+
+
+def format_time(time: str) -> str:
+    """An ISO time with its offset, to the minute."""
+    return datetime.fromisoformat(time).strftime("%Y-%m-%d %H:%M %Z")
+
+
+def _typeset(text: str) -> str:
+    return text.replace("-", MINUS).replace(",", THIN_SPACE)

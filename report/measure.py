@@ -1,0 +1,50 @@
+"""Measuring, which another process does: nothing here knows the simulator."""
+
+import shutil
+import subprocess
+import sys
+
+from report import ReportError, UsageError
+from report.project import Project
+
+DEVICES = ("cuda", "cpu")
+
+
+def has_cuda() -> bool:
+    """Whether this machine has an NVIDIA GPU that works."""
+    if not shutil.which("nvidia-smi"):
+        return False
+    listing = subprocess.run(["nvidia-smi", "-L"], capture_output=True, text=True, check=False)
+    return listing.returncode == 0 and "GPU" in listing.stdout
+
+
+def measuring_device(asked: str | None, profile: str) -> str | None:
+    """The device to measure on; None when measuring here has to be asked for.
+
+    A CPU never takes the place of a GPU unasked: full measurements would take hours on it.
+    """
+    if asked not in (None, *DEVICES):
+        raise UsageError(f"DEVICE={asked} is no device; use one of: {', '.join(DEVICES)}")
+    if asked == "cpu":
+        return asked
+    if has_cuda():
+        return "cuda"
+    if asked:
+        raise UsageError("DEVICE=cuda: this machine has no CUDA device; DEVICE=cpu measures on its CPU")
+    return "cpu" if profile == "quick" else None
+
+
+def measure(project: Project, section: str, device: str) -> None:
+    command = [
+        sys.executable,
+        "-m",
+        "experiments.run",
+        section,
+        "--device",
+        device,
+        "--profile",
+        project.profile,
+    ]
+    status = subprocess.run(command, cwd=project.root, check=False).returncode
+    if status:
+        raise ReportError(f"{section}: measuring ended with exit status {status}; what was there is kept")

@@ -1,0 +1,69 @@
+"""Quantities: numbers that know their unit and where they come from."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from report.format import format_number, unit_label
+
+VALUES_FILE = "values.json"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A measured number, shown with a pointer to the file that holds it."""
+
+    value: float | int | None
+    unit: str
+    source: str
+    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``."""
+    reason: str = ""
+    """Why there is no number, where there is none."""
+
+    @property
+    def bare(self) -> Markup:
+        """The number without its unit, for places that say the unit themselves."""
+        attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
+        if self._hint:
+            attributes["title"] = self._hint
+        written = Markup("").join(Markup(' {}="{}"').format(*pair) for pair in attributes.items())
+        return Markup("<data{}>{}</data>").format(written, format_number(self.value))
+
+    @property
+    def _hint(self) -> str:
+        return self.reason
+
+    def __html__(self) -> Markup:
+        label = "" if self.value is None else unit_label(self.unit)
+        return self.bare + (Markup("&nbsp;") + label if label else "")
+
+    def __str__(self) -> str:
+        label = "" if self.value is None else unit_label(self.unit)
+        return f"{format_number(self.value)} {label}".rstrip()
+
+
+@dataclass(frozen=True)
+class Value(Quantity):
+    """A number derived from others, which says how."""
+
+    formula: str = ""
+    """How it is computed, in words."""
+    sources: Sequence[str] = ()
+    """Pointers to what it is computed from."""
+
+    @property
+    def _hint(self) -> str:
+        return self.reason or self.formula
+
+    @property
+    def entry(self) -> dict:
+        """What the site's values file says of it."""
+        entry = {
+            "value": self.value,
+            "unit": self.unit,
+            "formula": self.formula,
+            "sources": list(self.sources),
+        }
+        return entry | ({"reason": self.reason} if self.reason else {})

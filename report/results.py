@@ -1,0 +1,141 @@
+"""Results: one section's record as its section module sees it."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from report import ReportError
+from report.quantities import VALUES_FILE, Quantity, Value
+from report.records import Record, RecordError
+from report.traces import load_trace, trace_path
+
+
+class ResultsError(ReportError):
+    """A section module or its template names something that its results don't have."""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A per-frame series, or the reason why there is none."""
+
+    value: pd.DataFrame | None
+    source: str
+    reason: str = ""
+
+
+class Row:
+    """One row of a record: ``row.slip_mm`` is a Quantity; text and yes or no stay as they are."""
+
+    def __init__(self, record: Record, index: int, source: str):
+        self._cells = record.rows[index]
+        self._units = record.units
+        self._place = f"{record.section}: {self._cells['case']}"
+        self._source = f"{source}#/rows/{index}"
+
+    def __getitem__(self, column: str) -> Any:
+        if column not in self._cells:
+            raise ResultsError(f"{self._place} has no column {column}")
+        value = self._cells[column]
+        if column not in self._units or isinstance(value, bool | str):
+            return value
+        reason = self._cells.get(f"{column}_reason", "")
+        return Quantity(value, self._units[column], f"{self._source}/{column}", reason)
+
+    def __getattr__(self, column: str) -> Any:
+        if column.startswith("_"):
+            raise AttributeError(column)
+        return self[column]
+
+    def __contains__(self, column: str) -> bool:
+        return column in self._cells
+
+
+class Rows(dict):
+    """Rows by case."""
+
+    def __missing__(self, case: str):
+        raise ResultsError(f"there is no single row of case {case!r}; there are: {', '.join(self)}")
+
+
+@dataclass(frozen=True)
+class Results:
+    """What was measured for one section of one release, and what has been derived from it."""
+
+    record: Record
+    path: Path
+    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
+    """Results of the sections that stand before this one on the page."""
+    derived: dict[str, Value] = field(default_factory=dict)
+    """Every derived value by name, for the site's values file."""
+
+    @property
+    def source(self) -> str:
+        """Where the record lies below the site's ``data/``."""
+        return f"{self.path.parent.name}/{self.path.name}"
+
+    @cached_property
+    def rows(self) -> list[Row]:
+        return [Row(self.record, index, self.source) for index in range(len(self.record.rows))]
+
+    @cached_property
+    def row(self) -> Rows:
+        """Rows by case, those whose case is not unique left out."""
+        cases = [row.case for row in self.rows]
+        return Rows({row.case: row for row in self.rows if cases.count(row.case) == 1})
+
+    @cached_property
+    def seconds(self) -> Quantity:
+        """How long the measurement took."""
+        return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
+
+    def trace(self, case: str) -> Trace:
+        path = trace_path(self.path, case)
+        source = f"{path.parent.name}/{path.name}"
+        try:
+            return Trace(load_trace(path), source)
+        except RecordError as error:
+            return Trace(None, source, str(error))
+
+    def value(
+        self,
+        name: str,
+        formula: str,
+        function: Callable[..., float],
+        *sources: Quantity | Trace,
+        unit: str = "1",
+    ) -> Value:
+        """The value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
+
+        It does not exist when one of its sources doesn't, or when ``function`` has no finite result.
+        """
+        if name in self.derived:
+            raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
+        value, reason = _evaluate(function, sources)
+        self.derived[name] = Value(
+            value=value,
+            unit=unit,
+            source=f"{VALUES_FILE}#/{self.record.section}/{name}",
+            reason=reason,
+            formula=formula,
+            sources=tuple(source.source for source in sources),
+        )
+        return self.derived[name]
+
+
+def _evaluate(
+    function: Callable[..., float], sources: tuple[Quantity | Trace, ...]
+) -> tuple[float | None, str]:
+    reasons = [source.reason for source in sources if source.value is None]
+    if reasons:
+        return None, reasons[0]
+    try:
+        value = function(*(source.value for source in sources))
+    except ZeroDivisionError:
+        return None, "it would be a division by zero"
+    value = getattr(value, "item", lambda: value)()
+    return (value, "") if math.isfinite(value) else (None, "it has no finite value")

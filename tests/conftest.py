@@ -1,0 +1,143 @@
+"""A small project of its own: one section, measured by hand, in the three files that a section takes."""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from report import ROOT
+from report.identity import identity_of
+from report.project import Project
+from report.records import Record, units_of, write_record
+from report.site import assemble, build
+from report.status import state_of
+from report.traces import write_traces
+
+MODULE = """
+from report.claims import Claim, at_least
+from report.figures import new_figure
+from report.parts import Figure, Section, Table
+import pandas as pd
+
+order = 1
+
+def draw(trace):
+    drawing, axes = new_figure()
+    axes.plot(trace.value["time_s"], trace.value["x_mm"], label="x")
+    axes.legend()
+    return drawing
+
+def derive(results):
+    soft, stiff = results.rows[0], results.row["stiff"]
+    gain = results.value("gain", "soft over stiff", lambda a, b: a / b, soft.slip_mm, stiff.slip_mm)
+    bound = results.value("bound", "chosen", lambda: 10.0)
+    trace = results.trace("stiff")
+    rows = results.rows
+    table = pd.DataFrame({"slip": [row.slip_mm for row in rows]}, index=[row.case for row in rows])
+    return Section(
+        tables={"cases": Table(table, "All cases")},
+        figures={"way": Figure(lambda: draw(trace), "The way", f"It moves {stiff.slip_mm}.", [trace])},
+        claims=[Claim("helps", at_least(gain, bound), holds="It helps {gain} times.", fails="It does not.",
+                      unknown="No one knows.", numbers={"gain": gain}, explanation="Because it is stiff.")],
+    )
+"""
+TEMPLATE = """# A toy
+
+{{ claim("helps") }} Stiff is {{ row["stiff"].slip_mm }}.
+
+{{ figure("way") }}
+
+{{ table("cases") }}
+"""
+SCENE = '''"""The scene."""
+
+ROBOT = "assets/robot.urdf"
+
+
+def slip():
+    """How far it slips."""
+    return 1.0
+'''
+EXPERIMENT = """from experiments.scene import slip
+
+
+def measure(conditions):
+    return slip()
+"""
+ROWS = (
+    {"case": "soft", "slip_mm": 6.3617, "dropped": False},
+    {"case": "stiff", "slip_mm": 0.3124, "dropped": False},
+)
+
+
+@dataclass(frozen=True)
+class Toy:
+    """The project and what the tests do with it."""
+
+    project: Project
+
+    @property
+    def record_path(self) -> Path:
+        return self.project.record_path("toy")
+
+    @property
+    def page(self) -> str:
+        return (self.project.site / "index.html").read_text(encoding="utf-8")
+
+    def write(self, name: str, text: str) -> None:
+        path = self.project.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def record(self, rows=ROWS, **changes) -> Record:
+        fields = {
+            "section": "toy",
+            "identity": identity_of("toy", self.project.profile, self.project.root),
+            "machine": {
+                "device": "cpu",
+                "gpu": None,
+                "driver": None,
+                "cpu": "A processor",
+                "python": "3.12.1",
+            },
+            "measured": {
+                "date": "2026-01-02T03:04:05+00:00",
+                "commit": "abc",
+                "command": "make",
+                "seconds": 1.5,
+            },
+            "units": units_of(rows),
+            "rows": list(rows),
+        }
+        return Record(**{**fields, **changes})
+
+    def measure(self, rows=ROWS) -> None:
+        write_traces(self.record_path, {"stiff": pd.DataFrame({"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]})})
+        write_record(self.record_path, self.record(rows))
+
+    def state(self):
+        return state_of(self.project, "toy")
+
+    def assemble(self):
+        return assemble(self.project, [self.state()])
+
+    def build(self) -> None:
+        build(self.assemble())
+
+
+@pytest.fixture
+def toy(tmp_path) -> Toy:
+    toy = Toy(Project("1.4.0", root=tmp_path / "project"))
+    toy.write("experiments/__init__.py", "")
+    toy.write("experiments/scene.py", SCENE)
+    toy.write("experiments/toy.py", EXPERIMENT)
+    toy.write("report/sections/toy.py", MODULE)
+    toy.write("templates/sections/toy.md.j2", TEMPLATE)
+    toy.write("templates/summary.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    toy.write("assets/robot.urdf", "<robot/>")
+    shutil.copy(ROOT / "templates" / "base.html.j2", toy.project.templates)
+    shutil.copy(ROOT / "assets" / "style.css", toy.project.root / "assets")
+    toy.measure()
+    return toy

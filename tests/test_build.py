@@ -1,0 +1,84 @@
+"""The command line: what it refuses, what it must not import, and the report of the tracked results."""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+
+import pytest
+
+from report import ROOT
+from report.check import check_site
+
+REPORT = """
+import sys
+from pathlib import Path
+from report.identity import installed_release, sections
+from report.project import Project
+from report.site import assemble, build
+from report.status import state_of
+
+project = Project(installed_release(), root=Path(sys.argv[1]))
+build(assemble(project, [state_of(project, section) for section in sections()]))
+sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
+"""
+
+
+def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.CompletedProcess:
+    # Without nvidia-smi on the path every machine is one without a GPU.
+    environment = {**os.environ, "PATH": "/nowhere"}
+    return subprocess.run(
+        [sys.executable, *code, *arguments],
+        cwd=ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["rerun", "--section", "nothing"], "reproduction"),
+        (["rerun", "--section", ""], "reproduction"),
+        (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
+        (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
+        (["report", "--device", "tpu"], "DEVICE=tpu"),
+        (["report", "--device", "cuda"], "no CUDA device"),
+        (["report", "--profile", "slow"], "PROFILE=slow"),
+        (["status", "--newton", "new"], "NEWTON=new"),
+        (["status", "--newton", "99.0"], "NEWTON=99.0"),
+        (["publish", "--target", "ftp:x"], "TARGET="),
+        (["publish"], "TARGET="),
+    ],
+)
+def test_bad_input_gets_one_line_and_status_2(arguments, message):
+    done = run(*arguments)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+    assert done.stdout == ""
+
+
+def test_status_is_quick_and_does_not_import_the_simulator():
+    start = time.perf_counter()
+    code = (
+        "import sys, build; sys.argv = ['build.py', 'status']; build.main();"
+        "sys.exit(bool({'warp', 'newton', 'mujoco', 'matplotlib', 'pandas'} & set(sys.modules)))"
+    )
+    done = run(code=("-c", code))
+    assert done.returncode == 0, done.stderr
+    assert "reproduction" in done.stdout
+    assert time.perf_counter() - start < 5
+
+
+def test_the_tracked_results_make_a_report_without_the_simulator(tmp_path):
+    for name in ("experiments", "report", "templates", "assets", "results"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    start = time.perf_counter()
+    done = run(str(tmp_path), code=("-c", REPORT))
+    assert done.returncode == 0, done.stderr
+    assert time.perf_counter() - start < 10
+    assert check_site(tmp_path / "site") == []

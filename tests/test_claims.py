@@ -1,0 +1,142 @@
+"""Values and claims: numbers that say where they come from, and sentences that follow the data."""
+
+import math
+
+import pytest
+
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
+from report.format import format_number
+from report.quantities import Quantity
+from report.results import Results, ResultsError
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (6.3617, "6.36"),
+        (0.3124, "0.312"),
+        (9.996, "10.0"),
+        (0.0, "0"),
+        (-0.05, "−0.0500"),
+        (1.0, "1.00"),
+        (123.45, "123"),
+        (12345.6, "12\u202f346"),
+        (250000.0, "250\u202f000"),
+        (2048, "2\u202f048"),
+        (7, "7"),
+        (1.5e-7, "1.50\u202f×\u202f10⁻⁷"),
+        (1e8, "1.00\u202f×\u202f10⁸"),
+        (None, "n/a"),
+    ],
+)
+def test_numbers_as_text(value, text):
+    assert format_number(value) == text
+
+
+def quantity(value, reason="") -> Quantity:
+    return Quantity(value, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", reason)
+
+
+def test_a_quantity_says_its_source():
+    assert str(quantity(6.3617).__html__()) == (
+        '<data value="6.3617" data-src="newton-1.4.0/toy.json#/rows/0/slip_mm">6.36</data>&nbsp;mm'
+    )
+    assert str(quantity(-2.0)) == "−2.00 mm"
+
+
+def test_a_missing_number_says_why():
+    html = quantity(None, 'it "fell" & broke').__html__()
+    assert 'title="it &#34;fell&#34; &amp; broke"' in html
+    assert html.endswith(">n/a</data>")
+
+
+NOISE = quantity(0.1)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "outcome"), [(2.0, 1.0, "holds"), (1.0, 2.0, "fails"), (1.0, 1.05, "unknown")]
+)
+def test_a_difference_within_the_noise_cannot_tell(a, b, outcome):
+    assert greater(quantity(a), quantity(b), noise=NOISE).name == outcome
+
+
+def test_bounds_are_inclusive():
+    assert at_least(quantity(1.0), quantity(1.0)) == at_most(quantity(1.0), quantity(1.0)) == HOLDS
+    assert at_least(quantity(0.9), quantity(1.0)) == at_most(quantity(1.1), quantity(1.0)) == FAILS
+
+
+def test_an_outcome_without_numbers_is_unknown_and_says_why():
+    gone = quantity(None, "non-finite in frame 12")
+    for outcome in (at_least(gone, NOISE), at_most(NOISE, gone), greater(NOISE, NOISE, noise=gone)):
+        assert outcome == Outcome("unknown", "non-finite in frame 12")
+
+
+def make_claim(outcome) -> Claim:
+    words = {"holds": "It is {slip}.", "fails": "It is not {slip}.", "unknown": "Who knows."}
+    return Claim(
+        "slips", outcome, **words, numbers={"slip": quantity(6.3617)}, explanation="Since it is soft."
+    )
+
+
+def test_each_outcome_has_its_wording():
+    assert make_claim(HOLDS).text == "It is 6.36 mm."
+    assert make_claim(FAILS).text == "It is not 6.36 mm."
+    assert make_claim(Outcome("unknown", "a < b")).text == "Who knows (a < b)."
+
+
+def test_an_explanation_stands_only_where_the_claim_holds():
+    html = make_claim(HOLDS).html("toy")
+    assert html.startswith('<span class="claim" data-claim="toy.slips" data-outcome="holds">It is <data ')
+    assert html.endswith("Since it is soft.")
+    assert "Since it is soft." not in make_claim(FAILS).html("toy") + make_claim(Outcome("unknown")).html(
+        "toy"
+    )
+
+
+@pytest.fixture
+def results(toy) -> Results:
+    return Results(toy.record(), toy.record_path)
+
+
+def test_a_derived_value_says_how(results):
+    a, b = (results.row[case].slip_mm for case in ("soft", "stiff"))
+    gain = results.value("gain", "soft over stiff", lambda a, b: a / b, a, b)
+    assert gain.source == "values.json#/toy/gain"
+    assert gain.entry == {
+        "value": 6.3617 / 0.3124,
+        "unit": "1",
+        "formula": "soft over stiff",
+        "sources": ["newton-1.4.0/toy.json#/rows/0/slip_mm", "newton-1.4.0/toy.json#/rows/1/slip_mm"],
+    }
+
+
+def test_a_value_needs_its_sources(results):
+    gone = quantity(None, "it fell")
+    value = results.value("gain", "half of it", lambda a: a / 2, gone)
+    assert (value.value, value.reason) == (None, "it fell")
+
+
+@pytest.mark.parametrize("function", [lambda: 1 / 0, lambda: math.nan, lambda: math.inf])
+def test_a_value_that_is_not_finite_does_not_exist(results, function):
+    value = results.value("gain", "nonsense", function)
+    assert value.value is None
+    assert value.reason
+
+
+def test_a_value_is_derived_once(results):
+    results.value("gain", "one", lambda: 1.0)
+    with pytest.raises(ResultsError, match="derived twice"):
+        results.value("gain", "two", lambda: 2.0)
+
+
+def test_a_name_that_does_not_exist_is_an_error(results):
+    with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
+        _ = results.row["soft"].drift_mm_s
+    with pytest.raises(ResultsError, match=r"'firm'.*soft, stiff"):
+        _ = results.row["firm"]
+
+
+def test_a_lost_trace_says_so(results):
+    trace = results.trace("soft")
+    assert trace.value is None
+    assert "toy.soft.csv.gz" in trace.reason

@@ -1,0 +1,140 @@
+"""Records and traces: kept whole, or refused."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from report.records import RecordError, load_record, record_path, unit_of, units_of, write_record
+from report.traces import load_trace, trace_path, write_traces
+
+
+def test_a_record_comes_back_as_it_was_written(toy):
+    assert load_record(toy.record_path) == toy.record()
+
+
+def test_the_file_keeps_the_contract(toy):
+    data = json.loads(toy.record_path.read_text())
+    assert data["schema"] == 1
+    assert set(data) == {"schema", "section", "identity", "machine", "measured", "units", "rows"}
+    assert {"code", "config", "packages"} <= set(data["identity"])
+    assert data["units"] == {"slip_mm": "mm"}
+    assert data["rows"][0] == {"case": "soft", "slip_mm": 6.3617, "dropped": False}
+
+
+def damage(data: dict, **changes) -> str:
+    return json.dumps({**data, **changes})
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda data: json.dumps(data)[:-40],
+        lambda data: "",
+        lambda data: "[]",
+        lambda data: json.dumps({**data, "schema": 2}),
+        lambda data: json.dumps({**data, "section": "other"}),
+        lambda data: json.dumps({**data, "rows": []}),
+        lambda data: json.dumps({**data, "rows": [3]}),
+        lambda data: json.dumps({**data, "rows": [{"slip_mm": 1.0}]}),
+        lambda data: json.dumps({**data, "rows": [{"case": "soft", "slip_mm": float("nan")}]}),
+        lambda data: json.dumps({**data, "rows": [{"case": "soft", "slip_mm": None}]}),
+        lambda data: json.dumps({**data, "rows": [{"case": "soft", "drift_mm_s": 1.0}]}),
+        lambda data: json.dumps({**data, "identity": {}}),
+        lambda data: json.dumps({**data, "measured": {"date": "yesterday", "seconds": 1.0}}),
+        lambda data: json.dumps({key: value for key, value in data.items() if key != "units"}),
+        lambda data: json.dumps(data).replace("6.3617", "1e999"),
+    ],
+)
+def test_a_damaged_record_is_refused_in_one_line(toy, spoil):
+    toy.record_path.write_text(spoil(json.loads(toy.record_path.read_text())))
+    with pytest.raises(RecordError) as error:
+        load_record(toy.record_path)
+    assert "\n" not in str(error.value)
+    assert toy.state().name == "damaged"
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])
+def test_what_is_no_plain_finite_number_is_not_written(toy, number):
+    before = toy.record_path.read_bytes()
+    with pytest.raises(RecordError, match="slip_mm of soft"):
+        write_record(
+            toy.record_path, toy.record([{"case": "soft", "slip_mm": number}], units={"slip_mm": "mm"})
+        )
+    assert toy.record_path.read_bytes() == before
+    assert not list(toy.record_path.parent.glob(".*"))
+
+
+def test_a_missing_number_needs_its_reason(toy):
+    row = {"case": "soft", "slip_mm": None, "slip_mm_reason": "non-finite in frame 12"}
+    write_record(toy.record_path, toy.record([row]))
+    assert load_record(toy.record_path).units == {"slip_mm": "mm"}
+    del row["slip_mm_reason"]
+    with pytest.raises(RecordError, match="without a slip_mm_reason"):
+        write_record(toy.record_path, replace(toy.record([row]), units={"slip_mm": "mm"}))
+
+
+@pytest.mark.parametrize(
+    ("column", "unit"),
+    [
+        ("slip_mm", "mm"),
+        ("drift_mm_s", "mm/s"),
+        ("grasp_error_mm_per_cycle", "mm/cycle"),
+        ("cube_height_m", "m"),
+        ("normal_force_n", "N"),
+        ("wall_s", "s"),
+        ("frame_ms", "ms"),
+        ("ms_per_s", "ms/s"),
+        ("ms_per_s_p95", "ms/s"),
+        ("frames_per_s", "1/s"),
+        ("shake_frequency_hz", "Hz"),
+        ("frame_count", "1"),
+        ("cube_density_kg_m3", "kg/m³"),
+        ("cube_mass_kg", "kg"),
+        ("bytes_per_world", "B"),
+        ("pad_mu", "1"),
+    ],
+)
+def test_a_column_says_its_unit(column, unit):
+    assert unit_of(column) == unit
+
+
+def test_only_numbers_have_units():
+    rows = [
+        {"case": "a", "dropped": True, "slip_mm": 1},
+        {"case": "b", "gap_m": None, "gap_m_reason": "none"},
+    ]
+    assert units_of(rows) == {"slip_mm": "mm", "gap_m": "m"}
+
+
+def test_quick_results_lie_apart(tmp_path):
+    assert record_path("toy", "1.4.0", "full", tmp_path) == tmp_path / "results/newton-1.4.0/toy.json"
+    assert record_path("toy", "1.4.0", "quick", tmp_path) == tmp_path / "results/quick/newton-1.4.0/toy.json"
+
+
+def test_traces_are_the_same_bytes_for_the_same_numbers(toy):
+    path = trace_path(toy.record_path, "stiff")
+    before = path.read_bytes()
+    toy.measure()
+    assert path.read_bytes() == before
+    assert load_trace(path)["x_mm"].tolist() == [0.0, 0.3]
+
+
+def test_traces_of_cases_that_are_no_more_go(toy):
+    write_traces(toy.record_path, {"soft": pd.DataFrame({"x_mm": [1.0]})})
+    assert [path.name for path in toy.record_path.parent.glob("*.gz")] == ["toy.soft.csv.gz"]
+
+
+@pytest.mark.parametrize("keep", [0, 10, -4])
+def test_a_half_written_trace_is_refused(toy, keep):
+    path = trace_path(toy.record_path, "stiff")
+    path.write_bytes(path.read_bytes()[:keep])
+    with pytest.raises(RecordError, match="no whole trace"):
+        load_trace(path)
+
+
+def test_a_case_that_is_no_file_name_has_no_trace(toy):
+    with pytest.raises(RecordError):
+        trace_path(toy.record_path, "../soft")

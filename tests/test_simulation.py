@@ -1,0 +1,99 @@
+"""The real scene on the real engine: calibration, batching, and what happens when a run goes wrong."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import warp as wp
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, STIFF_PADS, Case, CaseError, batch_key
+from experiments.simulation import Simulation, simulate
+from experiments.trace import Failure
+
+SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
+"""Slip of the calibration runs and how close a run must come."""
+
+
+def slip_mm(trace) -> float:
+    assert trace.failure is None
+    return metrics.slip_mm(metrics.displacement(trace))
+
+
+@pytest.mark.parametrize("case", [AS_SHIPPED, STIFF_PADS], ids=lambda case: case.name)
+def test_calibration_through_mujoco_c(case):
+    [trace] = simulate([replace(case, backend="mujoco")])
+    expected, tolerance = SLIP_MM[case.name]
+    assert slip_mm(trace) == pytest.approx(expected, abs=tolerance)
+
+
+@pytest.fixture(scope="module")
+def batch() -> dict[str, tuple[Case, object]]:
+    """Different cases as worlds of one batch on Warp's CPU device."""
+    cases = [
+        AS_SHIPPED,
+        STIFF_PADS,
+        replace(AS_SHIPPED, name="other", cube_gap_m=0.005, cube_density_kg_m3=250.0, shake_frequency_hz=2.0),
+    ]
+    traces = simulate(cases, device="cpu")
+    assert {trace.world_count for trace in traces} == {len(cases)}
+    return {case.name: (case, trace) for case, trace in zip(cases, traces, strict=True)}
+
+
+@pytest.mark.parametrize("name", ["as-shipped", "stiff-pads"])
+def test_calibration_on_the_cpu_device(batch, name):
+    expected, tolerance = SLIP_MM[name]
+    assert slip_mm(batch[name][1]) == pytest.approx(expected, abs=tolerance)
+
+
+@pytest.mark.parametrize("name", ["stiff-pads", "other"])
+def test_a_world_of_a_batch_is_the_case_alone(batch, name):
+    frame_count = 260
+    case, together = batch[name]
+    [alone] = simulate([replace(case, frame_count=frame_count)], device="cpu")
+    np.testing.assert_array_equal(alone.phase, together.phase[:frame_count])
+    assert alone.phase[-1] == metrics.SHAKE
+    np.testing.assert_allclose(alone.poses, together.poses[:frame_count], atol=2e-6)
+    np.testing.assert_array_equal(
+        alone.column("contact_count"), together.column("contact_count")[:frame_count]
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "buffer"),
+    [
+        ({"contact_max": 8}, "contact"),
+        ({"contact_max": 8, "contacts": "mujoco"}, "contact"),
+        ({"constraint_max": 12}, "constraint"),
+    ],
+)
+def test_an_overflow_is_marked_with_its_frame(change, buffer):
+    [trace] = simulate([replace(AS_SHIPPED, frame_count=3, **change)], device="cpu")
+    assert trace.failure == Failure("overflow", 0, f"the {buffer} buffer overflowed")
+
+
+def test_a_world_that_turns_non_finite_is_marked_and_alone_in_it():
+    simulation = Simulation([replace(AS_SHIPPED, frame_count=6)] * 2, wp.get_device("cpu"))
+    for frame in range(6):
+        if frame == 4:
+            simulation.state.joint_qd.numpy()[-1] = np.nan
+        simulation.step()
+    good, bad = simulation.recorder.traces(simulation.frame_dt, 6, wall_s=0.0)
+    assert good.failure is None
+    assert (bad.failure.kind, bad.failure.frame) == ("non-finite", 4)
+
+
+def test_cases_share_a_batch_only_where_one_simulation_can_hold_them():
+    assert batch_key(AS_SHIPPED) == batch_key(STIFF_PADS)
+    assert batch_key(AS_SHIPPED) != batch_key(replace(AS_SHIPPED, pad_priority=0))
+    assert batch_key(AS_SHIPPED) != batch_key(replace(AS_SHIPPED, iterations=2))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"shake_amplitude_m": -0.01}, {"shake_frequency_hz": 0.0}, {"pad_ke": float("nan")}, {"pad_ke": 0.0}]
+    + [{"substeps": 0}, {"collide_count": 3}],
+)
+def test_a_case_that_makes_no_sense_is_refused(change):
+    with pytest.raises(CaseError, match=next(iter(change))):
+        replace(AS_SHIPPED, **change)

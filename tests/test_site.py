@@ -1,0 +1,222 @@
+"""The site: built from results made by hand, checked, and published in one step."""
+
+import json
+from dataclasses import replace
+
+import pytest
+from conftest import MODULE, ROWS, TEMPLATE
+
+from report import ReportError, UsageError
+from report.check import check_site
+from report.figures import SERIES, draw_svg, new_figure
+from report.publish import publish
+
+
+def test_a_section_takes_three_files_and_passes_the_check(toy):
+    toy.build()
+    assert check_site(toy.project.site) == []
+    assert (
+        '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.312</data>&nbsp;mm'
+        in toy.page
+    )
+    assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
+    assert "A processor" in toy.page and "make rerun SECTION=toy" in toy.page
+    values = json.loads((toy.project.site / "data/values.json").read_text())
+    assert values["toy"]["gain"]["formula"] == "soft over stiff"
+    assert (toy.project.site / "data/newton-1.4.0/toy.json").read_bytes() == toy.record_path.read_bytes()
+    assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
+
+
+def test_the_same_results_give_the_same_page(toy):
+    toy.build()
+    before = toy.page
+    toy.build()
+    assert toy.page == before
+
+
+def test_text_from_results_is_no_markup(toy):
+    evil = '<script>alert(1)</script> *a* `b` "c"'
+    toy.measure([{**ROWS[0], "case": evil}, ROWS[1]])
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + "\nFirst: {{ rows[0].case }}\n")
+    toy.build()
+    assert "<script" not in toy.page
+    assert toy.page.count("&lt;script&gt;alert(1)&lt;/script&gt; *a* `b`") == 2
+    assert check_site(toy.project.site) == []
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("{{ nothing }}", "nothing"),
+        ("{{ value.nothing }}", "nothing"),
+        ('{{ row["stiff"].nothing_mm }}', "toy: stiff has no column nothing_mm"),
+        ('{{ row["firm"].slip_mm }}', "firm"),
+        ('{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
+        ('{{ figure("nothing") }}', "toy has no figure"),
+        ("{{ 3.5 }}", "says nothing of where it comes from"),
+        ("{% if %}", "templates/sections/toy.md.j2"),
+    ],
+)
+def test_a_wrong_template_stops_the_build_and_keeps_the_site(toy, words, message):
+    toy.build()
+    before = toy.page
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
+    with pytest.raises(ReportError, match=message):
+        toy.build()
+    assert toy.page == before
+
+
+def test_nothing_is_left_behind_when_drawing_fails(toy):
+    toy.build()
+    before = toy.page
+    toy.write("report/sections/toy.py", MODULE.replace("axes.legend()", "raise OSError('no ink')"))
+    with pytest.raises(OSError, match="no ink"):
+        toy.build()
+    assert toy.page == before
+    assert not list(toy.project.root.glob(".site-*"))
+
+
+def test_a_stale_section_is_shown_with_what_changed(toy):
+    toy.write("assets/robot.urdf", "<robot name='other'/>")
+    toy.build()
+    assert "config: assets/robot.urdf" in toy.page
+    assert "renews it" in toy.page
+    assert check_site(toy.project.site) == []
+
+
+def test_a_stale_section_that_no_longer_fits_is_left_out(toy):
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].new_mm }}')
+    toy.write("experiments/scene.py", "def slip():\n    return 2\n")
+    toy.build()
+    assert 'id="toy"' not in toy.page
+    assert "stiff has no column new_mm" in toy.page
+
+
+@pytest.mark.parametrize(
+    "spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')]
+)
+def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
+    spoil(toy.record_path)
+    toy.build()
+    assert 'id="toy"' not in toy.page
+    assert "<b>toy</b> is left out" in toy.page
+    assert "<code>make rerun SECTION=toy</code>" in toy.page
+
+
+def test_a_figure_without_data_is_one_line(toy):
+    (toy.record_path.parent / "toy.stiff.csv.gz").unlink()
+    toy.build()
+    assert "A figure is left out here: there is no toy.stiff.csv.gz" in toy.page
+    assert "<svg" not in toy.page
+    assert str(toy.project.root) not in toy.page
+    assert check_site(toy.project.site) == []
+
+
+def test_a_figure_links_only_the_data_that_is_there(toy):
+    toy.write("report/sections/toy.py", MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'))
+    toy.build()
+    assert "<svg" in toy.page
+    assert check_site(toy.project.site) == []
+
+
+def test_a_figure_follows_the_page_and_hides_nothing(toy):
+    def draw():
+        drawing, axes = new_figure()
+        axes.plot([0, 1], label="<b>")
+        return drawing
+
+    svg = draw_svg(draw, name="toy-way", alt='"<b>"')
+    assert svg.startswith('<svg viewBox="')
+    assert 'role="img" aria-label="&#34;&lt;b&gt;&#34;"' in svg
+    assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
+    assert all(
+        part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:])
+    )
+    assert svg == draw_svg(draw, name="toy-way", alt='"<b>"')
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        (">0.312<", ">0.313<", "is shown"),
+        ('value="0.3124"', 'value="0.31"', "is shown"),
+        ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "resolves to nothing"),
+        ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),
+        ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
+        ('href="#toy"', 'href="#other"', "leads nowhere"),
+        ("</main>", '<script src="x.js"></script></main>', "runs a script"),
+        ("</main>", '<img src="https://example.org/x.png" alt=""></main>', "fetched from elsewhere"),
+        ('href="style.css"', 'href="//example.org/style.css"', "fetched from elsewhere"),
+        ("</main>", "<style>@import 'x'</style></main>", "style fetches"),
+        ('data-outcome="holds"', "", "no outcome"),
+        ("data-claim", "data-other", "there is no claim"),
+        ("</main>", '<p id="toy"></p></main>', "not unique"),
+    ],
+)
+def test_the_check_finds_what_is_wrong(toy, old, new, problem):
+    toy.build()
+    assert old in toy.page
+    (toy.project.site / "index.html").write_text(toy.page.replace(old, new), encoding="utf-8")
+    assert any(problem in line for line in check_site(toy.project.site))
+
+
+def test_publishing_switches_a_link(toy, tmp_path):
+    toy.build()
+    place = tmp_path / "www"
+    publish(toy.project.site, f"dir:{place}")
+    first = place.resolve()
+    assert place.is_symlink() and check_site(place) == []
+    publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == first
+    toy.measure([{**ROWS[0], "slip_mm": 5.0}, ROWS[1]])
+    toy.build()
+    publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() != first and first.is_dir()
+    assert (place / "index.html").read_text() == toy.page
+    assert len(list((tmp_path / ".www.versions").iterdir())) == 2
+
+
+def test_a_build_with_a_problem_is_not_published(toy, tmp_path):
+    toy.build()
+    place = tmp_path / "www"
+    publish(toy.project.site, f"dir:{place}")
+    before = place.resolve()
+    (toy.project.site / "data/values.json").unlink()
+    with pytest.raises(ReportError, match="not published"):
+        publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == before
+
+
+def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
+    toy.build()
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/letter.txt").write_text("dear")
+    (tmp_path / "link").symlink_to(tmp_path / "mine")
+    for target in (
+        f"dir:{tmp_path}/mine",
+        f"dir:{tmp_path}/link",
+        f"dir:{tmp_path}/no/where",
+        "dir:",
+        "ftp:x",
+        "",
+    ):
+        with pytest.raises(UsageError):
+            publish(toy.project.site, target)
+    assert (tmp_path / "mine/letter.txt").read_text() == "dear"
+    assert not list(tmp_path.glob(".*.versions"))
+
+
+def test_an_empty_folder_may_become_the_site(toy, tmp_path):
+    toy.build()
+    (tmp_path / "www").mkdir()
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert check_site(tmp_path / "www") == []
+
+
+def test_quick_results_are_shown_as_such(toy):
+    quick = replace(toy, project=replace(toy.project, profile="quick"))
+    quick.measure()
+    quick.build()
+    assert "quick profile" in quick.page
+    assert "make rerun SECTION=toy PROFILE=quick" in quick.page
+    assert check_site(quick.project.site) == []
