@@ -26,18 +26,20 @@ def main() -> int:
 def report(project: Project, arguments: argparse.Namespace) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = measuring_device(arguments.device, project.profile)
-    failures = 0
-    for state in _states(project):
+    states = _states(project)
+    for state in states:
         if state.name == "damaged":
             print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
-        if state.name != "fresh" and device:
-            try:
-                measure(project, state.section, device)
-            except ReportError as error:
-                print(error, file=sys.stderr)
-                failures += 1
+    stale = [state.section for state in states if state.name != "fresh"]
+    status = 0
+    if stale and device:
+        try:
+            measure(project, stale, device)
+        except ReportError as error:
+            print(error, file=sys.stderr)
+            status = 1
     _build(project)
-    return 1 if failures else 0
+    return status
 
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
@@ -45,7 +47,7 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, project.profile)
     if not device:
         raise UsageError("this machine has no CUDA device; DEVICE=cpu measures on its CPU")
-    measure(project, arguments.section, device)
+    measure(project, [arguments.section], device)
     _build(project)
     return 0
 
@@ -110,9 +112,7 @@ def _refuse_bad_input(arguments: argparse.Namespace) -> None:
     if arguments.profile not in PROFILES:
         raise UsageError(f"PROFILE={arguments.profile} is no profile; use one of: {', '.join(PROFILES)}")
     if arguments.command == "rerun" and arguments.section not in sections():
-        raise UsageError(
-            f"SECTION={arguments.section or ''} is no section; use one of: {', '.join(sections())}"
-        )
+        raise UsageError(f"SECTION={arguments.section or ''} is no section; use one of: {', '.join(sections())}")
     if arguments.device:
         measuring_device(arguments.device, arguments.profile)
 

@@ -69,6 +69,8 @@ class Case:
     constraint_max: int | None = None
     """Constraint rows per world that the buffers hold; None sizes them for the scene."""
     ik_iterations: int = 24
+    graph: bool = True
+    """Whether a frame is captured once and replayed, or launched kernel by kernel."""
     frame_count: int = 900
 
     def __post_init__(self):

@@ -1,17 +1,21 @@
 """What a section hands over to be kept: rows of plain numbers, and long traces beside them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
 from experiments import metrics
-from experiments.case import Case, differences
+from experiments.case import AS_SHIPPED, Case, differences
 from experiments.simulation import simulate
-from experiments.trace import Trace
+from experiments.trace import ContactRows, Trace
 
 QUICK_FRAME_COUNT = 420
 """Frames of a quick run: the set-up and about 3.5 s of shake."""
+CONTACT_FRAME_STEP = 15
+"""Frames between the three looks at the live contacts: a quarter of a 1 Hz cycle."""
+SETUP_FRAME_COUNT = 212
+"""Frames before the shake when no phase has to wait for the TCP."""
 
 
 @dataclass(frozen=True)
@@ -27,11 +31,24 @@ class Conditions:
     def is_cuda(self) -> bool:
         return self.device.startswith("cuda")
 
+    def frame_count(self, full: int) -> int:
+        """``full``, or fewer frames when quick."""
+        return min(full, QUICK_FRAME_COUNT) if self.quick else full
+
+    def contact_frames(self, full: int = AS_SHIPPED.frame_count) -> tuple[int, ...]:
+        """Three frames in the middle of the shake of a run of ``full`` frames."""
+        middle = (SETUP_FRAME_COUNT + self.frame_count(full)) // 2
+        return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
+
     def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
         """``simulation.simulate`` on this device, with the runs cut short when quick."""
-        if self.quick:
-            cases = [replace(case, frame_count=min(case.frame_count, QUICK_FRAME_COUNT)) for case in cases]
+        cases = [replace(case, frame_count=self.frame_count(case.frame_count)) for case in cases]
         return simulate(cases, device=self.device, **options)
+
+    def measure(self, cases: Sequence[Case], title: str) -> "Measurement":
+        """The plain kind of section: a row for each case, and nothing else."""
+        traces = self.simulate(cases, title=title)
+        return Measurement([summarize(case, trace) for case, trace in zip(cases, traces, strict=True)])
 
 
 @dataclass(frozen=True)
@@ -48,6 +65,7 @@ def summarize(case: Case, trace: Trace) -> dict[str, object]:
     A number that does not exist is None, with a reason under ``<name>_reason``.
     """
     row = {"case": case.name, "backend": case.backend, **differences(case)}
+    row |= {"shake_amplitude_m": case.shake_amplitude_m, "shake_frequency_hz": case.shake_frequency_hz}
     row |= {"failure": str(trace.failure) if trace.failure else None}
     row |= {"failure_frame": trace.failure.frame} if trace.failure else {}
     moved = metrics.displacement(trace)
@@ -109,3 +127,13 @@ def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
         "z_mm": vector[:, 2],
         "along_mm": 1e3 * moved.along_m,
     }
+
+
+def grasp_columns(rows: ContactRows) -> dict[str, object]:
+    """``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
+    found = metrics.grasp(rows)
+    if found is not None:
+        return asdict(found)
+    columns: dict[str, object] = dict.fromkeys(field.name for field in fields(metrics.Grasp))
+    columns |= {f"{name}_reason": "no contact carries force" for name in columns}
+    return columns | {"row_count": len(rows.distance_m), "loaded_row_count": 0}

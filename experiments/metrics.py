@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.trace import Trace
+from experiments.trace import ContactRows, Trace
 
 SHAKE = 4
 """Task phase in which everything is measured."""
@@ -26,7 +26,11 @@ def rotate_inverse(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
 
 
 def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
-    """Position [m] of ``body`` in the frame of another body, shape [frames, 3]. ``poses`` has shape [frames, bodies, 7]."""
+    """Position [m] of ``body`` in the frame of another body, shape [frames, 3].
+
+    Args:
+        poses: Position and quaternion of each body, shape [frames, bodies, 7].
+    """
     poses = poses.astype(np.float64)
     return rotate_inverse(poses[:, frame, 3:], poses[:, body, :3] - poses[:, frame, :3])
 
@@ -101,3 +105,84 @@ def is_dropped(trace: Trace) -> bool:
     cube, tcp = trace.poses[-1, CUBE, :3].astype(np.float64), trace.poses[-1, TCP, :3].astype(np.float64)
     on_ground = cube[2] < SPAWN_HEIGHT + SPAWN_HEIGHT_TOLERANCE
     return bool(np.linalg.norm(cube - tcp) > DROP_DISTANCE or on_ground)
+
+
+def shake_mean(trace: Trace, column: str) -> float:
+    """Mean of a frame statistic over the shake; NaN frames are left out."""
+    return float(np.nanmean(trace.column(column)[trace.phase == SHAKE]))
+
+
+def slide_mm(trace: Trace) -> float:
+    """What the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
+    return 1e3 * float(trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt)
+
+
+def total_drift_mm(moved: Displacement) -> float:
+    """Length of the fitted drift of all three components over the whole shake [mm]."""
+    slope = np.polyfit(moved.time_s, moved.vector_m, 1)[0]
+    return 1e3 * float(np.linalg.norm(slope) * moved.time_s[-1])
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """The contacts that carry force in one frame, as numbers."""
+
+    row_count: int
+    """All live contacts, loaded or not."""
+    loaded_row_count: int
+    normal_force_n: float
+    """Sum over the loaded contacts."""
+    tangential_force_n: float
+    cone_use: float
+    """Largest tangential force over friction times normal force; 1 is sliding."""
+    penetration_mm: float
+    """Mean over the loaded contacts."""
+    stiffness_n_m: float
+    """Normal force over penetration, of a loaded contact, mean."""
+    timeconst_s: float
+    dampratio: float
+    friction: float
+    dmin: float
+    dmax: float
+    dim: int
+    normal_residual_mm: float
+    """Largest position residual of a loaded contact's normal row."""
+    friction_residual_mm: float
+    """Largest position residual of a loaded contact's friction rows."""
+    normal_velocity_mm_s: float
+    friction_velocity_mm_s: float
+    """Largest velocities of those rows."""
+
+
+def grasp(rows: ContactRows) -> Grasp | None:
+    """Summarize the loaded contacts of a frame; None when nothing carries force.
+
+    Solver parameters are those of the contact that carries most force.
+    """
+    normal = rows.force_n[:, 0]
+    loaded = normal > 0.0
+    if not loaded.any():
+        return None
+    tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
+    penetration = -rows.distance_m[loaded]
+    residual, velocity = 1e3 * np.abs(rows.residual_m[loaded]), 1e3 * np.abs(rows.velocity_m_s[loaded])
+    strongest = int(normal.argmax())
+    return Grasp(
+        row_count=len(normal),
+        loaded_row_count=int(loaded.sum()),
+        normal_force_n=float(normal[loaded].sum()),
+        tangential_force_n=float(tangential.sum()),
+        cone_use=float((tangential / (rows.friction[loaded] * normal[loaded])).max()),
+        penetration_mm=1e3 * float(penetration.mean()),
+        stiffness_n_m=float((normal[loaded] / penetration).mean()),
+        timeconst_s=float(rows.solref[strongest, 0]),
+        dampratio=float(rows.solref[strongest, 1]),
+        friction=float(rows.friction[strongest]),
+        dmin=float(rows.solimp[strongest, 0]),
+        dmax=float(rows.solimp[strongest, 1]),
+        dim=int(rows.dim[strongest]),
+        normal_residual_mm=float(residual[:, 0].max()),
+        friction_residual_mm=float(residual[:, 1:].max()),
+        normal_velocity_mm_s=float(velocity[:, 0].max()),
+        friction_velocity_mm_s=float(velocity[:, 1:].max()),
+    )

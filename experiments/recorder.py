@@ -11,7 +11,7 @@ from experiments.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_
 NO_FRAME = np.iinfo(np.int32).max
 FAR = 1e9
 """Starting value of the least and largest distances."""
-COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, NEAR, FARTHEST = (wp.constant(i) for i in range(8))
+COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, NEAR, FARTHEST, SLIDE = (wp.constant(i) for i in range(9))
 
 
 @wp.kernel
@@ -54,8 +54,8 @@ def watch_substep(
 def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elliptic: bool, mu: float) -> wp.vec3:
     """Normal and two tangential forces of a contact from its constraint rows.
 
-    With a pyramidal cone the rows are the pyramid's edges: their sum is the normal force and each tangential force is mu
-    times the difference of two opposite edges (MuJoCo documentation, "Computation", friction cones).
+    With a pyramidal cone the rows are the pyramid's edges: their sum is the normal force and each tangential force is
+    mu times the difference of two opposite edges (MuJoCo documentation, "Computation", friction cones).
     """
     result = wp.vec3(force[world, address], 0.0, 0.0)
     if dim >= 3:
@@ -70,6 +70,17 @@ def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elli
     return result
 
 
+@wp.func
+def row_slide(velocity: wp.array2d[float], world: int, address: int, elliptic: bool, mu: float) -> wp.vec2:
+    """Velocities of the two friction rows; from a pyramid's edges as in ``row_force``."""
+    result = wp.vec2(velocity[world, address + 1], velocity[world, address + 2])
+    if not elliptic:
+        first = velocity[world, address] - velocity[world, address + 1]
+        second = velocity[world, address + 2] - velocity[world, address + 3]
+        result = wp.vec2(first, second) / (2.0 * mu)
+    return result
+
+
 @wp.kernel
 def record_contacts(
     cursor: wp.array[int],
@@ -78,8 +89,12 @@ def record_contacts(
     world_id: wp.array[int],
     dim: wp.array[int],
     friction: wp.array2d[float],
+    axes: wp.array[wp.mat33],
+    geom: wp.array[wp.vec2i],
+    cube: int,
     address: wp.array2d[int],
     force: wp.array2d[float],
+    velocity: wp.array2d[float],
     constraint_capacity: int,
     elliptic: bool,
     contacts: wp.array3d[float],
@@ -103,6 +118,11 @@ def record_contacts(
             wp.atomic_add(contacts, frame, world, TANGENTIAL, tangential)
             wp.atomic_max(contacts, frame, world, CONE, tangential / (friction[contact, 0] * normal))
             wp.atomic_max(contacts, frame, world, PENETRATION, -distance[contact])
+            if dim[contact] >= 3:
+                slide = row_slide(velocity, world, row, elliptic, friction[contact, 0])
+                along = axes[contact][1, 0] * slide[0] + axes[contact][2, 0] * slide[1]
+                # The rows hold the velocity of the second geom against the first.
+                wp.atomic_add(contacts, frame, world, SLIDE, wp.where(geom[contact][1] == cube, along, -along))
     if normal <= 0.0:
         wp.atomic_min(contacts, frame, world, NEAR, distance[contact])
         wp.atomic_max(contacts, frame, world, FARTHEST, distance[contact])
@@ -116,12 +136,14 @@ def end_frame(
     cursor: wp.array[int],
     poses: wp.array3d[wp.transform],
     phases: wp.array2d[int],
+    contacts: wp.array3d[float],
 ):
     world = wp.tid()
     frame = cursor[world]
     for body in range(tracked.shape[0]):
         poses[frame, world, body] = body_q[world, tracked[body]]
     phases[frame, world] = phase[world]
+    contacts[frame, world, SLIDE] /= wp.max(contacts[frame, world, LOADED], 1.0)
     # A viewer may run on beyond the last frame; then the last one is written again.
     cursor[world] = wp.min(frame + 1, phases.shape[0] - 1)
 
@@ -140,6 +162,7 @@ class Recorder:
         self.solver = solver
         self.contacts_in = contacts
         self.names = _geom_names(scene, solver)
+        self.cube_geom = self.names.index("cube")
         self.tracked = wp.array(scene.bodies, dtype=int, device=device)
         self.cursor = wp.zeros(world_count, dtype=int, device=device)
         self.poses = wp.zeros((frame_count, world_count, len(scene.bodies)), dtype=wp.transform, device=device)
@@ -177,15 +200,15 @@ class Recorder:
                 record_contacts,
                 dim=data.naconmax,
                 inputs=[self.cursor, data.nacon, data.contact.dist, data.contact.worldid, data.contact.dim]
-                + [_as_floats(data.contact.friction), data.contact.efc_address, data.efc.force, data.njmax]
-                + [self._elliptic],
+                + [_as_floats(data.contact.friction), data.contact.frame, data.contact.geom, self.cube_geom]
+                + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, self._elliptic],
                 outputs=[self.contacts],
             )
         wp.launch(
             end_frame,
             dim=self.cursor.shape,
             inputs=[body_q, self.tracked, phase],
-            outputs=[self.cursor, self.poses, self.phases],
+            outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
 
     def keep_contact_rows(self, frame: int) -> None:
@@ -251,7 +274,7 @@ class Recorder:
 
 
 def summarize_contacts(rows: ContactRows) -> np.ndarray:
-    """FRAME_COLUMNS of one set of contacts, shape [len(FRAME_COLUMNS)]."""
+    """What ``record_contacts`` adds up on the device, for one set of contacts; shape [len(FRAME_COLUMNS)]."""
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
@@ -266,6 +289,7 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
             (-rows.distance_m[loaded]).max(initial=0.0),
             free.min() if free.size else FAR,
             free.max() if free.size else -FAR,
+            rows.slide_m_s[loaded].sum(),  # end_frame turns the sum into the mean
         ]
     )
 
@@ -292,7 +316,7 @@ class _HostContacts:
         self.address = address
         host = {
             name: getattr(contact, name)[:count] if solver.use_mujoco_cpu else getattr(contact, name).numpy()[:count]
-            for name in ("dist", "friction", "solref", "solimp", "dim", "geom")
+            for name in ("dist", "friction", "frame", "solref", "solimp", "dim", "geom")
         }
         self.fields = {name: np.array(values) for name, values in host.items()}
 
@@ -300,6 +324,7 @@ class _HostContacts:
         mine = np.flatnonzero(self.world_id == world)
         field = {name: values[mine] for name, values in self.fields.items()}
         address = self.address[mine]
+        axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
         force, residual, velocity = np.zeros((len(mine), 3)), *np.full((2, len(mine), 3), np.nan)
         for i, row in enumerate(address):
             if row < 0:
@@ -310,19 +335,22 @@ class _HostContacts:
                 force[i] = self.force[world, row : row + 3]
             else:
                 a, b, c, d = self.force[world, row : row + 4]
-                mu = field["friction"][i, 0]
-                force[i] = a + b + c + d, mu * (a - b), mu * (c - d)
+                force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
+                a, b, c, d = self.velocity[world, row : row + 4]
+                velocity[i, 1:] = (a - b) / (2.0 * friction[i]), (c - d) / (2.0 * friction[i])
+        sign = np.where([names[second] == "cube" for _, second in field["geom"]], 1.0, -1.0)
         return ContactRows(
             frame=frame,
             geom=np.array([[names[g] for g in pair] for pair in field["geom"]]).reshape(-1, 2),
             distance_m=field["dist"],
-            friction=field["friction"][:, 0],
+            friction=friction,
             solref=field["solref"],
             solimp=field["solimp"],
             dim=field["dim"],
             force_n=force,
             residual_m=residual,
             velocity_m_s=velocity,
+            slide_m_s=sign * (axes[:, 1:, 0] * velocity[:, 1:]).sum(axis=1),
         )
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.case import AS_SHIPPED, STIFF_PADS
 from experiments.measurement import Conditions, Measurement, displacement_table, summarize
 
 HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
@@ -22,13 +22,16 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Wall time of the same case alone and as every world of a batch."""
+    """Wall time of the same case alone and as every world of a batch.
+
+    On the CPU also without graphs: there launching costs more than computing, and a batch shares the launches.
+    """
     kind = "cuda" if conditions.is_cuda else "cpu"
     case = replace(AS_SHIPPED, frame_count=BATCH_FRAME_COUNT[kind])
     rows = []
-    for size in (1, BATCH_SIZE[kind]):
-        batch: list[Case] = [replace(case, name=f"batch-{size}")] * size
-        trace = conditions.simulate(batch, title=f"batch of {size}")[0]
-        rows.append({"case": f"batch-{size}", "world_count": size, "frame_count": len(trace.phase)})
-        rows[-1] |= {"wall_s": trace.wall_s}
+    for graph in (True,) if conditions.is_cuda else (True, False):
+        for size in (1, BATCH_SIZE[kind]):
+            name = f"batch-{size}" if graph else f"batch-{size}-launched"
+            trace = conditions.simulate([replace(case, name=name, graph=graph)] * size, title=name)[0]
+            rows.append({"case": name, "world_count": size, "frame_count": len(trace.phase), "wall_s": trace.wall_s})
     return rows

@@ -1,18 +1,20 @@
 """Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
 
 import argparse
-import importlib
+import importlib.util
 import os
 import platform
 import subprocess
 import sys
 import time
+import traceback
 from datetime import datetime, timezone
+from pathlib import Path
+from types import ModuleType
 
 import pandas as pd
 import warp as wp
 
-from experiments.case import CaseError
 from experiments.measurement import Conditions
 from report import ReportError
 from report.identity import identity_of, installed_release, sections
@@ -24,17 +26,24 @@ def main() -> int:
     arguments = parse_arguments()
     try:
         device = measuring_device(arguments.device)
-        for section in arguments.section:
-            measure_section(section, device, arguments.profile)
-    except (CaseError, ReportError) as error:
+        modules = {section: section_module(section) for section in arguments.section}
+    except ReportError as error:
         print(error, file=sys.stderr)
         return 2
-    return 0
+    failures = 0
+    for section, module in modules.items():
+        try:
+            measure_section(section, module, device, arguments.profile)
+        except Exception:  # one section's fault must not cost the others
+            traceback.print_exc()
+            print(f"{section}: measuring failed; what was there is kept", file=sys.stderr)
+            failures += 1
+    return 1 if failures else 0
 
 
 def parse_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m experiments.run", description=__doc__.split(":")[0])
-    parser.add_argument("section", nargs="+", choices=sections(), metavar="SECTION", help=", ".join(sections()))
+    parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     return parser.parse_args()
@@ -51,12 +60,19 @@ def measuring_device(name: str | None) -> wp.Device:
     return wp.get_device("cuda:0" if name == "cuda" else "cpu")
 
 
-def measure_section(section: str, device: wp.Device, profile: str) -> None:
-    """Run one section's module and write its record and traces."""
+def section_module(section: str) -> ModuleType:
+    """The module that measures a section; ReportError when there is none."""
+    if section.isidentifier() and importlib.util.find_spec(f"experiments.{section}"):
+        module = importlib.import_module(f"experiments.{section}")
+        if hasattr(module, "measure"):
+            return module
+    raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
+
+
+def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
+    """Let the section's module measure, and write its record and traces."""
     start = time.perf_counter()
-    measurement = importlib.import_module(f"experiments.{section}").measure(
-        Conditions(device=device.alias, quick=profile == "quick")
-    )
+    measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
         identity=identity_of(section, profile),
@@ -82,7 +98,9 @@ def machine(device: wp.Device) -> dict[str, str | None]:
     if device.is_cuda:
         gpu = device.name
         query = ["nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader"]
-        driver = subprocess.run(query, capture_output=True, text=True, check=False).stdout.split("\n")[0].strip() or None
+        driver = (
+            subprocess.run(query, capture_output=True, text=True, check=False).stdout.split("\n")[0].strip() or None
+        )
     return {
         "device": "cuda" if device.is_cuda else "cpu",
         "gpu": gpu,
@@ -96,8 +114,8 @@ def machine(device: wp.Device) -> dict[str, str | None]:
 
 def cpu_name() -> str:
     try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
     except (OSError, StopIteration):
         return platform.processor() or platform.machine()
 

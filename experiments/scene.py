@@ -130,7 +130,8 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     model = scene.finalize(device=device)
     result = Scene(
         model=model,
-        robot=robot.finalize(device=device),
+        # From a builder of its own: finalizing a mesh a second time frees what the first model points to.
+        robot=robot_builder(cases[0]).finalize(device=device),
         bodies=tuple(body_index(world, name) for name in TRACKED_BODIES),
         pads=pad_shapes(robot),
         cube=cube_shape,

@@ -1,7 +1,7 @@
 """The shake test as a Newton example.
 
-    python -m experiments.shake --viewer gl
-    python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
+python -m experiments.shake --viewer gl
+python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
 """
 
 import json
@@ -76,7 +76,9 @@ def create_parser():
     parser.add_argument("--pad-mu", type=float, default=AS_SHIPPED.pad_mu, help="pad friction")
     parser.add_argument("--cube-gap", type=float, default=AS_SHIPPED.cube_gap_m, help="contact gap of the cube [m]")
     parser.add_argument("--substeps", type=int, default=AS_SHIPPED.substeps, help="solver steps per frame")
-    parser.add_argument("--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo's C engine")
+    parser.add_argument(
+        "--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo's C engine"
+    )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
     return parser
 

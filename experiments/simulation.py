@@ -16,8 +16,8 @@ from experiments.trace import Trace
 
 CONTACT_MAX = 64
 CONSTRAINT_MAX = 96
-"""Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped; every
-record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
+"""Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped;
+every record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
 PROGRESS_FRAMES = 30
 """Frames between two updates of the progress bar, which wait for the devices."""
 
@@ -111,7 +111,7 @@ class Simulation:
                 wp.capture_launch(self.graph)
                 return
             self.frame()
-            if not self.solver.use_mujoco_cpu:
+            if self.case.graph and not self.solver.use_mujoco_cpu:
                 with wp.ScopedCapture() as capture:
                     self.frame()
                 self.graph = capture.graph
@@ -154,8 +154,8 @@ def simulate(
 ) -> list[Trace]:
     """Run every case and return its trace, in the order of the cases.
 
-    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the CPU.
-    To time a case, run it in a call of its own: simulations of one call run side by side.
+    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the
+    CPU. To time a case, run it in a call of its own: simulations of one call run side by side.
 
     Args:
         device: Warp device; None takes CUDA where there is one.

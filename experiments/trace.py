@@ -13,15 +13,17 @@ FRAME_COLUMNS = (
     "penetration_m",
     "unloaded_near_m",
     "unloaded_far_m",
+    "slide_m_s",
 )
 """Contact statistics of a frame, taken in its last substep: how many contacts there are and how many carry force, sums
 of normal and of tangential force, largest tangential force over friction times normal force (1 = sliding), largest
-penetration, least and largest distance of the contacts that carry no force (NaN if all do)."""
+penetration, least and largest distance of the contacts that carry no force (NaN if all do), and the mean velocity of
+the loaded contacts' friction rows along the shake's main axis, of the cube against what it touches."""
 
 
 @dataclass(frozen=True)
 class ContactRows:
-    """The solver's live contacts of one world at the end of one frame; n contacts with up to 3 (pyramid: 4) rows."""
+    """The solver's live contacts of one world at the end of one frame."""
 
     frame: int
     geom: np.ndarray
@@ -42,6 +44,8 @@ class ContactRows:
     """Position residual of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
     velocity_m_s: np.ndarray
     """Velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
+    slide_m_s: np.ndarray
+    """Velocity of the cube against the other geom along the shake's main axis, from the friction rows, shape [n]."""
 
 
 @dataclass(frozen=True)

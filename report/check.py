@@ -76,16 +76,12 @@ def check_site(site: Path) -> list[str]:
 
 def _check_self_contained(reading: Reading) -> list[str]:
     problems = [f"<{tag}> runs a script" for tag in reading.scripts]
-    problems += [
-        f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)
-    ]
+    problems += [f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)]
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
 
 
 def _check_links(reading: Reading, page: Path, site: Path) -> list[str]:
-    problems = [
-        f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1
-    ]
+    problems = [f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1]
     for address in reading.links + reading.fetched:
         parts = urlsplit(address)
         if parts.scheme or parts.netloc:

@@ -57,9 +57,7 @@ def _run(command: list[str | Path], release: str, folder: Path) -> None:
     if done.returncode:
         shutil.rmtree(folder, ignore_errors=True)
         lines = [line.strip(" ×╰─▶\t") for line in done.stderr.splitlines() if line.strip()]
-        raise UsageError(
-            f"NEWTON={release} cannot be installed: {lines[-1] if lines else 'uv gave no reason'}"
-        )
+        raise UsageError(f"NEWTON={release} cannot be installed: {lines[-1] if lines else 'uv gave no reason'}")
 
 
 def _run_there(python: Path, arguments: list[str], root: Path) -> NoReturn:

@@ -78,9 +78,7 @@ def installed_release() -> str:
     """The Newton release of this environment."""
     release = package_versions()["newton"]
     if release == MISSING:
-        raise ReportError(
-            f"newton is not installed for {sys.executable}; make sets up an environment that has it"
-        )
+        raise ReportError(f"newton is not installed for {sys.executable}; make sets up an environment that has it")
     return release
 
 
@@ -111,11 +109,7 @@ def canonical(node: Any) -> Any:
 
 def _is_docstring(node: Any) -> bool:
     # Any string that stands alone does nothing, wherever it stands: field docstrings are left out as well.
-    return (
-        isinstance(node, ast.Expr)
-        and isinstance(node.value, ast.Constant)
-        and isinstance(node.value.value, str)
-    )
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
 def _import_closure(start: Path, root: Path) -> dict[Path, ast.Module]:

@@ -34,17 +34,10 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
     return "cpu" if profile == "quick" else None
 
 
-def measure(project: Project, section: str, device: str) -> None:
-    command = [
-        sys.executable,
-        "-m",
-        "experiments.run",
-        section,
-        "--device",
-        device,
-        "--profile",
-        project.profile,
-    ]
+def measure(project: Project, sections: list[str], device: str) -> None:
+    """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed."""
+    options = ["--device", device, "--profile", project.profile]
+    command = [sys.executable, "-m", "experiments.run", *sections, *options]
     status = subprocess.run(command, cwd=project.root, check=False).returncode
     if status:
-        raise ReportError(f"{section}: measuring ended with exit status {status}; what was there is kept")
+        raise ReportError(f"measuring ended with exit status {status}; what was there is kept")

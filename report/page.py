@@ -88,9 +88,7 @@ def _as_token(context: Context, value: Any) -> Markup:
     if isinstance(value, Markup) and OPEN in value:
         return value  # what a macro returns has passed here already
     if isinstance(value, int | float):
-        raise ReportError(
-            f"templates/{context.name} prints {value}, which says nothing of where it comes from"
-        )
+        raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
     printed = context["printed"]
     printed.append(value if isinstance(value, PlacedFigure) else escape(value))
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")

@@ -68,9 +68,7 @@ def unit_of(column: str) -> str:
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Units of the columns that hold numbers, missing ones included."""
     columns = {column: None for row in rows for column, value in row.items() if _is_number(value)}
-    columns |= {
-        column.removesuffix(REASON): None for row in rows for column in row if column.endswith(REASON)
-    }
+    columns |= {column.removesuffix(REASON): None for row in rows for column in row if column.endswith(REASON)}
     return {column: unit_of(column) for column in columns}
 
 

@@ -127,9 +127,7 @@ class Results:
         return self.derived[name]
 
 
-def _evaluate(
-    function: Callable[..., float], sources: tuple[Quantity | Trace, ...]
-) -> tuple[float | None, str]:
+def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Trace, ...]) -> tuple[float | None, str]:
     reasons = [source.reason for source in sources if source.value is None]
     if reasons:
         return None, reasons[0]

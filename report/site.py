@@ -129,8 +129,7 @@ def _write(folder: Path, report: Report) -> None:
         for path in (chapter.results.path, *traces_of(chapter.results.path)):
             shutil.copyfile(path, data / path.name)
     values = {
-        chapter.name: {name: value.entry for name, value in chapter.results.derived.items()}
-        for chapter in chapters
+        chapter.name: {name: value.entry for name, value in chapter.results.derived.items()} for chapter in chapters
     }
     text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
     (folder / "data" / VALUES_FILE).write_text(text + "\n", encoding="utf-8")

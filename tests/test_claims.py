@@ -53,9 +53,7 @@ def test_a_missing_number_says_why():
 NOISE = quantity(0.1)
 
 
-@pytest.mark.parametrize(
-    ("a", "b", "outcome"), [(2.0, 1.0, "holds"), (1.0, 2.0, "fails"), (1.0, 1.05, "unknown")]
-)
+@pytest.mark.parametrize(("a", "b", "outcome"), [(2.0, 1.0, "holds"), (1.0, 2.0, "fails"), (1.0, 1.05, "unknown")])
 def test_a_difference_within_the_noise_cannot_tell(a, b, outcome):
     assert greater(quantity(a), quantity(b), noise=NOISE).name == outcome
 
@@ -73,9 +71,7 @@ def test_an_outcome_without_numbers_is_unknown_and_says_why():
 
 def make_claim(outcome) -> Claim:
     words = {"holds": "It is {slip}.", "fails": "It is not {slip}.", "unknown": "Who knows."}
-    return Claim(
-        "slips", outcome, **words, numbers={"slip": quantity(6.3617)}, explanation="Since it is soft."
-    )
+    return Claim("slips", outcome, **words, numbers={"slip": quantity(6.3617)}, explanation="Since it is soft.")
 
 
 def test_each_outcome_has_its_wording():
@@ -88,9 +84,7 @@ def test_an_explanation_stands_only_where_the_claim_holds():
     html = make_claim(HOLDS).html("toy")
     assert html.startswith('<span class="claim" data-claim="toy.slips" data-outcome="holds">It is <data ')
     assert html.endswith("Since it is soft.")
-    assert "Since it is soft." not in make_claim(FAILS).html("toy") + make_claim(Outcome("unknown")).html(
-        "toy"
-    )
+    assert "Since it is soft." not in make_claim(FAILS).html("toy") + make_claim(Outcome("unknown")).html("toy")
 
 
 @pytest.fixture

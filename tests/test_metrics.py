@@ -27,9 +27,7 @@ def make_trace(cube_in_tcp, tcp_position=(0.1, -0.4, 0.2)) -> Trace:
 
 
 def along_x(values_mm) -> np.ndarray:
-    return np.stack(
-        [1e-3 * np.asarray(values_mm), np.zeros(len(values_mm)), np.zeros(len(values_mm))], axis=1
-    )
+    return np.stack([1e-3 * np.asarray(values_mm), np.zeros(len(values_mm)), np.zeros(len(values_mm))], axis=1)
 
 
 def test_displacement_is_in_the_tool_frame_and_starts_with_the_shake():
@@ -43,9 +41,7 @@ def test_displacement_does_not_see_the_tool_move():
     still, moving = make_trace(along_x([0, 1, 2])), make_trace(along_x([0, 1, 2]))
     shift = np.linspace(0.0, 0.03, len(moving.poses))[:, None]
     moving.poses[:, : metrics.TCP + 1, 0] += shift
-    np.testing.assert_allclose(
-        metrics.displacement(moving).vector_m, metrics.displacement(still).vector_m, atol=1e-7
-    )
+    np.testing.assert_allclose(metrics.displacement(moving).vector_m, metrics.displacement(still).vector_m, atol=1e-7)
 
 
 def test_slip_is_the_length_in_the_last_frame():

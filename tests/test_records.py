@@ -60,9 +60,7 @@ def test_a_damaged_record_is_refused_in_one_line(toy, spoil):
 def test_what_is_no_plain_finite_number_is_not_written(toy, number):
     before = toy.record_path.read_bytes()
     with pytest.raises(RecordError, match="slip_mm of soft"):
-        write_record(
-            toy.record_path, toy.record([{"case": "soft", "slip_mm": number}], units={"slip_mm": "mm"})
-        )
+        write_record(toy.record_path, toy.record([{"case": "soft", "slip_mm": number}], units={"slip_mm": "mm"}))
     assert toy.record_path.read_bytes() == before
     assert not list(toy.record_path.parent.glob(".*"))
 

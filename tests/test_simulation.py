@@ -54,9 +54,7 @@ def test_a_world_of_a_batch_is_the_case_alone(batch, name):
     np.testing.assert_array_equal(alone.phase, together.phase[:frame_count])
     assert alone.phase[-1] == metrics.SHAKE
     np.testing.assert_allclose(alone.poses, together.poses[:frame_count], atol=2e-6)
-    np.testing.assert_array_equal(
-        alone.column("contact_count"), together.column("contact_count")[:frame_count]
-    )
+    np.testing.assert_array_equal(alone.column("contact_count"), together.column("contact_count")[:frame_count])
 
 
 @pytest.mark.parametrize(

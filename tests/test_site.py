@@ -15,10 +15,7 @@ from report.publish import publish
 def test_a_section_takes_three_files_and_passes_the_check(toy):
     toy.build()
     assert check_site(toy.project.site) == []
-    assert (
-        '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.312</data>&nbsp;mm'
-        in toy.page
-    )
+    assert '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.312</data>&nbsp;mm' in toy.page
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
     assert "A processor" in toy.page and "make rerun SECTION=toy" in toy.page
     values = json.loads((toy.project.site / "data/values.json").read_text())
@@ -92,9 +89,7 @@ def test_a_stale_section_that_no_longer_fits_is_left_out(toy):
     assert "stiff has no column new_mm" in toy.page
 
 
-@pytest.mark.parametrize(
-    "spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')]
-)
+@pytest.mark.parametrize("spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')])
 def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
     spoil(toy.record_path)
     toy.build()
@@ -129,9 +124,7 @@ def test_a_figure_follows_the_page_and_hides_nothing(toy):
     assert svg.startswith('<svg viewBox="')
     assert 'role="img" aria-label="&#34;&lt;b&gt;&#34;"' in svg
     assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
-    assert all(
-        part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:])
-    )
+    assert all(part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
     assert svg == draw_svg(draw, name="toy-way", alt='"<b>"')
 
 

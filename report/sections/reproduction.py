@@ -58,8 +58,7 @@ def _slips(results: Results, shipped: Row) -> Claim:
         "slips",
         at_least(shipped.slip_mm, bound),
         holds="As shipped, the cube slips {slip} in {duration} of shaking and drifts at {drift}.",
-        fails="As shipped, the cube does not slip visibly: {slip} in {duration} of shaking; "
-        "{bound} would count.",
+        fails="As shipped, the cube does not slip visibly: {slip} in {duration} of shaking; {bound} would count.",
         unknown="Whether the cube slips as shipped cannot be told.",
         numbers={
             "slip": shipped.slip_mm,
@@ -83,9 +82,7 @@ def _steady(results: Results, shipped: Row, trace: Trace) -> Claim:
         shipped.shake_frequency_hz,
         unit="%",
     )
-    bound = results.value(
-        "increment_scatter_bound", "chosen: steps this equal count as steady", lambda: 10.0, unit="%"
-    )
+    bound = results.value("increment_scatter_bound", "chosen: steps this equal count as steady", lambda: 10.0, unit="%")
     return Claim(
         "drift_is_steady",
         at_most(value, bound),
@@ -137,24 +134,20 @@ def _same_on_both_engines(results: Results, shipped: Row, stiff: Row) -> Claim:
         at_most(difference, bound),
         holds="The slip does not come from MuJoCo Warp: MuJoCo's C engine gives {slip_c} and {stiff_c}, "
         "at most {difference} away.",
-        fails="The engines disagree: MuJoCo's C engine gives {slip_c} and {stiff_c}, "
-        "up to {difference} away.",
+        fails="The engines disagree: MuJoCo's C engine gives {slip_c} and {stiff_c}, up to {difference} away.",
         unknown="Whether MuJoCo's C engine gives the same slip cannot be told.",
         numbers={"slip_c": shipped_c.slip_mm, "stiff_c": stiff_c.slip_mm, "difference": difference},
     )
 
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
-    gain = _ratio(
-        results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm
-    )
+    gain = _ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     bound = results.value("stiff_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
     return Claim(
         "stiff_pads_hold",
         at_least(gain, bound),
         holds="Stiffer pads, and nothing else changed, bring the slip down to {slip}, {gain} times less.",
-        fails="Stiffer pads alone do not settle it: the slip is then {slip}, "
-        "and as shipped it is {gain} times that.",
+        fails="Stiffer pads alone do not settle it: the slip is then {slip}, and as shipped it is {gain} times that.",
         unknown="Whether stiffer pads hold the cube cannot be told.",
         numbers={"slip": stiff.slip_mm, "gain": gain},
     )
@@ -164,16 +157,13 @@ def _batch_is_cheap(results: Results) -> Claim:
     one, many = sorted(
         (row for row in results.rows if row.case.startswith("batch-")), key=lambda row: row.world_count.value
     )
-    cost = _ratio(
-        results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s
-    )
+    cost = _ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
     device = results.record.machine["device"]
     bound = results.value("batch_cost_bound", f"chosen, for {device}", lambda: BATCH_COST_BOUND[device])
     return Claim(
         "batch_is_cheap",
         at_most(cost, bound),
-        holds="A batch of {worlds} worlds costs {cost} times as much as one world, "
-        "within the {bound} times aimed for.",
+        holds="A batch of {worlds} worlds costs {cost} times as much as one world, within the {bound} times aimed for.",
         fails="A batch of {worlds} worlds costs {cost} times as much as one world, "
         "more than the {bound} times aimed for.",
         unknown="What a batch costs against one world cannot be told.",

@@ -1,0 +1,19 @@
+"""Does it matter who finds the contacts, how often, on which shape, or which engine solves them?"""
+
+from dataclasses import replace
+
+from experiments.case import AS_SHIPPED
+from experiments.measurement import Conditions, Measurement
+
+CASES = (
+    replace(AS_SHIPPED, name="contacts-60hz"),
+    replace(AS_SHIPPED, name="contacts-240hz", collide_count=4),
+    replace(AS_SHIPPED, name="contacts-960hz", collide_count=16),
+    replace(AS_SHIPPED, name="contacts-mujoco", contacts="mujoco"),
+    replace(AS_SHIPPED, name="pads-convex-mesh", pad_shape="convex-mesh"),
+    replace(AS_SHIPPED, name="engine-mujoco-c", backend="mujoco"),
+)
+
+
+def measure(conditions: Conditions) -> Measurement:
+    return conditions.measure(CASES, "contact_source")

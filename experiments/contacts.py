@@ -1,0 +1,69 @@
+"""The solver's live contact rows in the middle of the shake, as shipped and with stiff pads."""
+
+import numpy as np
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.measurement import Conditions, Measurement, grasp_columns, summarize
+from experiments.trace import ContactRows
+
+ROW_NAMES = ("normal", "friction 1", "friction 2")
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """Three kinds of rows: the contacts of a frame, the rows of one loaded contact, and the slide over the run."""
+    cases = (AS_SHIPPED, STIFF_PADS)
+    traces = conditions.simulate(cases, contact_frames=conditions.contact_frames(), title="contacts")
+    rows = []
+    tables = {}
+    for case, trace in zip(cases, traces, strict=True):
+        for contacts in trace.contact_rows:
+            rows.append({"case": case.name, "kind": "frame", "frame": contacts.frame, **grasp_columns(contacts)})
+        middle = trace.contact_rows[len(trace.contact_rows) // 2]
+        rows += constraint_rows(case.name, middle)
+        tables[case.name] = contact_table(middle)
+        rows.append(
+            {
+                "kind": "run",
+                **summarize(case, trace),
+                "slide_mm": metrics.slide_mm(trace),
+                "along_mm": 1e3 * float(metrics.displacement(trace).along_m[-1]),
+                "cone_use_max": float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
+            }
+        )
+    return Measurement(rows, tables)
+
+
+def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]:
+    """The three rows of the contact that carries most force."""
+    strongest = int(contacts.force_n[:, 0].argmax())
+    if contacts.force_n[strongest, 0] <= 0.0:
+        return []
+    return [
+        {
+            "case": case,
+            "kind": "row",
+            "frame": contacts.frame,
+            "row": name,
+            "pair": " / ".join(contacts.geom[strongest]),
+            "residual_mm": 1e3 * float(contacts.residual_m[strongest, index]),
+            "velocity_mm_s": 1e3 * float(contacts.velocity_m_s[strongest, index]),
+            "force_n": float(contacts.force_n[strongest, index]),
+        }
+        for index, name in enumerate(ROW_NAMES)
+    ]
+
+
+def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
+    """Every live contact of a frame, a row each."""
+    return {
+        "geom_1": contacts.geom[:, 0],
+        "geom_2": contacts.geom[:, 1],
+        "distance_mm": 1e3 * contacts.distance_m,
+        "normal_force_n": contacts.force_n[:, 0],
+        "tangential_force_n": np.linalg.norm(contacts.force_n[:, 1:], axis=1),
+        "timeconst_s": contacts.solref[:, 0],
+        "dampratio": contacts.solref[:, 1],
+        "friction": contacts.friction,
+        "slide_mm_s": 1e3 * contacts.slide_m_s,
+    }

@@ -1,0 +1,71 @@
+"""How hard can one shake? Amplitude and frequency, before and after the fix, as a few cases and as a map."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from experiments.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.measurement import Conditions, Measurement, summarize
+
+FRAME_COUNT = 660
+POINTS = ((3, 0.5), (3, 1.0), (3, 2.0), (3, 3.0), (1, 1.0), (6, 1.0), (10, 1.0))
+"""Amplitude [cm] and frequency [Hz]."""
+MAP_SIZE = {"full": 32, "quick": 4}
+AMPLITUDES_M = (0.005, 0.12)
+FREQUENCIES_HZ = (0.25, 5.0)
+"""Range of the map, spaced evenly on a log scale."""
+ALONE_COUNT = {"full": 8, "quick": 2}
+SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+
+
+def at(side: str, name: str, amplitude_m: float, frequency_hz: float) -> Case:
+    return replace(
+        SIDES[side],
+        name=f"{side}-{name}",
+        shake_amplitude_m=amplitude_m,
+        shake_frequency_hz=frequency_hz,
+        frame_count=FRAME_COUNT,
+    )
+
+
+def measure(conditions: Conditions) -> Measurement:
+    profile = "quick" if conditions.quick else "full"
+    points = [at(side, f"{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side in SIDES for cm, hz in POINTS]
+    traces = conditions.simulate(points, title="envelope")
+    rows = [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
+    cells, map_rows, table = measure_map(conditions, MAP_SIZE[profile])
+    return Measurement(rows + map_rows + measure_alone(conditions, cells, ALONE_COUNT[profile]), {"map": table})
+
+
+def measure_map(conditions: Conditions, size: int) -> tuple[list[Case], list[dict], dict[str, np.ndarray]]:
+    """All cells of the map as one batch: the cases, a row with the wall time, and a table of the results."""
+    grid = [(a, f) for a in np.geomspace(*AMPLITUDES_M, size) for f in np.geomspace(*FREQUENCIES_HZ, size)]
+    cells = [at(side, f"map-{index}", float(a), float(f)) for side in SIDES for index, (a, f) in enumerate(grid)]
+    traces = conditions.simulate(cells, title="envelope map")
+    summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
+    columns = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
+    table: dict[str, np.ndarray] = {"side": np.repeat(list(SIDES), len(grid))}
+    table |= {name: np.array([row[name] for row in summaries]) for name in columns}
+    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), "wall_s": traces[0].wall_s}
+    for side in SIDES:
+        mine = [row for row in summaries if row["case"].startswith(f"{side}-map")]
+        key = side.replace("-", "_")
+        row[f"dropped_{key}_count"] = sum(bool(row["dropped"]) for row in mine)
+        row[f"failed_{key}_count"] = sum(row["failure"] is not None for row in mine)
+    return cells, [row], table
+
+
+def measure_alone(conditions: Conditions, cells: list[Case], count: int) -> list[dict]:
+    """Some of the map's cells one by one, each in a simulation of its own, for the wall time."""
+    rows = []
+    for index in np.linspace(0, len(cells) - 1, count).round().astype(int):
+        [trace] = conditions.simulate([cells[index]], title=f"{cells[index].name} alone")
+        rows.append(
+            {
+                "case": f"alone-{cells[index].name}",
+                "world_count": 1,
+                "frame_count": len(trace.phase),
+                "wall_s": trace.wall_s,
+            }
+        )
+    return rows

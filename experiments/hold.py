@@ -1,0 +1,48 @@
+"""The same grasp with the arm held still: what is left of the motion without the load cycle?"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    Measurement,
+    displacement_table,
+    summarize,
+)
+from experiments.task import FRAME_RATE
+from experiments.trace import Trace
+
+HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
+LONG_FRAME_COUNT = SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
+CASES = (
+    HOLD,
+    replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
+    replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
+    AS_SHIPPED,
+)
+
+
+def measure(conditions: Conditions) -> Measurement:
+    traces = conditions.simulate(CASES, title="hold")
+    rows = [summarize(case, trace) | creep(trace) for case, trace in zip(CASES, traces, strict=True)]
+    return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
+
+
+def creep(trace: Trace) -> dict[str, object]:
+    """Rates of all three axes, and whether the cube goes the same way in every second."""
+    moved = metrics.displacement(trace)
+    slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
+    way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
+    increments = np.diff(way[::FRAME_RATE])
+    return {
+        "creep_x_mm_s": float(slope[0]),
+        "creep_y_mm_s": float(slope[1]),
+        "creep_z_mm_s": float(slope[2]),
+        "increment_first_mm": 1e3 * float(increments[0]),
+        "increment_final_mm": 1e3 * float(increments[-1]),
+        "monotonic": bool((increments > 0.0).all()),
+    }

@@ -1,0 +1,28 @@
+"""An A/A test: the same case many times, in one batch and alone. Their spread is the report's noise floor."""
+
+from dataclasses import replace
+
+import warp as wp
+
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.measurement import Conditions, Measurement, summarize
+from experiments.simulation import Simulation, run
+
+BATCH_COUNT = {"full": 32, "quick": 4}
+ALONE_COUNT = {"full": 8, "quick": 2}
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """One simulation holds all the worlds of the batch; each of the others is a simulation of its own."""
+    profile = "quick" if conditions.quick else "full"
+    device = wp.get_device(conditions.device)
+    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in (AS_SHIPPED, STIFF_PADS)]
+    batch = [case for case in cases for _ in range(BATCH_COUNT[profile])]
+    alone = [case for case in cases for _ in range(ALONE_COUNT[profile])]
+    simulations = [Simulation(batch, device), *(Simulation([case], device) for case in alone)]
+    first, *others = run(simulations, title="noise")
+    rows = []
+    for members, traces, kind in ((batch, first, "batch"), (alone, [world for [world] in others], "alone")):
+        for index, (case, trace) in enumerate(zip(members, traces, strict=True)):
+            rows.append(summarize(case, trace) | {"of": case.name, "kind": kind, "case": f"{case.name}-{kind}-{index}"})
+    return Measurement(rows)
