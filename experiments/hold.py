@@ -23,6 +23,7 @@ CASES = (
     replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
     replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
     AS_SHIPPED,
+    replace(HOLD, name="hold-mujoco-c", backend="mujoco"),
 )
 
 

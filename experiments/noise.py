@@ -16,9 +16,11 @@ def measure(conditions: Conditions) -> Measurement:
     """One simulation holds all the worlds of the batch; each of the others is a simulation of its own."""
     profile = "quick" if conditions.quick else "full"
     device = wp.get_device(conditions.device)
-    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in (AS_SHIPPED, STIFF_PADS)]
-    batch = [case for case in cases for _ in range(BATCH_COUNT[profile])]
-    alone = [case for case in cases for _ in range(ALONE_COUNT[profile])]
+    shipped, stiff = (
+        replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in (AS_SHIPPED, STIFF_PADS)
+    )
+    batch = [shipped] * BATCH_COUNT[profile] + [stiff] * BATCH_COUNT[profile]
+    alone = [shipped] * ALONE_COUNT[profile]
     simulations = [Simulation(batch, device), *(Simulation([case], device) for case in alone)]
     first, *others = run(simulations, title="noise")
     rows = []

@@ -86,6 +86,7 @@ class Simulation:
             njmax=case.constraint_max or CONSTRAINT_MAX,
             use_mujoco_contacts=self.pipeline is None,
             use_mujoco_cpu=case.backend == "mujoco",
+            update_data_interval=1 if case.state_sync else 0,
         )
 
     def frame(self) -> None:

@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 
 from experiments import metrics
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case, CaseError, batch_key
+from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
 from experiments.simulation import Simulation, simulate
 from experiments.trace import Failure
 
@@ -46,6 +46,11 @@ def test_calibration_on_the_cpu_device(batch, name):
     assert slip_mm(batch[name][1]) == pytest.approx(expected, abs=tolerance)
 
 
+def test_what_is_left_out_changes_nothing(batch):
+    [untrimmed] = simulate([replace(UNTRIMMED, contact_max=None, constraint_max=None)], device="cpu")
+    assert slip_mm(untrimmed) == pytest.approx(slip_mm(batch["as-shipped"][1]), abs=2e-3)
+
+
 @pytest.mark.parametrize("name", ["stiff-pads", "other"])
 def test_a_world_of_a_batch_is_the_case_alone(batch, name):
     frame_count = 260
@@ -74,7 +79,7 @@ def test_a_world_that_turns_non_finite_is_marked_and_alone_in_it():
     simulation = Simulation([replace(AS_SHIPPED, frame_count=6)] * 2, wp.get_device("cpu"))
     for frame in range(6):
         if frame == 4:
-            simulation.state.joint_qd.numpy()[-1] = np.nan
+            simulation.solver.mjw_data.qvel.numpy()[1, -1] = np.nan
         simulation.step()
     good, bad = simulation.recorder.traces(simulation.frame_dt, 6, wall_s=0.0)
     assert good.failure is None
