@@ -13,7 +13,7 @@ class CaseError(ValueError):
 
 @dataclass(frozen=True)
 class Case:
-    """One run of the shake test. The defaults are the scene as shipped, less what changes nothing (``UNTRIMMED`` has it)."""
+    """One run of the shake test. The defaults are the scene as shipped, less what changes nothing (see ``UNTRIMMED``)."""
 
     name: str
 
