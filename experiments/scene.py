@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 import newton
 import numpy as np
@@ -62,7 +63,7 @@ def robot_builder(case: Case) -> ModelBuilder:
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = Case(name="").robot_gap_m
     builder.add_urdf(
-        str(_asset_path(case.asset)),
+        _robot_source(case),
         xform=wp.transform(ROBOT_POSITION, wp.quat_identity()),
         floating=False,
         enable_self_collisions=False,
@@ -190,7 +191,16 @@ def _set(builder: ModelBuilder, name: str, values: dict[int, object]) -> None:
     attribute.values = {**(attribute.values or {}), **values}
 
 
-def _asset_path(asset: str) -> Path:
-    if asset == "upstream":
-        return newton.utils.download_asset("franka_emika_panda") / "urdf/fr3_franka_hand.urdf"
-    return ROOT / asset
+def _robot_source(case: Case) -> str:
+    """Path of the robot description, or its text where a part of it is left out."""
+    if case.asset == "upstream":
+        path = newton.utils.download_asset("franka_emika_panda") / "urdf/fr3_franka_hand.urdf"
+    else:
+        path = ROOT / case.asset
+    if case.visuals:
+        return str(path)
+    robot = ElementTree.parse(path).getroot()
+    for link in robot.iter("link"):
+        for visual in link.findall("visual"):
+            link.remove(visual)
+    return ElementTree.tostring(robot, encoding="unicode")

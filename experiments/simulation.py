@@ -64,7 +64,7 @@ class Simulation:
             return None, None
         pipeline = newton.CollisionPipeline(
             self.model,
-            broad_phase="nxn",
+            broad_phase=self.case.broad_phase,
             reduce_contacts=True,
             rigid_contact_max=self.world_count * (self.case.contact_max or CONTACT_MAX),
         )

@@ -1,0 +1,50 @@
+"""The fix that the report offers, tried as a reader would: the very files, each run in a process of its own."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from experiments.case import AS_SHIPPED
+from experiments.measurement import Conditions, Measurement
+from report.downloads import fix_files
+
+SCRIPTS = {"as-shipped": "scene_as_shipped.py", "fixed": "fixed_scene.py"}
+NUMBERS = ("slip_mm", "drift_mm_s", "cube_height_m")
+
+
+def measure(conditions: Conditions) -> Measurement:
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
+    engines = (("", "warp", conditions.device), ("-mujoco-c", "mujoco", "cpu"))
+    runs = [
+        ({"case": case + ending, "backend": backend, "script": script}, device)
+        for ending, backend, device in engines
+        for case, script in SCRIPTS.items()
+    ]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return Measurement(list(pool.map(lambda run: try_script(*run, frame_count), runs)))
+
+
+def try_script(row: dict[str, object], device: str, frame_count: int) -> dict[str, object]:
+    """Run the row's script in an empty folder and return the row with what it says of itself, and of its test."""
+    with tempfile.TemporaryDirectory() as folder:
+        script, summary = Path(folder) / str(row["script"]), Path(folder) / "summary.json"
+        script.write_text(fix_files()[script.name], encoding="utf-8")
+        options = ["--viewer", "null", "--num-frames", str(frame_count), "--test", "--quiet"]
+        options += ["--backend", str(row["backend"]), "--device", device, "--json", str(summary)]
+        run = subprocess.run(
+            [sys.executable, str(script), *options], cwd=folder, capture_output=True, text=True, check=False
+        )
+        said = json.loads(summary.read_text(encoding="utf-8")) if summary.exists() else {}
+    words = run.stderr.strip().splitlines()[-1:]
+    for name in NUMBERS:
+        value = said.get(name)
+        row[name] = value if value is not None and math.isfinite(value) else None
+        if row[name] is None:
+            row[f"{name}_reason"] = words[0] if run.returncode and words else "the script does not say it"
+    test = {"test_passed": run.returncode == 0, "test_message": words[0] if run.returncode and words else None}
+    return row | {"dropped": said.get("dropped"), **test, "frame_count": frame_count}

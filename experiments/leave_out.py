@@ -1,0 +1,102 @@
+"""What the scene pays for and does not need: left out one at a time, then all together."""
+
+import gc
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from experiments.audit import audit, audit_rows
+from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
+from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, summarize
+from experiments.simulation import Simulation, simulate
+from experiments.timing import buffer_bytes_per_world, frame_ms, put_in_state_of
+
+WITHOUT = {
+    "buffers": {"contact_max": None, "constraint_max": None},
+    "ik-iterations": {"ik_iterations": AS_SHIPPED.ik_iterations},
+    "state-sync": {"state_sync": False},
+    "cube-gap": {"cube_gap_m": AS_SHIPPED.robot_gap_m},
+    "hand-box": {"hand_collides": False},
+    "visuals": {"visuals": False},
+    "broad-phase": {"broad_phase": "explicit"},
+}
+"""What is left out, by name, and the parameters that do it."""
+WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
+SHAKE_FRAME = SETUP_FRAME_COUNT + 30
+"""Frame in the middle of the first cycle from which frames are timed."""
+REPEAT_COUNT = {"cuda": 20, "cpu": 5}
+AUDIT_FRAME_COUNT = 250
+PILOT = {"contact_max": None, "constraint_max": None}
+"""The run that brings a variant into the shake needs no large buffers."""
+MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
+
+
+def variants(kind: str) -> list[Case]:
+    """On the CPU only the buffers and all together: each variant with the large buffers takes minutes there."""
+    names = WITHOUT if kind == "cuda" else ("buffers",)
+    single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
+    return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
+
+
+def measure(conditions: Conditions) -> Measurement:
+    devices = ("cuda:0", "cpu") if conditions.is_cuda else ("cpu",)
+    rows = []
+    for device in devices:
+        kind = device.split(":")[0]
+        trajectories = run_to_end(conditions, kind)
+        for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
+            for case in variants(kind):
+                row = {"case": case.name, "device": kind, "worlds": world_count}
+                row |= time_case(case, world_count, wp.get_device(device), REPEAT_COUNT[kind])
+                rows.append(row | trajectories[case.name])
+    return Measurement(rows + audit_rows(audit(Simulation([UNTRIMMED], wp.get_device(devices[0])), AUDIT_FRAME_COUNT)))
+
+
+def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]]:
+    """Every variant run to the end: slip, peaks, and whether the trajectory is the reference's to the last bit.
+
+    The reference is the untrimmed scene. On the CPU, where that would take minutes, it is the scene without the large
+    buffers.
+    """
+    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in variants(kind)]
+    found = {}
+    if kind == "cpu":
+        reason = "not run to the end on the CPU, where it takes minutes"
+        found[cases.pop(0).name] = dict.fromkeys(MEASURED) | {f"{name}_reason": reason for name in MEASURED}
+    traces = simulate(cases, device=kind, title=f"leave_out on {kind}")
+    for case, trace in zip(cases, traces, strict=True):
+        summary = summarize(case, trace)
+        columns = ("slip_mm", "slip_mm_reason", "drift_mm_s", "failure", "peak_contact_count", "peak_constraint_count")
+        found[case.name] = {name: summary[name] for name in columns if name in summary}
+        found[case.name] |= {
+            "bit_identical": bool(np.array_equal(trace.poses, traces[0].poses)),
+            "pose_difference_mm": 1e3 * float(np.abs(trace.poses[..., :3] - traces[0].poses[..., :3]).max()),
+        }
+    return found
+
+
+def time_case(case: Case, world_count: int, device: wp.Device, repeat_count: int) -> dict[str, object]:
+    """Time frames of the shake in ``world_count`` worlds; every number None, with the reason, if memory runs out."""
+    try:
+        pilot = Simulation([replace(case, frame_count=SHAKE_FRAME + 1, **PILOT)], device)
+        for _ in range(SHAKE_FRAME):
+            pilot.step()
+        simulation = Simulation([replace(case, frame_count=repeat_count + 8)] * world_count, device)
+        put_in_state_of(simulation, pilot)
+        times = frame_ms(simulation, repeat_count)
+        size = buffer_bytes_per_world(simulation.solver, simulation.contacts)
+    except RuntimeError as error:
+        reason = " ".join(str(error).split())[:120]
+        names = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
+        return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}
+    finally:
+        pilot = simulation = None
+        gc.collect()
+    return {
+        "frame_ms": float(np.median(times)),
+        "frame_ms_p5": float(np.percentile(times, 5)),
+        "frame_ms_p95": float(np.percentile(times, 95)),
+        "repeat_count": repeat_count,
+        "buffer_bytes_per_world": size,
+    }

@@ -1,0 +1,53 @@
+"""How fast is one world: 600 frames after 240 of warm-up, as shipped and as fixed."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED
+from experiments.measurement import Conditions, Measurement, summarize
+from experiments.simulation import Simulation
+
+CASES = (
+    replace(UNTRIMMED, name="as-shipped-untrimmed"),
+    AS_SHIPPED,
+    replace(STIFF_PADS, name="stiff-pads-only"),
+    replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
+    FIXED,
+)
+WARMUP_FRAME_COUNT = 240
+FRAME_COUNT = {"full": 600, "quick": 60}
+CHUNK_FRAME_COUNT = 20
+"""Frames between two looks at the clock."""
+
+
+def measure(conditions: Conditions) -> Measurement:
+    frame_count = FRAME_COUNT["quick" if conditions.quick else "full"]
+    # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
+    cases = CASES if conditions.is_cuda else CASES[1:]
+    rows = []
+    for case in cases:
+        case = replace(case, frame_count=WARMUP_FRAME_COUNT + frame_count)
+        simulation = Simulation([case], wp.get_device(conditions.device))
+        for _ in range(WARMUP_FRAME_COUNT):
+            simulation.step()
+        times = np.array([chunk_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
+        [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=1e-3 * float(times.sum()))
+        median = float(np.median(times)) / CHUNK_FRAME_COUNT
+        row = summarize(case, trace) | {"frame_ms": median}
+        row |= {"frame_ms_p5": float(np.percentile(times, 5)) / CHUNK_FRAME_COUNT}
+        row |= {"frame_ms_p95": float(np.percentile(times, 95)) / CHUNK_FRAME_COUNT}
+        rows.append(row | {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median})
+    return Measurement(rows)
+
+
+def chunk_ms(simulation: Simulation) -> float:
+    """Wall time [ms] of the next CHUNK_FRAME_COUNT frames."""
+    wp.synchronize_device(simulation.device)
+    start = time.perf_counter()
+    for _ in range(CHUNK_FRAME_COUNT):
+        simulation.step()
+    wp.synchronize_device(simulation.device)
+    return 1e3 * (time.perf_counter() - start)

@@ -1,0 +1,107 @@
+"""The fix as it is offered: the very files, run in a process of their own, and against the scene of this report."""
+
+import ast
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import pytest
+from conftest import MODULE, TEMPLATE
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation import simulate
+from report import ROOT, ReportError
+from report.check import check_site
+from report.downloads import fix_files, without_patch
+
+SLIP_MM = {"scene_as_shipped.py": (6.36, 0.03), "fixed_scene.py": (0.31, 0.01)}
+"""Calibration slip of each script and how close it must come."""
+CASES = {"scene_as_shipped.py": AS_SHIPPED, "fixed_scene.py": STIFF_PADS}
+OPTIONS = "--viewer null --num-frames 900 --test --quiet --backend mujoco --json summary.json".split()
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory) -> dict[str, tuple[subprocess.CompletedProcess, dict]]:
+    """Both scripts through MuJoCo's C engine, each alone in a folder, side by side."""
+
+    def run(name: str) -> tuple[subprocess.CompletedProcess, dict]:
+        folder = tmp_path_factory.mktemp("fix")
+        (folder / name).write_text(fix_files()[name], encoding="utf-8")
+        done = subprocess.run([sys.executable, name, *OPTIONS], cwd=folder, capture_output=True, text=True, check=False)
+        return done, json.loads((folder / "summary.json").read_text())
+
+    with ThreadPoolExecutor() as pool:
+        return dict(zip(CASES, pool.map(run, CASES), strict=True))
+
+
+def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(runs):
+    fixed, shipped = runs["fixed_scene.py"][0], runs["scene_as_shipped.py"][0]
+    assert fixed.returncode == 0, fixed.stderr
+    assert shipped.returncode == 1
+    assert "the cube slipped" in shipped.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_script_is_the_scene_of_this_report(runs, name):
+    summary = runs[name][1]
+    assert summary["dropped"] is False
+    assert summary["slip_mm"] == pytest.approx(SLIP_MM[name][0], abs=SLIP_MM[name][1])
+    [trace] = simulate([replace(CASES[name], backend="mujoco")])
+    moved = metrics.displacement(trace)
+    assert summary["slip_mm"] == pytest.approx(metrics.slip_mm(moved), abs=0.02)
+    assert summary["drift_mm_s"] == pytest.approx(metrics.drift_mm_s(moved), abs=0.002)
+    assert summary["cube_height_m"] == pytest.approx(metrics.cube_height_m(trace), abs=1e-4)
+
+
+@pytest.mark.parametrize("tool", [["patch", "-p1", "--input=fix.patch"], ["git", "apply", "fix.patch"]])
+def test_the_patch_makes_the_shipped_scene_the_fixed_one(tool, tmp_path):
+    for name, text in fix_files().items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    try:
+        subprocess.run(tool, cwd=tmp_path, check=True, capture_output=True)
+    except FileNotFoundError:
+        pytest.skip(f"there is no {tool[0]} here")
+    assert (tmp_path / "scene_as_shipped.py").read_text() == fix_files()["fixed_scene.py"]
+
+
+def test_the_patch_changes_the_pads_material_and_nothing_else():
+    lines = fix_files()["fix.patch"].splitlines()[2:]
+    changed = [line[1:].strip() for line in lines if line[0] in "+-"]
+    assert [line for line in changed if not line.startswith("#")] == [
+        f"robot.shape_material_ke[shape] = {STIFF_PADS.pad_ke:.1e}".replace("e+0", "e"),
+        f"robot.shape_material_kd[shape] = {STIFF_PADS.pad_kd:.1e}".replace("e+0", "e"),
+    ]
+
+
+def test_a_patch_that_does_not_fit_is_refused():
+    files = fix_files()
+    with pytest.raises(ReportError, match="does not lead to"):
+        without_patch(files["scene_as_shipped.py"], files["fix.patch"])
+
+
+def test_the_script_needs_newton_alone_and_holds_the_robot_of_this_report():
+    tree = ast.parse(fix_files()["fixed_scene.py"])
+    imported = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    imported |= {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    outside = {name.partition(".")[0] for name in imported} - sys.stdlib_module_names
+    assert outside == {"newton", "numpy", "warp"}
+    [urdf] = [node.value.value for node in tree.body if isinstance(node, ast.Assign) and node.targets[0].id == "URDF"]
+    assert urdf == (ROOT / AS_SHIPPED.asset).read_text(encoding="utf-8")
+
+
+def test_the_site_carries_what_a_section_offers(toy):
+    module = MODULE.replace("import Figure,", "import Download, Figure,")
+    toy.write(
+        "report/sections/toy.py", module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
+    )
+    toy.write(
+        "templates/sections/toy.md.j2", TEMPLATE + '\n{{ download("a.py") }}\n\nAlone: {{ download("a.py").link }}\n'
+    )
+    toy.build()
+    assert (toy.project.site / "download" / "a.py").read_text() == "1 < 2\n"
+    assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
+    assert toy.page.count('href="download/a.py"') == 2
+    assert check_site(toy.project.site) == []
