@@ -135,8 +135,8 @@ LEAN = replace(
     contact_max=32,
     constraint_max=64,
 )
-"""The scene as shipped without anything that it does not need. With the small gap the measured peaks are 21 contacts and
-50 constraint rows."""
+"""The scene as shipped without anything that it does not need. With the small gap the measured peaks are 21 contacts
+and 50 constraint rows."""
 STIFF_PADS = replace(AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3)
 """The one change that holds the cube."""
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)

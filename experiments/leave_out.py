@@ -26,7 +26,7 @@ WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
 SHAKE_FRAME = SETUP_FRAME_COUNT + 30
 """Frame in the middle of the first cycle from which frames are timed."""
 REPEAT_COUNT = {"cuda": 20, "cpu": 5}
-AUDIT_FRAME_COUNT = 250
+AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 PILOT = {"contact_max": None, "constraint_max": None}
 """The run that brings a variant into the shake needs no large buffers."""
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
@@ -50,7 +50,9 @@ def measure(conditions: Conditions) -> Measurement:
                 row = {"case": case.name, "device": kind, "worlds": world_count}
                 row |= time_case(case, world_count, wp.get_device(device), REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])
-    return Measurement(rows + audit_rows(audit(Simulation([UNTRIMMED], wp.get_device(devices[0])), AUDIT_FRAME_COUNT)))
+    frame_count = AUDIT_FRAME_COUNT["quick" if conditions.quick else "full"]
+    items = audit(Simulation([UNTRIMMED], wp.get_device(devices[0])), frame_count)
+    return Measurement(rows + audit_rows(items))
 
 
 def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]]:

@@ -28,6 +28,7 @@ def measure(conditions: Conditions) -> Measurement:
 def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[str, object]:
     """Time whole frames and, on the same batch in the same state, as many bare steps of the engine."""
     case = replace(FIXED, frame_count=REPEAT_COUNT + 8)
+    gc.collect()  # frees the batch before
     before = memory_bytes(device)
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot)
@@ -39,9 +40,6 @@ def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[
             simulation.solver._mujoco_warp_step()
 
     steps = replay_ms(device, bare_steps, REPEAT_COUNT)
-    size = buffer_bytes_per_world(simulation.solver, simulation.contacts)
-    del simulation
-    gc.collect()
     row = {
         "case": f"worlds-{world_count}",
         "worlds": world_count,
@@ -51,7 +49,7 @@ def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[
         "mjw_step_ms": float(np.median(steps)),
         "repeat_count": REPEAT_COUNT,
         "world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(frames))),
-        "buffer_bytes_per_world": size,
+        "buffer_bytes_per_world": buffer_bytes_per_world(simulation.solver, simulation.contacts),
         "bytes_per_world": None if before is None else (after - before) // world_count,
     }
     if before is None:
