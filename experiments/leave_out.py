@@ -23,35 +23,37 @@ WITHOUT = {
 }
 """What is left out, by name, and the parameters that do it."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
+FEW_FROM = 4096
+"""From this many worlds on, and on the CPU, only the buffers and all together are left out: a variant that keeps the
+large buffers takes seconds a frame there."""
 SHAKE_FRAME = SETUP_FRAME_COUNT + 30
 """Frame in the middle of the first cycle from which frames are timed."""
-REPEAT_COUNT = {"cuda": 20, "cpu": 5}
+REPEAT_COUNT = {"many": 20, "few": 5}
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
-PILOT = {"contact_max": None, "constraint_max": None}
-"""The run that brings a variant into the shake needs no large buffers."""
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
-def variants(kind: str) -> list[Case]:
-    """On the CPU only the buffers and all together: each variant with the large buffers takes minutes there."""
-    names = WITHOUT if kind == "cuda" else ("buffers",)
+def variants(few: bool) -> list[Case]:
+    names = ("buffers",) if few else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
 
 
 def measure(conditions: Conditions) -> Measurement:
-    devices = ("cuda:0", "cpu") if conditions.is_cuda else ("cpu",)
     rows = []
-    for device in devices:
-        kind = device.split(":")[0]
+    for kind in ("cuda", "cpu") if conditions.is_cuda else ("cpu",):
         trajectories = run_to_end(conditions, kind)
+        pilot = Simulation([replace(AS_SHIPPED, frame_count=SHAKE_FRAME + 1)], wp.get_device(kind))
+        for _ in range(SHAKE_FRAME):
+            pilot.step()
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            for case in variants(kind):
+            few = kind == "cpu" or world_count >= FEW_FROM
+            for case in variants(few):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
-                row |= time_case(case, world_count, wp.get_device(device), REPEAT_COUNT[kind])
+                row |= time_case(case, world_count, pilot, REPEAT_COUNT["few" if few else "many"])
                 rows.append(row | trajectories[case.name])
     frame_count = AUDIT_FRAME_COUNT["quick" if conditions.quick else "full"]
-    items = audit(Simulation([UNTRIMMED], wp.get_device(devices[0])), frame_count)
+    items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
     return Measurement(rows + audit_rows(items))
 
 
@@ -61,7 +63,9 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     The reference is the untrimmed scene. On the CPU, where that would take minutes, it is the scene without the large
     buffers.
     """
-    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in variants(kind)]
+    cases = [
+        replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in variants(few=kind == "cpu")
+    ]
     found = {}
     if kind == "cpu":
         reason = "not run to the end on the CPU, where it takes minutes"
@@ -78,27 +82,21 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     return found
 
 
-def time_case(case: Case, world_count: int, device: wp.Device, repeat_count: int) -> dict[str, object]:
+def time_case(case: Case, world_count: int, pilot: Simulation, repeat_count: int) -> dict[str, object]:
     """Time frames of the shake in ``world_count`` worlds; every number None, with the reason, if memory runs out."""
+    gc.collect()  # frees the batch before
     try:
-        pilot = Simulation([replace(case, frame_count=SHAKE_FRAME + 1, **PILOT)], device)
-        for _ in range(SHAKE_FRAME):
-            pilot.step()
-        simulation = Simulation([replace(case, frame_count=repeat_count + 8)] * world_count, device)
+        simulation = Simulation([replace(case, frame_count=repeat_count + 8)] * world_count, pilot.device)
         put_in_state_of(simulation, pilot)
         times = frame_ms(simulation, repeat_count)
-        size = buffer_bytes_per_world(simulation.solver, simulation.contacts)
     except RuntimeError as error:
         reason = " ".join(str(error).split())[:120]
         names = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
         return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}
-    finally:
-        pilot = simulation = None
-        gc.collect()
     return {
         "frame_ms": float(np.median(times)),
         "frame_ms_p5": float(np.percentile(times, 5)),
         "frame_ms_p95": float(np.percentile(times, 95)),
         "repeat_count": repeat_count,
-        "buffer_bytes_per_world": size,
+        "buffer_bytes_per_world": buffer_bytes_per_world(simulation.solver, simulation.contacts),
     }

@@ -121,9 +121,12 @@ def cpu_name() -> str:
 
 
 def commit() -> str | None:
-    """The commit that is checked out, with a mark when the working tree differs from it; None without git."""
+    """The commit that is checked out, with a mark when the working tree differs from it.
+
+    Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
+    """
     git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
-    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or None
+    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or os.environ.get("GIT_COMMIT")
 
 
 def command(section: str, device: wp.Device, profile: str) -> str:

@@ -86,7 +86,8 @@ class Simulation:
             njmax=case.constraint_max or CONSTRAINT_MAX,
             use_mujoco_contacts=self.pipeline is None,
             use_mujoco_cpu=case.backend == "mujoco",
-            update_data_interval=1 if case.state_sync else 0,
+            # Only by being written at every step does Newton's start reach MuJoCo's C engine.
+            update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
         )
 
     def frame(self) -> None:

@@ -85,12 +85,30 @@ class PlacedFigure:
 
 
 @dataclass(frozen=True)
+class Download:
+    """A file that the site offers below ``download/``; printed, it is its text with a link to it."""
+
+    name: str
+    text: str
+
+    @property
+    def link(self) -> Markup:
+        return Markup('<a href="download/{0}" download>{0}</a>').format(self.name)
+
+    def __html__(self) -> Markup:
+        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>').format(
+            self.text, self.link
+        )
+
+
+@dataclass(frozen=True)
 class Section:
     """All that a section's template can name, besides ``row`` and ``value``."""
 
     tables: Mapping[str, Table] = field(default_factory=dict)
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
+    downloads: Sequence[Download] = ()
 
 
 def _common_unit(cells: pd.Series) -> str | None:

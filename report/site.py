@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from report.format import format_time
+from report.overview import overview
 from report.page import Prose, Templates
 from report.parts import PlacedFigure, Section
 from report.project import Project
@@ -71,7 +72,9 @@ def assemble(project: Project, states: Sequence[State]) -> Report:
         else:
             chapters[state.section] = Chapter(state, results, section, names, prose)
     sections = {name: chapter.names for name, chapter in chapters.items()}
-    summary = templates.prose("summary.md.j2", "summary", {"sections": sections})
+    figure = overview({name: chapter.results for name, chapter in chapters.items()})
+    placed = PlacedFigure("summary-overview", figure) if figure else None
+    summary = templates.prose("summary.md.j2", "summary", {"sections": sections, "overview": placed})
     return Report(project, list(chapters.values()), left_out, summary)
 
 
@@ -97,6 +100,7 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
         "claim": _finder(name, "claim", claims),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", figures),
+        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
 
 
@@ -128,6 +132,10 @@ def _write(folder: Path, report: Report) -> None:
     for chapter in chapters:
         for path in (chapter.results.path, *traces_of(chapter.results.path)):
             shutil.copyfile(path, data / path.name)
+        for download in chapter.section.downloads:
+            path = folder / "download" / download.name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(download.text, encoding="utf-8")
     values = {
         chapter.name: {name: value.entry for name, value in chapter.results.derived.items()} for chapter in chapters
     }

@@ -1,0 +1,151 @@
+"""The overview: every variant of every section on one axis, against the baseline."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from markupsafe import Markup
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Drawing
+from matplotlib.lines import Line2D
+
+from report.figures import FAINT, INK, SERIES, new_figure
+from report.parts import Figure
+from report.quantities import Quantity
+from report.results import Results, Row
+
+BASELINE = "as-shipped"
+SHAKE = ("shake_amplitude_m", "shake_frequency_hz", "frame_count")
+"""What a run must share with the baseline, where it says it, for their slips to say the same thing."""
+SERIES_LENGTH = 7
+"""Cases that differ in nothing but the numbers in their names share a line when there are more of them than this."""
+NUMBER = re.compile(r"\d[\d.]*(e[+-]?\d+)?")
+LINE_HEIGHT = 0.155
+"""Height of a line of the figure [in]."""
+DOT = {"marker": "o", "markersize": 4, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of the figure: a variant, or a series of them."""
+
+    section: str
+    label: str
+    rows: tuple[Row, ...]
+
+
+def overview(chapters: Mapping[str, Results]) -> Figure | None:
+    """The figure of all rows that have a slip, in the order of the page; None without a baseline to compare with.
+
+    Args:
+        chapters: Results of the sections that are shown, by name.
+    """
+    baseline = _baseline(chapters)
+    lines = [line for name, results in chapters.items() for line in _lines(name, results)]
+    if baseline is None or not lines:
+        return None
+    noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
+    count = sum(len(line.rows) for line in lines)
+    caption = Markup("Slip of every variant, by section. The line is the scene as shipped, {}.{}").format(
+        baseline.slip_mm, _band_in_words(noise)
+    )
+    return Figure(
+        draw=lambda: _draw(lines, baseline, noise),
+        caption=caption,
+        alt=f"Slip of {count} runs in {len({line.section for line in lines})} sections, on a logarithmic axis, against "
+        f"{baseline.slip_mm} as shipped.",
+        sources=[row.slip_mm for line in lines for row in line.rows],
+    )
+
+
+def _band_in_words(noise: Quantity | None) -> Markup:
+    if noise is None or noise.value is None:
+        return Markup("")
+    return Markup(" Runs of one and the same case differ by up to {}, the band about it.").format(noise)
+
+
+def _baseline(chapters: Mapping[str, Results]) -> Row | None:
+    rows = (results.row[BASELINE] for results in chapters.values() if BASELINE in results.row)
+    return next((row for row in rows if "slip_mm" in row and row.slip_mm.value), None)
+
+
+def _lines(section: str, results: Results) -> Iterator[Line]:
+    """The section's rows that have a slip, those of one case or of one long series together."""
+    rows = [row for row in results.rows if "slip_mm" in row]
+    stems: dict[str, list[Row]] = {}
+    for row in rows:
+        stems.setdefault(NUMBER.sub("…", row.case), []).append(row)
+    lines: dict[str, list[Row]] = {}
+    for row in rows:
+        stem = NUMBER.sub("…", row.case)
+        lines.setdefault(stem if len(stems[stem]) > SERIES_LENGTH else row.case, []).append(row)
+    for label, members in lines.items():
+        yield Line(section, label if len(members) == 1 else f"{label} ({len(members)})", tuple(members))
+
+
+def _draw(lines: list[Line], baseline: Row, noise: Quantity | None) -> Drawing:
+    sections = list(dict.fromkeys(line.section for line in lines))
+    places = {}
+    for line in lines:
+        places[line] = len(places) + sections.index(line.section) + 1
+    drawing, axes = new_figure(7.2, 1.0 + LINE_HEIGHT * (len(lines) + len(sections)))
+    slip = baseline.slip_mm.value
+    axes.axvline(slip, color=SERIES[1], linewidth=1.2, zorder=1)
+    if noise is not None and noise.value is not None:
+        axes.axvspan(
+            max(slip - noise.value, 0.0), slip + noise.value, color=SERIES[1], alpha=0.3, linewidth=0, zorder=0.9
+        )
+    for line, place in places.items():
+        _draw_line(axes, line, place, baseline)
+    axes.set_xscale("log")
+    axes.set_ylim(len(lines) + len(sections), -0.2)
+    axes.set_yticks(list(places.values()), [line.label for line in places], fontsize=7.5)
+    axes.tick_params(axis="y", length=0)
+    axes.tick_params(axis="x", labeltop=True)
+    axes.grid(axis="y", linewidth=0.3)
+    _name_sections(
+        axes, {section: min(places[line] for line in lines if line.section == section) for section in sections}
+    )
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.set_xlabel("slip [mm]")
+    drawing.legend(handles=_legend(), loc="outside upper left", ncols=3, fontsize=8)
+    return drawing
+
+
+def _name_sections(axes: Axes, places: Mapping[str, int]) -> None:
+    for section, place in places.items():
+        axes.text(
+            -0.01,
+            place - 1,
+            section.replace("_", " "),
+            transform=axes.get_yaxis_transform(),
+            fontsize=8.5,
+            fontweight="bold",
+            va="center",
+            ha="right",
+        )
+        axes.axhline(place - 1.5, color=FAINT, linewidth=0.8)
+
+
+def _draw_line(axes: Axes, line: Line, place: int, baseline: Row) -> None:
+    there = [row for row in line.rows if row.slip_mm.value is not None]
+    for row in there:
+        axes.plot([row.slip_mm.value], [place], **_mark(row, baseline))
+    if lost := len(line.rows) - len(there):
+        side = axes.get_yaxis_transform()
+        axes.text(1.01, place, f"{lost} without result", transform=side, fontsize=7.5, va="center")
+
+
+def _mark(row: Row, baseline: Row) -> dict[str, object]:
+    if "dropped" in row and row.dropped:
+        return DOT | {"marker": "x", "color": INK, "markersize": 5}
+    same = all(row[name].value == baseline[name].value for name in SHAKE if name in row and name in baseline)
+    return DOT if same else DOT | {"markerfacecolor": "none"}
+
+
+def _legend() -> list[Line2D]:
+    return [
+        Line2D([], [], **DOT, label="the baseline's shake"),
+        Line2D([], [], **DOT | {"markerfacecolor": "none"}, label="another shake or duration"),
+        Line2D([], [], **DOT | {"marker": "x", "color": INK, "markersize": 5}, label="dropped"),
+    ]

@@ -1,0 +1,148 @@
+"""Cases that each change one thing, against the baseline that was measured with them."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import pandas as pd
+from markupsafe import Markup
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_most
+from report.figures import FAINT, INK, SERIES, new_figure
+from report.parts import Figure, Table
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+from report.sections._common import noise_floor
+
+
+@dataclass(frozen=True)
+class Variants:
+    """The rows of one section, and what each changes in the slip."""
+
+    baseline: Row
+    rows: Sequence[Row]
+    """Without the baseline."""
+    difference: Mapping[str, Value]
+    """Slip of a case less that of the baseline [mm]."""
+    largest: Value
+    """The largest of the differences, either way."""
+    largest_share: Value
+    """The same in percent of the baseline's slip."""
+    floor: Quantity
+    """How far apart runs of one case are [mm]."""
+
+    @property
+    def numbers(self) -> dict[str, Quantity]:
+        """What the wording of a claim can name."""
+        numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
+        return numbers | {"largest": self.largest, "share": self.largest_share}
+
+
+def compare(results: Results, baseline: str) -> Variants:
+    """Every row of the section against the row of the case ``baseline``."""
+    reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
+    difference = {row.case: _difference(results, row, reference) for row in rows}
+    largest = results.value(
+        "largest_difference",
+        "largest difference in slip from the baseline, either way",
+        lambda *cell: max(map(abs, cell)),
+        *difference.values(),
+        unit="mm",
+    )
+    share = results.value(
+        "largest_share",
+        "largest difference in slip from the baseline, of the baseline's slip",
+        lambda part, whole: 100 * part / whole,
+        largest,
+        reference.slip_mm,
+        unit="%",
+    )
+    return Variants(reference, rows, difference, largest, share, noise_floor(results, "slip_floor"))
+
+
+def _difference(results: Results, row: Row, reference: Row) -> Value:
+    return results.value(
+        f"{row.case}_difference",
+        f"slip of {row.case} less that of {reference.case}",
+        lambda slip, of_reference: slip - of_reference,
+        row.slip_mm,
+        reference.slip_mm,
+        unit="mm",
+    )
+
+
+def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: str, unknown: str) -> Claim:
+    """Whether every variant leaves most of the slip in place; the wordings can name ``Variants.numbers``."""
+    bound = results.value("cause_bound", "chosen: a cause would change the slip by more", lambda: 10.0, unit="%")
+    numbers = variants.numbers | {"bound": bound}
+    return Claim("not_the_cause", at_most(variants.largest_share, bound), holds, fails, unknown, numbers)
+
+
+def within_noise(variants: Variants) -> Claim:
+    """Whether any variant differs from the baseline by more than the baseline does from itself."""
+    beyond = [
+        Markup("{} by {}").format(case, difference)
+        for case, difference in variants.difference.items()
+        if None not in (difference.value, variants.floor.value) and abs(difference.value) > variants.floor.value
+    ]
+    return Claim(
+        "within_noise",
+        at_most(variants.largest, variants.floor),
+        holds="None of them makes a difference: identical runs are up to {floor} apart, these at most {largest}.",
+        fails="Identical runs are up to {floor} apart. Beyond that the slip differs for {beyond}.",
+        unknown="Which of these differences are more than noise cannot be told.",
+        numbers=variants.numbers | {"beyond": Markup(", ").join(beyond)},
+    )
+
+
+def variant_table(variants: Variants, labels: Mapping[str, str], caption: str) -> Table:
+    """A row for each case; ``labels`` says in words which columns are parameters of a case."""
+    rows = [variants.baseline, *variants.rows]
+    columns = {
+        "changed": [_changed(row, variants.baseline, labels) for row in rows],
+        "slip": [row.slip_mm for row in rows],
+        "against baseline": [variants.difference.get(row.case, "") for row in rows],
+        "drift": [row.drift_mm_s for row in rows],
+    }
+    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), caption)
+
+
+def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
+    if row is baseline:
+        return Markup("nothing: baseline")
+    own = {name: label for name, label in labels.items() if name in row}
+    changed = {label: row[name] for name, label in own.items() if name not in baseline or row[name] != baseline[name]}
+    return Markup(", ").join(Markup("{} {}").format(label, value) for label, value in changed.items())
+
+
+def variant_figure(variants: Variants) -> Figure:
+    """The slip of every case, and beside it how far it is from the baseline, with the noise."""
+    slips = [row.slip_mm for row in (variants.baseline, *variants.rows)]
+    return Figure(
+        draw=lambda: _draw_variants(variants),
+        caption="Left: the slip of every case; the line is the baseline. Right: the same less the baseline, on a "
+        "scale of its own; the band is how far apart identical runs come out.",
+        alt=f"As shipped the slip is {variants.baseline.slip_mm}; "
+        + "; ".join(f"{row.case}: {row.slip_mm}" for row in variants.rows),
+        sources=slips,
+    )
+
+
+def _draw_variants(variants: Variants) -> Drawing:
+    rows = [row for row in (variants.baseline, *variants.rows) if row.slip_mm.value is not None]
+    names, slips = [row.case for row in rows], [row.slip_mm.value for row in rows]
+    drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
+    left.barh(names, slips, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6)
+    left.set_xlabel("slip [mm]")
+    reference = variants.baseline.slip_mm.value
+    if reference is not None:
+        left.axvline(reference, color=INK, linewidth=1, linestyle="--")
+        right.axvline(0.0, color=INK, linewidth=1, linestyle="--")
+        if variants.floor.value is not None:
+            right.axvspan(-variants.floor.value, variants.floor.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=None, markersize=6)
+    right.set_xlabel("difference from baseline [mm]")
+    right.tick_params(axis="y", left=False)
+    left.invert_yaxis()
+    left.grid(axis="y", visible=False)
+    return drawing

@@ -1,0 +1,292 @@
+"""How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
+
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure as Drawing
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+
+from report.claims import Claim, Outcome, at_least, at_most
+from report.figures import INK, new_figure
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity, Value
+from report.results import Results, Row, Trace
+
+order = 120
+
+SIDES = {"as-shipped": "as shipped", "stiff": "stiff pads"}
+SLIP_RANGE_MM = (0.01, 50.0)
+"""Ends of the colour scale; what lies outside has the colour of the end."""
+FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
+AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
+# A map keeps its colours on a dark page, so what is drawn on it keeps them as well.
+EMPTY, MARK = "#f2f2f2", "#101418"
+
+
+def derive(results: Results) -> Section:
+    points, costs = _points(results), results.row["map"]
+    gains = {name: _gain(results, name, *sides) for name, sides in points.items()}
+    trace = results.trace("map")
+    maps = Figure(
+        draw=lambda: _draw_maps(trace.value),
+        caption="Slip by the amplitude and frequency that the arm is told to shake with, a cell for each run. In "
+        "crossed cells the cube left the grasp; the line is their boundary.",
+        alt=f"Two heat maps of slip over amplitude and frequency. As shipped the cube is dropped in "
+        f"{costs.dropped_as_shipped_count} cells, with stiff pads in {costs.dropped_stiff_count}.",
+        sources=[trace],
+    )
+    return Section(
+        tables={"points": _table(points, gains)},
+        figures={"maps": maps},
+        claims=[
+            _nothing_dropped(results, costs),
+            _gain_everywhere(results, points, gains),
+            _map_gain(results, trace),
+            _grows_faster(results),
+            _batch_is_fast(results, costs),
+        ],
+    )
+
+
+def _points(results: Results) -> dict[str, tuple[Row, Row]]:
+    """As shipped and with stiff pads, by the name of the point."""
+    first, second = SIDES
+    names = [case.removeprefix(f"{first}-") for case in results.row if case.startswith(f"{first}-")]
+    return {name: (results.row[f"{first}-{name}"], results.row[f"{second}-{name}"]) for name in names}
+
+
+def _held_slip(row: Row) -> Quantity:
+    """The slip; none where the cube was dropped, because it then says how far the cube fell."""
+    return replace(row.slip_mm, value=None, reason="the cube was dropped") if row.dropped else row.slip_mm
+
+
+def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
+    return results.value(
+        "gain_" + name.replace("-", "_").replace(".", "_"),
+        f"slip as shipped over slip with stiff pads, {name}",
+        lambda before, after: before / after,
+        _held_slip(shipped),
+        _held_slip(stiff),
+    )
+
+
+def _nothing_dropped(results: Results, row: Row) -> Claim:
+    cells = results.value("cells", "cells of the map on each side", lambda count: count // len(SIDES), row.world_count)
+    bound = results.value("dropped_bound", "chosen: no cell is dropped", lambda: 0)
+    lost = results.value(
+        "lost_stiff",
+        "cells with stiff pads that are dropped or have no finite result",
+        lambda dropped, failed: dropped + failed,
+        row.dropped_stiff_count,
+        row.failed_stiff_count,
+    )
+    return Claim(
+        "stiff_pads_never_drop",
+        at_most(lost, bound),
+        holds="With stiff pads the cube is dropped in {stiff} of the map's {cells} runs, as shipped in {shipped}.",
+        fails="Stiff pads do not hold the cube over the whole map: {lost} of {cells} runs drop it or fail, "
+        "as shipped {shipped} drop it.",
+        unknown="Whether stiff pads hold the cube over the whole map cannot be told.",
+        numbers={
+            "lost": lost,
+            "stiff": row.dropped_stiff_count,
+            "shipped": row.dropped_as_shipped_count,
+            "cells": cells,
+        },
+    )
+
+
+def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Claim:
+    there = [gain for gain in gains.values() if gain.value is not None]
+    least = results.value("gain_least", "least of the points' ratios", lambda *gain: min(gain, default=np.nan), *there)
+    most = results.value("gain_most", "largest of the points' ratios", lambda *gain: max(gain, default=np.nan), *there)
+    held = results.value(
+        "gain_count", "points where the cube is held before and after", lambda *gain: len(gain), *there
+    )
+    count = results.value(
+        "point_count",
+        "points of the table",
+        lambda *rows: len(rows),
+        *(shipped.frame_count for shipped, _ in points.values()),
+    )
+    bound = results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    return Claim(
+        "gain_everywhere",
+        at_least(least, bound),
+        holds="Of {count} points, the cube stays in the grasp before and after at {held}, and there stiff pads slip "
+        "{least} to {most} times less.",
+        fails="At the {held} of {count} points where the cube stays in the grasp before and after, stiff pads slip "
+        "{least} to {most} times less; at least {bound} times was aimed for.",
+        unknown="By how much stiff pads reduce the slip cannot be told.",
+        numbers={"held": held, "count": count, "least": least, "most": most, "bound": bound},
+    )
+
+
+def _map_gain(results: Results, trace: Trace) -> Claim:
+    def share_above_one(frame: pd.DataFrame) -> float:
+        gains = _map_gains(frame)
+        return 100 * np.mean(gains > 1.0) if len(gains) else np.nan
+
+    median = results.value(
+        "map_gain_median",
+        "median over the map of the ratio of the slips, where the cube is held before and after",
+        lambda frame: np.median(_map_gains(frame)),
+        trace,
+    )
+    least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
+    share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
+    whole = results.value("map_gain_bound", "chosen: every cell", lambda: 100.0, unit="%")
+    return Claim(
+        "map_gain",
+        at_least(share, whole),
+        holds="On the map stiff pads slip less in every run that can be compared: {median} times less in the median, "
+        "{least} times less at worst.",
+        fails="On the map stiff pads slip less in {share} of the runs that can be compared, {median} times less in "
+        "the median.",
+        unknown="How the two sides of the map compare cannot be told.",
+        numbers={"median": median, "least": least, "share": share},
+    )
+
+
+def _grows_faster(results: Results) -> Claim:
+    small, large = results.row["as-shipped-1cm-1hz"], results.row["as-shipped-6cm-1hz"]
+    exponent = results.value(
+        "amplitude_exponent",
+        "logarithm of the ratio of the slips over that of the amplitudes, as shipped at the baseline's frequency",
+        lambda a, b, slip_a, slip_b: np.log(slip_b / slip_a) / np.log(b / a),
+        small.shake_amplitude_m,
+        large.shake_amplitude_m,
+        _held_slip(small),
+        _held_slip(large),
+    )
+    bound = results.value("amplitude_exponent_bound", "chosen: clearly more than in proportion", lambda: 1.5)
+    return Claim(
+        "slip_grows_faster_than_amplitude",
+        at_least(exponent, bound),
+        holds="As shipped, the slip grows much faster than the amplitude, about with its power {exponent}: "
+        "{small_slip} at {small}, {large_slip} at {large}.",
+        fails="As shipped, the slip grows about with the power {exponent} of the amplitude: {small_slip} at {small}, "
+        "{large_slip} at {large}.",
+        unknown="How the slip as shipped grows with the amplitude cannot be told.",
+        numbers={
+            "exponent": exponent,
+            "small": small.shake_amplitude_m,
+            "small_slip": small.slip_mm,
+            "large": large.shake_amplitude_m,
+            "large_slip": large.slip_mm,
+        },
+    )
+
+
+def _batch_is_fast(results: Results, row: Row) -> Claim:
+    alone = [other.wall_s for other in results.rows if other.case.startswith("alone-")]
+    one = results.value(
+        "alone_wall_s", "mean wall time of one world alone", lambda *wall: np.mean(wall), *alone, unit="s"
+    )
+    timed = results.value("alone_count", "worlds that were timed alone", lambda *wall: len(wall), *alone)
+    gain = results.value(
+        "batch_gain",
+        "worlds × mean wall time of one alone, over the wall time of the batch",
+        lambda worlds, single, batch: worlds * single / batch,
+        row.world_count,
+        one,
+        row.wall_s,
+    )
+    bound = results.value("batch_gain_bound", "chosen: what the batch is aimed at", lambda: 500.0)
+    outcome = at_least(gain, bound)
+    if row.world_count.value < bound.value:
+        outcome = Outcome("unknown", "the map has fewer worlds than that")
+    return Claim(
+        "batch_is_fast",
+        outcome,
+        holds="The map's {worlds} worlds in one batch took {batch}. One by one they would take {gain} times as long: "
+        "{timed} of them, timed alone in the same measurement, took {single} each on average.",
+        fails="The map's {worlds} worlds in one batch took {batch}, {gain} times less than one by one, where {bound} "
+        "times was aimed for: {timed} of them, timed alone in the same measurement, took {single} each on average.",
+        unknown="Whether a batch is {bound} times as fast as its worlds one by one cannot be told.",
+        numbers={
+            "worlds": row.world_count,
+            "batch": row.wall_s,
+            "single": one,
+            "timed": timed,
+            "gain": gain,
+            "bound": bound,
+        },
+    )
+
+
+def _table(points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Table:
+    sides = dict(zip(("before", "after"), zip(*points.values(), strict=True), strict=True))
+    columns = {f"slip {when}": [row.slip_mm for row in rows] for when, rows in sides.items()}
+    columns["ratio"] = list(gains.values())
+    columns["cube"] = [" → ".join(dict.fromkeys(map(_fate, pair))) for pair in points.values()]
+    columns |= {f"height {when}": [row.cube_height_m for row in rows] for when, rows in sides.items()}
+    index = pd.Index([name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], name="shake")
+    caption = "As shipped (before) and with stiff pads (after). There is no ratio where the cube was dropped."
+    return Table(pd.DataFrame(columns, index=index), caption)
+
+
+def _fate(row: Row) -> str:
+    if row.dropped is None:
+        return "no result"
+    return "dropped" if row.dropped else "held"
+
+
+def _grid(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
+    """A column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
+    mine = frame[frame["side"] == side]
+    return mine.pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
+
+
+def _map_gains(frame: pd.DataFrame) -> np.ndarray:
+    """Ratio of the slips of every cell that is held on both sides."""
+    slips = [
+        _grid(frame, side, "slip_mm").where(_grid(frame, side, "dropped").astype(str) == "False") for side in SIDES
+    ]
+    gains = (slips[0] / slips[1]).to_numpy(dtype=float)
+    return gains[np.isfinite(gains)]
+
+
+def _draw_maps(frame: pd.DataFrame) -> Drawing:
+    drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
+    drawing.get_layout_engine().set(wspace=0.06)
+    for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
+        colours = _draw_map(axes, *(_grid(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
+        axes.set_title(label)
+    panels[0].set_ylabel("amplitude [cm]")
+    drawing.supxlabel("frequency [Hz]", fontsize=10)
+    bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    dropped = Line2D([], [], color=INK, marker="x", markersize=5, linewidth=1.6, linestyle="-", label="dropped")
+    failed = Line2D([], [], color=INK, marker="_", markersize=5, linestyle="none", label="no finite result")
+    handles = [dropped] + ([failed] if frame["failure"].notna().any() else [])
+    drawing.legend(handles=handles, loc="outside upper left", ncols=2)
+    return drawing
+
+
+def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
+    frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
+    failed = failure.notna().to_numpy()
+    lost = (dropped.astype(str) == "True").to_numpy()
+    shown = np.ma.masked_where(lost | failed | slip.isna().to_numpy(), slip.to_numpy(dtype=float))
+    axes.set_facecolor(EMPTY)
+    axes.grid(visible=False)
+    norm = LogNorm(*SLIP_RANGE_MM)
+    colours = axes.pcolormesh(
+        frequency, amplitude, shown, norm=norm, cmap="viridis", shading="nearest", rasterized=True, zorder=0.5
+    )
+    x, y = np.meshgrid(frequency, amplitude)
+    axes.set(xscale="log", yscale="log")
+    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MARK)
+    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MARK)
+    if lost.any() and not lost.all():
+        axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MARK, linewidths=1.6)
+    for axis, ticks in ((axes.xaxis, FREQUENCY_TICKS_HZ), (axes.yaxis, AMPLITUDE_TICKS_CM)):
+        axis.set_major_locator(FixedLocator(ticks))
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    return colours

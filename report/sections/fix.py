@@ -1,0 +1,124 @@
+"""The fix as a download: do the very files that are offered do what they promise?"""
+
+import pandas as pd
+
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most
+from report.downloads import fix_files
+from report.parts import Download, Section, Table
+from report.quantities import Value
+from report.results import Results, Row
+
+order = 140
+
+ENGINES = {"warp": "MuJoCo Warp", "mujoco": "MuJoCo C"}
+PASSED = {True: "passes", False: "fails"}
+SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
+"""Case of the first section that each script must repeat."""
+
+
+def derive(results: Results) -> Section:
+    shipped, fixed = results.row["as-shipped"], results.row["fixed"]
+    return Section(
+        tables={"runs": _table(results)},
+        claims=[
+            _recommended(results, shipped, fixed),
+            _test_tells(shipped, fixed),
+            _same_on_mujoco_c(results),
+            _same_as_report(results),
+        ],
+        downloads=[Download(name, text) for name, text in fix_files().items()],
+    )
+
+
+def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
+    gain = _gain(results, "gain", shipped, fixed)
+    outcome = at_least(gain, _gain_bound(results))
+    return Claim(
+        "recommended",
+        FAILS if outcome == HOLDS and not fixed.test_passed else outcome,
+        holds="The patch holds the cube: run as offered, the scene slips {before} without it and {after} with it, "
+        "{gain} times less.",
+        fails="The patch is not recommended: run as offered, the scene slips {before} without it and {after} with it.",
+        unknown="Whether the patch helps cannot be told, so it is not recommended.",
+        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
+        explanation="In a scene of your own, do what it does: set ke and kd of the shapes that grip before the "
+        "builder is finalized.",
+    )
+
+
+def _test_tells(shipped: Row, fixed: Row) -> Claim:
+    outcome = HOLDS if fixed.test_passed and not shipped.test_passed else FAILS
+    for row in (shipped, fixed):
+        if row.slip_mm.value is None:  # a script that breaks down fails its test for another reason
+            outcome = Outcome("unknown", row.slip_mm.reason)
+    return Claim(
+        "test_tells",
+        outcome,
+        holds="The test fails as shipped and passes with the patch.",
+        fails="The test does not tell the two apart: it {before} as shipped and {after} with the patch.",
+        unknown="Whether the test tells the two apart cannot be told.",
+        numbers={"before": PASSED[shipped.test_passed], "after": PASSED[fixed.test_passed]},
+    )
+
+
+def _same_on_mujoco_c(results: Results) -> Claim:
+    shipped, fixed = results.row["as-shipped-mujoco-c"], results.row["fixed-mujoco-c"]
+    gain = _gain(results, "gain_mujoco_c", shipped, fixed)
+    return Claim(
+        "same_on_mujoco_c",
+        at_least(gain, _gain_bound(results)),
+        holds="It helps through MuJoCo's C engine as well: {before} without it, {after} with it.",
+        fails="Through MuJoCo's C engine it does not help: {before} without it, {after} with it.",
+        unknown="Whether it helps through MuJoCo's C engine cannot be told.",
+        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm},
+    )
+
+
+def _same_as_report(results: Results) -> Claim:
+    """The scripts are a second writing of the scene, so they have to prove that they are the same one."""
+    difference, outcome = None, Outcome("unknown", "the first section has not been measured")
+    if "reproduction" in results.others:
+        measured = results.others["reproduction"].row
+        pairs = [(results.row[case].slip_mm, measured[same].slip_mm) for case, same in SAME_IN_REPORT.items()]
+        difference = results.value(
+            "difference",
+            "largest difference in slip between a script and the same case of the section reproduction",
+            lambda *slips: max(abs(a - b) for a, b in zip(slips[::2], slips[1::2], strict=True)),
+            *(slip for pair in pairs for slip in pair),
+            unit="mm",
+        )
+        bound = results.value("difference_bound", "chosen: the calibration's tolerance", lambda: 0.03, unit="mm")
+        outcome = at_most(difference, bound)
+    return Claim(
+        "same_as_report",
+        outcome,
+        holds="They are the scene of this report: their slip is what was measured above, to within {difference}.",
+        fails="They are not quite the scene of this report: their slip differs from what was measured above by "
+        "up to {difference}.",
+        unknown="Whether they are the scene of this report cannot be told.",
+        numbers={"difference": difference} if difference else {},
+    )
+
+
+def _gain_bound(results: Results) -> Value:
+    known = results.derived.get("gain_bound")
+    return known or results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+
+
+def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:
+    formula = f"slip of {shipped.case} over slip of {fixed.case}"
+    return results.value(name, formula, lambda before, after: before / after, shipped.slip_mm, fixed.slip_mm)
+
+
+def _table(results: Results) -> Table:
+    rows = results.rows
+    columns = {
+        "engine": [ENGINES[row.backend] for row in rows],
+        "its test": [PASSED[row.test_passed] for row in rows],
+        "slip": [row.slip_mm for row in rows],
+        "drift": [row.drift_mm_s for row in rows],
+        "cube height": [row.cube_height_m for row in rows],
+        "dropped": [row.dropped for row in rows],
+    }
+    index = pd.Index([row.script for row in rows], name="file")
+    return Table(pd.DataFrame(columns, index=index), "The files, each run in a process of its own.")

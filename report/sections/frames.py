@@ -1,0 +1,109 @@
+"""What moves against what: the drift as shipped, taken apart into relative poses."""
+
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_least, at_most
+from report.figures import SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.results import Results, Row
+
+order = 60
+
+FINGERS = ("cube-in-left-finger", "cube-in-right-finger")
+ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
+"""Pairs in which both bodies belong to the robot."""
+
+
+def derive(results: Results) -> Section:
+    drift = Figure(
+        draw=lambda: _draw_drift(results.rows),
+        caption="Drift of one body in the frame of another over the whole shake, on a log scale.",
+        alt=f"The cube drifts {results.row['cube-in-TCP'].total_drift_mm} against the TCP and as much against the hand "
+        f"and each finger; the pairs inside the robot lie at the other end of the scale.",
+        sources=[row.total_drift_mm for row in results.rows],
+    )
+    return Section(
+        tables={"pairs": _table(results.rows)},
+        figures={"drift": drift},
+        claims=[_cube_moves_in_fingers(results), _robot_is_still(results)],
+    )
+
+
+def _cube_moves_in_fingers(results: Results) -> Claim:
+    whole = results.row["cube-in-TCP"].total_drift_mm
+    left, right = (results.row[case].total_drift_mm for case in FINGERS)
+    share = results.value(
+        "finger_share",
+        "smaller of the cube's drifts against the two fingers, of its drift against the TCP",
+        lambda a, b, all_of_it: 100 * min(a, b) / all_of_it,
+        left,
+        right,
+        whole,
+        unit="%",
+    )
+    bound = results.value("finger_share_bound", "chosen: as good as all of it", lambda: 95.0, unit="%")
+    return Claim(
+        "cube_moves_in_fingers",
+        at_least(share, bound),
+        holds="It is the cube that slides on the pads: of the {whole} that it drifts against the TCP, it drifts "
+        "{left} against the left finger and {right} against the right one.",
+        fails="The cube's sliding on the pads is not all of it: against the TCP it drifts {whole}, against the left "
+        "finger {left} and against the right one {right}.",
+        unknown="Whether it is the cube that slides on the pads cannot be told.",
+        numbers={"whole": whole, "left": left, "right": right},
+    )
+
+
+def _robot_is_still(results: Results) -> Claim:
+    largest = results.value(
+        "robot_drift",
+        "largest drift between two bodies of the robot",
+        max,
+        *(results.row[case].total_drift_mm for case in ROBOT),
+        unit="mm",
+    )
+    share = results.value(
+        "robot_share",
+        "largest drift between two bodies of the robot, of the cube's drift against the TCP",
+        lambda robot, cube: 100 * robot / cube,
+        largest,
+        results.row["cube-in-TCP"].total_drift_mm,
+        unit="%",
+    )
+    bound = results.value("robot_share_bound", "chosen: too little to matter", lambda: 1.0, unit="%")
+    return Claim(
+        "robot_is_still",
+        at_most(share, bound),
+        holds="Inside the robot nothing comes loose: no pair of hand, TCP, left finger and last link drifts by more "
+        "than {largest}, {share} of the cube's drift.",
+        fails="The robot's own bodies drift as well, by up to {largest}, {share} of the cube's drift.",
+        unknown="Whether the robot's own bodies drift against each other cannot be told.",
+        numbers={"largest": largest, "share": share},
+        explanation="So the slip is no artefact of how it is measured, the fingers do not open, and the place to look "
+        "is the contact between pad and cube.",
+    )
+
+
+def _table(rows: list[Row]) -> Table:
+    columns = {
+        "drift over the shake": [row.total_drift_mm for row in rows],
+        "displacement at the end": [row.displacement_mm for row in rows],
+        "oscillation": [row.oscillation_mm for row in rows],
+    }
+    index = pd.Index([row.pair for row in rows], name="body in the frame of")
+    return Table(pd.DataFrame(columns, index=index), "The scene as shipped, taken apart.")
+
+
+def _draw_drift(rows: list[Row]) -> Drawing:
+    there = [row for row in reversed(rows) if row.total_drift_mm.value]
+    drawing, axes = new_figure(7.2, 2.8)
+    for place, row in enumerate(there):
+        robot = row.case in ROBOT
+        axes.plot(
+            row.total_drift_mm.value, place, "s" if robot else "o", color=SERIES[robot], markersize=7, markevery=1
+        )
+    axes.set_yticks(range(len(there)), [row.pair for row in there])
+    axes.set_xscale("log")
+    axes.set_xlabel("drift over the shake [mm]")
+    return drawing

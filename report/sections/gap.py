@@ -1,0 +1,150 @@
+"""The contact gap: it makes contacts, but none of those that it adds carries force."""
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_least, at_most
+from report.figures import INK, SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.results import Results, Row
+from report.sections._common import noise_floor
+
+order = 110
+
+CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
+
+
+def derive(results: Results) -> Section:
+    rows = [results.row[case] for case in CASES]
+    contacts = Figure(
+        draw=lambda: _draw_contacts(rows),
+        caption="Live contacts, mean over the shake, by what they do.",
+        alt="; ".join(f"{row.case}: {row.mean_loaded_row_count} of {row.mean_row_count} carry force" for row in rows),
+        sources=[column for row in rows for column in (row.mean_row_count, row.mean_loaded_row_count)],
+    )
+    return Section(
+        tables={"cases": _table(rows)},
+        figures={"contacts": contacts},
+        claims=[*_slip_claims(results, rows), _more_contacts(results, rows), _none_near(results, rows[0])],
+    )
+
+
+def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
+    """Whether the gap explains the slip, and whether it makes any difference at all."""
+    difference = results.value(
+        "slip_difference",
+        "largest minus smallest slip of the gaps",
+        lambda *slip: max(slip) - min(slip),
+        *(row.slip_mm for row in rows),
+        unit="mm",
+    )
+    share = results.value(
+        "slip_difference_share",
+        "difference in slip between the gaps, of the slip with the default gap",
+        lambda part, whole: 100 * part / whole,
+        difference,
+        rows[0].slip_mm,
+        unit="%",
+    )
+    bound = results.value("slip_difference_bound", "chosen: too little to explain the slip", lambda: 5.0, unit="%")
+    floor = noise_floor(results, "slip_floor")
+    numbers = {"difference": difference, "share": share, "floor": floor}
+    return [
+        Claim(
+            "not_the_cause",
+            at_most(share, bound),
+            holds="The contact gap does not explain the slip: between the default and none it changes by {share}.",
+            fails="The contact gap has a part in the slip: between the default and none it changes by {share}.",
+            unknown="Whether the contact gap has a part in the slip cannot be told.",
+            numbers=numbers,
+        ),
+        Claim(
+            "within_noise",
+            at_most(difference, floor),
+            holds="That is no difference: the slips are {difference} apart, identical runs up to {floor}.",
+            fails="The slips are {difference} apart, which is more than the {floor} between identical runs.",
+            unknown="Whether that is more than the noise cannot be told.",
+            numbers=numbers,
+        ),
+    ]
+
+
+def _more_contacts(results: Results, rows: list[Row]) -> Claim:
+    default, small, zero = rows
+    spread = results.value(
+        "loaded_spread",
+        "largest minus smallest mean number of contacts that carry force",
+        lambda *loaded: max(loaded) - min(loaded),
+        *(row.mean_loaded_row_count for row in rows),
+    )
+    bound = results.value("loaded_spread_bound", "chosen: the same number of contacts", lambda: 0.5)
+    return Claim(
+        "same_contacts_carry",
+        at_most(spread, bound),
+        holds="With every gap {loaded} contacts carry the cube; the default gap lists {default} on average, a gap set "
+        "like the robot's {small}, and no gap {zero}.",
+        fails="The number of contacts that carry the cube depends on the gap: {loaded} with the default, "
+        "{loaded_small} with a gap set like the robot's, {loaded_zero} with none.",
+        unknown="Whether the same contacts carry the cube with every gap cannot be told.",
+        numbers={
+            "loaded": default.mean_loaded_row_count,
+            "loaded_small": small.mean_loaded_row_count,
+            "loaded_zero": zero.mean_loaded_row_count,
+            "default": default.mean_row_count,
+            "small": small.mean_row_count,
+            "zero": zero.mean_row_count,
+        },
+        explanation="The others are found and written to the solver's buffers in every world, and then do nothing.",
+    )
+
+
+def _none_near(results: Results, default: Row) -> Claim:
+    touching = results.value("touching", "chosen: surfaces that touch", lambda: 0.0, unit="mm")
+    return Claim(
+        "idle_contacts_are_far",
+        at_least(default.unloaded_near_mm, touching),
+        holds="Those that carry no force are {near} to {far} away from touching.",
+        fails="Some of those that carry no force overlap, by up to {near}; the farthest is {far} away.",
+        unknown="How far the contacts without force are from touching cannot be told.",
+        numbers={"near": default.unloaded_near_mm, "far": default.unloaded_far_mm},
+    )
+
+
+def _table(rows: list[Row]) -> Table:
+    columns = {
+        "contacts": [row.mean_row_count for row in rows],
+        "with force": [row.mean_loaded_row_count for row in rows],
+        "without: from": [row.unloaded_near_mm for row in rows],
+        "to": [row.unloaded_far_mm for row in rows],
+        "most contacts": [row.peak_contact_count for row in rows],
+        "slip": [row.slip_mm for row in rows],
+        "drift": [row.drift_mm_s for row in rows],
+    }
+    index = pd.Index([row.case for row in rows], name="case")
+    caption = "Contacts through the shake, mean and most, and how far those that carry no force are from touching."
+    return Table(pd.DataFrame(columns, index=index), caption)
+
+
+def _draw_contacts(rows: list[Row]) -> Drawing:
+    drawing, axes = new_figure(7.2, 2.2)
+    there = [row for row in rows if row.mean_row_count.value is not None]
+    names, loaded = [row.case for row in there], np.array([row.mean_loaded_row_count.value for row in there])
+    idle = np.array([row.mean_row_count.value for row in there]) - loaded
+    axes.barh(names, loaded, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6, label="carry force")
+    axes.barh(
+        names,
+        idle,
+        left=loaded,
+        height=0.6,
+        color="none",
+        edgecolor=INK,
+        linewidth=0.6,
+        hatch="///",
+        label="carry none",
+    )
+    axes.invert_yaxis()
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("live contacts")
+    drawing.legend(loc="outside upper right", ncols=2)
+    return drawing

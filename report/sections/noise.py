@@ -1,0 +1,195 @@
+"""An A/A test: how much runs of one and the same case differ, the least that this report calls a difference."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from statistics import fmean
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_most
+from report.figures import INK, SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+
+order = 20
+
+PARALLEL_SUMS = (
+    "The order in which a GPU's threads list contacts and add up forces varies from run to run, and rounding with it."
+)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Runs of one case, all in a batch or all alone."""
+
+    case: str
+    kind: str
+    rows: Sequence[Row]
+
+    @property
+    def name(self) -> str:
+        return f"{self.case.replace('-', '_')}_{self.kind}"
+
+    @property
+    def label(self) -> str:
+        return f"{self.case}, {'in a batch' if self.kind == 'batch' else 'alone'}"
+
+    @property
+    def slips(self) -> list[Quantity]:
+        return [row.slip_mm for row in self.rows]
+
+    @property
+    def drifts(self) -> list[Quantity]:
+        return [row.drift_mm_s for row in self.rows]
+
+
+def derive(results: Results) -> Section:
+    groups = _groups(results.rows)
+    slip_floor = _floor(results, "slip", "mm", {group.case: _of_case(groups, group.case, "slips") for group in groups})
+    drift_floor = _floor(
+        results, "drift", "mm/s", {group.case: _of_case(groups, group.case, "drifts") for group in groups}
+    )
+    spread = {group.name: _spread(results, f"{group.name}_slip_spread", group.slips, "mm") for group in groups}
+    mean = {group.name: _mean(results, f"{group.name}_slip_mean", group.slips, "mm") for group in groups}
+    runs = Figure(
+        draw=lambda: _draw_runs(groups),
+        caption="Every run: its slip less the mean of its case. A mark is a run; a line is the mean of its row.",
+        alt="; ".join(f"{group.label}: slips spread over {spread[group.name]}" for group in groups),
+        sources=[slip for group in groups for slip in group.slips],
+    )
+    return Section(
+        tables={"groups": _table(results, groups, mean, spread)},
+        figures={"runs": runs},
+        claims=[
+            _noise_is_small(results, groups, slip_floor, drift_floor),
+            _batch_or_alone(results, groups, mean, spread),
+        ],
+    )
+
+
+def _groups(rows: Sequence[Row]) -> list[Group]:
+    keys = dict.fromkeys((row.of, row.kind) for row in rows)
+    return [Group(case, kind, [row for row in rows if (row.of, row.kind) == (case, kind)]) for case, kind in keys]
+
+
+def _of_case(groups: Sequence[Group], case: str, column: str) -> list[Quantity]:
+    return [cell for group in groups if group.case == case for cell in getattr(group, column)]
+
+
+def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quantity]]) -> Value:
+    """Largest difference in ``metric`` between any two runs of one case, in a batch or alone."""
+    spreads = [
+        _spread(results, f"{case.replace('-', '_')}_{metric}_spread", of_case, unit) for case, of_case in cells.items()
+    ]
+    formula = f"largest difference in {metric} between any two runs of one case"
+    return results.value(f"{metric}_floor", formula, lambda *spread: max(spread), *spreads, unit=unit)
+
+
+def _spread(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
+    return results.value(name, "largest minus smallest", lambda *cell: max(cell) - min(cell), *cells, unit=unit)
+
+
+def _mean(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
+    return results.value(name, "mean", lambda *cell: fmean(cell), *cells, unit=unit)
+
+
+def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value, drift_floor: Value) -> Claim:
+    share = results.value(
+        "slip_floor_share",
+        "noise floor of the slip, of the mean slip of the first case",
+        lambda floor, *slip: 100 * floor / fmean(slip),
+        slip_floor,
+        *_of_case(groups, groups[0].case, "slips"),
+        unit="%",
+    )
+    bound = results.value("slip_floor_share_bound", "chosen: far less than what is looked for", lambda: 1.0, unit="%")
+    varies = results.record.machine["device"] == "cuda" and (slip_floor.value or 0.0) > 0.0
+    return Claim(
+        "noise_is_small",
+        at_most(share, bound),
+        holds="Runs of one and the same case differ by at most {slip} in slip, {share} of the slip as shipped, "
+        "and {drift} in drift. Whatever differs by no more than that is called no difference from here on.",
+        fails="Runs of one and the same case differ by up to {slip} in slip, {share} of the slip as shipped, "
+        "and {drift} in drift: whatever changes the slip by less cannot be seen here.",
+        unknown="How much runs of one and the same case differ cannot be told.",
+        numbers={"slip": slip_floor, "share": share, "drift": drift_floor},
+        explanation=PARALLEL_SUMS if varies else "",
+    )
+
+
+def _batch_or_alone(
+    results: Results, groups: Sequence[Group], mean: dict[str, Value], spread: dict[str, Value]
+) -> Claim:
+    """Of the first case, which is there both ways."""
+    batch, alone = (next(group.name for group in groups if group.kind == kind) for kind in ("batch", "alone"))
+    difference = results.value(
+        "alone_difference",
+        "difference between the mean slip in a batch and alone",
+        lambda a, b: abs(a - b),
+        mean[batch],
+        mean[alone],
+        unit="mm",
+    )
+    within = results.value(
+        "within_spread",
+        "larger of the spreads in a batch and alone",
+        lambda a, b: max(a, b),
+        spread[batch],
+        spread[alone],
+        unit="mm",
+    )
+    return Claim(
+        "batch_or_alone",
+        at_most(difference, within),
+        holds="A world of a batch measures what a run alone does: as shipped their mean slips are {difference} apart, "
+        "and runs of either kind spread over up to {within}.",
+        fails="A world of a batch does not measure what a run alone does: as shipped their mean slips are "
+        "{difference} apart, more than runs of either kind spread ({within}).",
+        unknown="Whether a world of a batch measures what a run alone does cannot be told.",
+        numbers={"difference": difference, "within": within},
+    )
+
+
+def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], spread: dict[str, Value]) -> Table:
+    columns = {
+        "runs": [_count(results, group) for group in groups],
+        "mean slip": [mean[group.name] for group in groups],
+        "slip spread": [spread[group.name] for group in groups],
+        "mean drift": [_mean(results, f"{group.name}_drift_mean", group.drifts, "mm/s") for group in groups],
+        "drift spread": [_spread(results, f"{group.name}_drift_spread", group.drifts, "mm/s") for group in groups],
+    }
+    index = pd.Index([group.label for group in groups], name="case")
+    return Table(pd.DataFrame(columns, index=index), "Runs of each kind; a spread is the largest less the smallest.")
+
+
+def _count(results: Results, group: Group) -> Value:
+    return results.value(f"{group.name}_count", "number of runs", lambda *slip: len(slip), *group.slips)
+
+
+def _draw_runs(groups: Sequence[Group]) -> Drawing:
+    drawing, axes = new_figure(7.2, 0.7 + 0.55 * len(groups))
+    for place, group in enumerate(groups):
+        slips = np.array([cell.value for cell in group.slips if cell.value is not None])
+        of_case = [cell.value for cell in _of_case(groups, group.case, "slips") if cell.value is not None]
+        # Dots of one group take turns in height, so that equal slips are still seen as many.
+        heights = place + 0.09 * (np.arange(len(slips)) % 5 - 2)
+        batch = group.kind == "batch"
+        axes.plot(
+            slips - np.mean(of_case),
+            heights,
+            linestyle="",
+            marker="o" if batch else "^",
+            markevery=None,
+            markersize=5,
+            markerfacecolor="none",
+            color=SERIES[0] if batch else SERIES[1],
+        )
+        axes.vlines(slips.mean() - np.mean(of_case), place - 0.3, place + 0.3, color=INK, linewidth=1.2)
+    axes.set_yticks(range(len(groups)), [group.label for group in groups])
+    axes.set_ylim(len(groups) - 0.5, -0.5)
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("slip, less the mean of its case [mm]")
+    return drawing

@@ -1,0 +1,218 @@
+"""Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
+
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, Outcome, at_least, at_most, greater
+from report.figures import SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+from report.sections._common import noise_floor
+
+order = 100
+
+CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
+RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
+"""What the contact has after the two sides' materials are combined."""
+CHANGED = {"cube_ke": "cube ke", "pad_ke": "pad ke", "pad_kd": "pad kd", "pad_priority": "pad priority"}
+
+
+def derive(results: Results) -> Section:
+    shipped = results.row["cube-ke-8e4"]
+    slips = Figure(
+        draw=lambda: _draw_slips(results.rows),
+        caption="Slip of each case. What changes is the cube's material, the pads' material, or the pads' priority.",
+        alt=f"Whatever the cube's stiffness, the slip is about {shipped.slip_mm}; with stiff pads it is "
+        f"{results.row['pad-ke-2.5e5'].slip_mm}, with equal priorities {results.row['priority-0'].slip_mm}.",
+        sources=[row.slip_mm for row in results.rows],
+    )
+    return Section(
+        tables={"cases": _table(results.rows)},
+        figures={"slips": slips},
+        claims=[
+            _cube_does_not_count(results),
+            _cube_does_not_move_slip(results),
+            _pads_count(results, shipped),
+            _equal_priorities_mix(results, shipped),
+            _cube_stiffness_is_no_lever(results),
+        ],
+    )
+
+
+def _spread(*values: float) -> float:
+    return max(values) - min(values)
+
+
+def _cube_does_not_count(results: Results) -> Claim:
+    rows = [results.row[case] for case in CUBE]
+    spreads = [
+        results.value(
+            f"cube_{column}_spread",
+            f"largest less smallest {column} of the contact, over the three stiffnesses of the cube",
+            _spread,
+            *(row[column] for row in rows),
+            unit=rows[0][column].unit,
+        )
+        for column in RESOLVED
+    ]
+    largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
+    bound = results.value("cube_resolved_bound", "no difference at all", lambda: 0.0)
+    return Claim(
+        "cube_does_not_count",
+        at_most(largest, bound),
+        holds="The cube's material never reaches the solver: whether its ke is {low} or {high}, the contact has the "
+        "same "
+        "timeconst {timeconst}, dampratio {dampratio} and friction {friction}.",
+        fails="The cube's material does reach the solver: with its ke between {low} and {high}, the contact's solref, "
+        "friction or solimp changes by up to {largest}.",
+        unknown="Whether the cube's material reaches the solver cannot be told.",
+        numbers={
+            "low": rows[0].cube_ke,
+            "high": rows[-1].cube_ke,
+            "timeconst": rows[1].timeconst_s,
+            "dampratio": rows[1].dampratio,
+            "friction": rows[1].friction,
+            "largest": largest,
+        },
+        explanation="The pads have the higher geom priority, and of two geoms the one with the higher priority alone "
+        "decides. All that is authored on the cube is left aside without a word, and the pads' import defaults rule.",
+    )
+
+
+def _cube_does_not_move_slip(results: Results) -> Claim:
+    spread = results.value(
+        "cube_slip_spread",
+        "largest less smallest slip over the three stiffnesses of the cube",
+        _spread,
+        *(results.row[case].slip_mm for case in CUBE),
+        unit="mm",
+    )
+    share = _share(results, "cube_slip_share", "that spread, of the slip as shipped", spread, "cube-ke-8e4")
+    floor = noise_floor(results, "slip_floor")
+    bound = results.value("cube_slip_bound", "chosen: no change to speak of", lambda: 2.0, unit="%")
+    within = at_most(spread, floor)
+    small = at_most(share, bound)
+    return Claim(
+        "cube_does_not_move_slip",
+        small,
+        holds="Over these stiffnesses the slip changes by {spread}, {share}"
+        + {
+            "holds": ", which is no more than identical runs differ by ({floor}).",
+            "fails": "; identical runs differ by up to {floor}.",
+            "unknown": ".",
+        }[within.name],
+        fails="Over these stiffnesses the slip changes by {spread}, {share}.",
+        unknown="Whether the slip changes cannot be told.",
+        numbers={"spread": spread, "share": share, "floor": floor},
+    )
+
+
+def _share(results: Results, name: str, formula: str, part: Value, case: str) -> Value:
+    return results.value(name, formula, lambda a, b: 100 * a / b, part, results.row[case].slip_mm, unit="%")
+
+
+def _pads_count(results: Results, shipped: Row) -> Claim:
+    stiff = results.row["pad-ke-2.5e5"]
+    gain = results.value(
+        "pad_gain", "slip as shipped over slip with stiff pads", lambda a, b: a / b, shipped.slip_mm, stiff.slip_mm
+    )
+    bound = results.value("pad_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    return Claim(
+        "pads_count",
+        at_least(gain, bound),
+        holds="Authored on the pads, ke {ke} with kd {kd} brings the slip to {slip}, {gain} times less.",
+        fails="Authored on the pads, ke {ke} with kd {kd} brings the slip to {slip}; as shipped it is {gain} times "
+        "that.",
+        unknown="What stiffer pads do cannot be told.",
+        numbers={"ke": stiff.pad_ke, "kd": stiff.pad_kd, "slip": stiff.slip_mm, "gain": gain},
+    )
+
+
+def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
+    mixed = results.row["priority-0"]
+    drop = results.value(
+        "mixed_drop",
+        "how much the slip falls when both geoms have the same priority, of the slip as shipped",
+        lambda before, after: 100 * (1 - after / before),
+        shipped.slip_mm,
+        mixed.slip_mm,
+        unit="%",
+    )
+    return Claim(
+        "equal_priorities_mix",
+        _falls(results, shipped, mixed),
+        holds="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip "
+        "falls by "
+        "{drop} to {slip}. That is better, and no cure.",
+        fails="With equal priorities the slip does not fall: it is {slip}, at a timeconst of {after}.",
+        unknown="Whether equal priorities help cannot be told.",
+        numbers={"before": shipped.timeconst_s, "after": mixed.timeconst_s, "drop": drop, "slip": mixed.slip_mm},
+    )
+
+
+def _falls(results: Results, before: Row, after: Row) -> Outcome:
+    return greater(before.slip_mm, after.slip_mm, noise=noise_floor(results, "slip_floor"))
+
+
+def _cube_stiffness_is_no_lever(results: Results) -> Claim:
+    mixed, stiffer = results.row["priority-0"], results.row["priority-0-cube-ke-8e5"]
+    change = results.value(
+        "mixed_cube_change",
+        "change of slip with the stiffer cube under equal priorities, of the slip with the cube as authored",
+        lambda before, after: 100 * abs(after / before - 1),
+        mixed.slip_mm,
+        stiffer.slip_mm,
+        unit="%",
+    )
+    bound = results.value("mixed_cube_bound", "chosen: no lever", lambda: 5.0, unit="%")
+    return Claim(
+        "cube_stiffness_is_no_lever",
+        at_most(change, bound),
+        holds="Even then a stiffer cube, ke {ke}, changes the slip by only {change}: the penetration goes "
+        "from {deep} to {shallow}, but timeconst stays at {timeconst}.",
+        fails="Then a stiffer cube, ke {ke}, does change the slip, by {change}, to {slip}.",
+        unknown="Whether a stiffer cube then changes the slip cannot be told.",
+        numbers={
+            "ke": stiffer.cube_ke,
+            "change": change,
+            "deep": mixed.penetration_mm,
+            "shallow": stiffer.penetration_mm,
+            "timeconst": stiffer.timeconst_s,
+            "slip": stiffer.slip_mm,
+        },
+    )
+
+
+def _table(rows: list[Row]) -> Table:
+    columns = {label: [_changed(row, name) for row in rows] for name, label in CHANGED.items()}
+    columns |= {
+        "timeconst": [row.timeconst_s for row in rows],
+        "dampratio": [row.dampratio for row in rows],
+        "friction": [row.friction for row in rows],
+        "dmin": [row.dmin for row in rows],
+        "dmax": [row.dmax for row in rows],
+        "slip": [row.slip_mm for row in rows],
+        "drift": [row.drift_mm_s for row in rows],
+    }
+    index = pd.Index([row.case for row in rows], name="case")
+    return Table(
+        pd.DataFrame(columns, index=index),
+        "What is changed (blank: as shipped), what the contact between pad and cube then has, and how the cube fares.",
+    )
+
+
+def _changed(row: Row, name: str) -> Quantity | str:
+    return row[name] if name in row else ""  # noqa: SIM401 a row has no get
+
+
+def _draw_slips(rows: list[Row]) -> Drawing:
+    there = [row for row in reversed(rows) if row.slip_mm.value is not None]
+    drawing, axes = new_figure(7.2, 2.6)
+    for place, row in enumerate(there):
+        group = 0 if row.case in CUBE else 1 if "pad_ke" in row else 2
+        axes.barh(place, row.slip_mm.value, color=SERIES[group], hatch=(None, "///", "...")[group], height=0.65)
+    axes.set_yticks(range(len(there)), [row.case for row in there])
+    axes.grid(visible=False, axis="y")
+    axes.set_xlabel("slip [mm]")
+    return drawing

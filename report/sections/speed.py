@@ -1,0 +1,129 @@
+"""How fast one world runs: as shipped, as fixed, and with either change alone."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_least, at_most, greater
+from report.figures import INK, SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.results import Results, Row
+from report.sections._timing import cell, frame_spread, ratio
+
+order = 160
+
+EDGES = ("frame_ms_p5", "frame_ms_p95")
+UNTRIMMED = "as-shipped-untrimmed"
+WHAT = {
+    UNTRIMMED: "nothing: exactly as shipped",
+    "as-shipped": "IK iterations, state writes, buffers",
+    "stiff-pads-only": "as-shipped with stiff pads",
+    "all-gaps-zero": "as-shipped without contact gaps",
+    "fixed": "stiff pads, without all that is unneeded",
+}
+
+
+def derive(results: Results) -> Section:
+    frames = Figure(
+        draw=lambda: _draw_frames(results.rows),
+        caption="Time of a frame, median; the whisker is from the 5th to the 95th percentile.",
+        alt="; ".join(f"{row.case}: {row.frame_ms}" for row in results.rows),
+        sources=[row.frame_ms for row in results.rows],
+    )
+    return Section(
+        tables={"cases": _table(results.rows)},
+        figures={"frames": frames},
+        claims=[
+            _fixed_is_faster(results),
+            _real_time(results),
+            _same_time(results, "stiff-pads-only", "Stiff pads alone"),
+            _same_time(results, "all-gaps-zero", "Contact gaps of zero alone"),
+        ],
+    )
+
+
+def _fixed_is_faster(results: Results) -> Claim:
+    fixed, untrimmed = results.row["fixed"], results.row.get(UNTRIMMED)
+    before = cell(results, untrimmed, "frame_ms", "the scene exactly as shipped")
+    gain = ratio(results, "fixed_gain", "time of a frame exactly as shipped over that as fixed", before, fixed.frame_ms)
+    spread = frame_spread(results, "fixed_spread", fixed, untrimmed)
+    return Claim(
+        "fixed_is_faster",
+        greater(before, fixed.frame_ms, noise=spread),
+        holds="As fixed, one world takes {fixed} a frame, {realtime} times real time and {gain} times as fast as "
+        "exactly as shipped ({before} a frame).",
+        fails="As fixed, one world takes {fixed} a frame, {realtime} times real time, and is slower than exactly as "
+        "shipped ({before} a frame).",
+        unknown="As fixed, one world takes {fixed} a frame, {realtime} times real time; whether that is faster than "
+        "exactly as shipped cannot be told.",
+        numbers={"fixed": fixed.frame_ms, "realtime": fixed.realtime_factor, "gain": gain, "before": before},
+    )
+
+
+def _real_time(results: Results) -> Claim:
+    slowest = results.value(
+        "slowest_realtime",
+        "smallest of the cases' speeds against real time",
+        lambda *factor: min(factor),
+        *(row.realtime_factor for row in results.rows),
+    )
+    bound = results.value("realtime_bound", "chosen: as fast as the clock", lambda: 1.0)
+    return Claim(
+        "real_time",
+        at_least(slowest, bound),
+        holds="All of the cases run faster than real time, the slowest {slowest} times.",
+        fails="Not all of the cases keep up with real time: the slowest runs at {slowest} times real time.",
+        unknown="Whether all of the cases keep up with real time cannot be told.",
+        numbers={"slowest": slowest},
+    )
+
+
+def _same_time(results: Results, case: str, subject: str) -> Claim:
+    row, baseline = results.row[case], results.row["as-shipped"]
+    name = case.replace("-", "_")
+    change = results.value(
+        f"{name}_change",
+        f"time of a frame of {case} less that of as-shipped, either way",
+        lambda a, b: abs(a - b),
+        row.frame_ms,
+        baseline.frame_ms,
+        unit="ms",
+    )
+    spread = frame_spread(results, f"{name}_spread", row, baseline)
+    return Claim(
+        f"{name}_same_time",
+        at_most(change, spread),
+        holds=subject + " make no difference to the time that can be told: {time} a frame against {baseline}, and "
+        "frames of one run spread over {spread}.",
+        fails=subject
+        + " come out at {time} a frame against {baseline}, further apart than frames of one run spread ({spread}).",
+        unknown=subject + ": whether they change the time of a frame cannot be told.",
+        numbers={"time": row.frame_ms, "baseline": baseline.frame_ms, "spread": spread},
+    )
+
+
+def _table(rows: Sequence[Row]) -> Table:
+    columns = {
+        "time of a frame": [row.frame_ms for row in rows],
+        "frames/s": [row.frames_per_s for row in rows],
+        "× real time": [row.realtime_factor for row in rows],
+        "changed": [WHAT.get(row.case, "") for row in rows],
+        "slip": [row.slip_mm for row in rows],
+    }
+    caption = "One world through the shake. The slip is that of the timed run, which ends at its last timed frame."
+    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), caption)
+
+
+def _draw_frames(rows: Sequence[Row]) -> Drawing:
+    rows = [row for row in rows if row.frame_ms.value is not None]
+    names = [row.case for row in rows]
+    median, low, high = (np.array([row[name].value for row in rows]) for name in ("frame_ms", *EDGES))
+    drawing, axes = new_figure(7.2, 0.8 + 0.34 * len(rows))
+    whiskers = {"xerr": [median - low, high - median], "capsize": 3, "error_kw": {"ecolor": INK, "elinewidth": 1.2}}
+    axes.barh(names, median, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6, **whiskers)
+    axes.invert_yaxis()
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("time of a frame [ms]")
+    return drawing
