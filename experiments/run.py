@@ -126,7 +126,9 @@ def commit() -> str | None:
     Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
     """
     git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
-    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or os.environ.get("GIT_COMMIT")
+    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or os.environ.get(
+        "GIT_COMMIT"
+    )
 
 
 def command(section: str, device: wp.Device, profile: str) -> str:

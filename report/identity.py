@@ -99,6 +99,9 @@ def canonical(node: Any) -> Any:
     Fields that are empty or that only some Python versions know are left out: a record measured under
     one Python has to be fresh under another.
     """
+    if isinstance(node, ast.JoinedStr):
+        # Python 3.12 and later put an empty text behind a nested format specification.
+        node = ast.JoinedStr([part for part in node.values if getattr(part, "value", None) != ""])
     if isinstance(node, ast.AST):
         fields = [(name, canonical(value)) for name, value in ast.iter_fields(node) if name != "kind"]
         return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))

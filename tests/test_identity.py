@@ -1,5 +1,6 @@
 """Freshness: what makes a record stale, and what does not."""
 
+import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from report import ROOT
-from report.identity import identity_of, sections
+from report.identity import canonical, identity_of, sections
 
 
 def changed(toy) -> tuple[str, ...]:
@@ -98,3 +99,12 @@ def test_every_python_agrees_on_the_identity():
         for python in [sys.executable, *pythons]
     }
     assert len(digests) == 1
+
+
+def test_a_digest_does_not_depend_on_how_a_python_reads_nested_format_specifications():
+    earlier, later = ast.parse('f"{name:{width}}"'), ast.parse('f"{name:{width}}"')
+    specification = later.body[0].value.values[0].format_spec
+    specification.values = [part for part in specification.values if isinstance(part, ast.FormattedValue)]
+    without = canonical(later)
+    specification.values.append(ast.Constant(""))
+    assert canonical(earlier) == without == canonical(later)

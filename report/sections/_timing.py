@@ -57,5 +57,5 @@ def draw_line(
     there = [(count, scale * cell.value) for count, cell in zip(counts, cells, strict=True) if cell.value is not None]
     if there:
         line, marker = (("-", "o"), ("--", "s"))[series]
-        style = {"color": SERIES[series], "linestyle": line, "marker": marker, "markevery": None}
+        style = {"color": SERIES[series], "linestyle": line, "marker": marker, "markevery": 1}
         axes.plot(*zip(*there, strict=True), label=label, **style)

@@ -117,7 +117,6 @@ def _table(results: Results) -> Table:
         "its test": [PASSED[row.test_passed] for row in rows],
         "slip": [row.slip_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
-        "cube height": [row.cube_height_m for row in rows],
         "dropped": [row.dropped for row in rows],
     }
     index = pd.Index([row.script for row in rows], name="file")

@@ -33,7 +33,7 @@ LEFT_OUT = {
     "without-visuals": "shapes for looking at",
     "without-broad-phase": "testing all pairs of shapes",
     ALL: "all of these",
-    "as-shipped": "the first three: this report's baseline",
+    "as-shipped": "buffers, IK iterations and state writes: this report's baseline",
 }
 
 
@@ -65,6 +65,7 @@ def derive(results: Results) -> Section:
     panels = _panels(variants)
     return Section(
         tables={
+            "cases": _case_table(variants),
             "audit": _audit_table(results),
             "cost": _cost_table(variants),
             "same": _same_table(variants, differences),
@@ -104,7 +105,7 @@ def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: in
         variant = _find(variants, device, case)
         row = variant.at(worlds) if variant else None
         times.append(
-            cell(results, row, "frame_ms", f"{case} with {format_number(worlds)} world(s) on a {DEVICES[device]}")
+            cell(results, row, "frame_ms", f"{case} in a batch of {format_number(worlds)} on a {DEVICES[device]}")
         )
     formula = "time of a frame exactly as shipped over that without all that is unneeded"
     return ratio(results, f"{device}_gain_{worlds}", formula, *times)
@@ -229,7 +230,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
         holds="Each that was left out alone makes a frame faster by more than frames of one run spread: {helping}.",
         fails="Not all of it helps. Alone, a frame gets faster by more than frames of one run spread only for "
-        "{helping}; {idle} cannot be told from nothing left out.",
+        "{helping}; not for {idle}.",
         unknown="Which of it helps cannot be told.",
         numbers={"helping": ", ".join(helping) or "none", "idle": ", ".join(idle)},
     )
@@ -298,6 +299,12 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
+def _case_table(variants: Sequence[Variant]) -> Table:
+    names = list(dict.fromkeys(variant.case for variant in variants))
+    columns = {"left out": [LEFT_OUT.get(name, "") for name in names]}
+    return Table(pd.DataFrame(columns, index=pd.Index(names, name="case")), "What each case leaves out.")
+
+
 def _cost_table(variants: Sequence[Variant]) -> Table:
     counts = sorted({row.worlds.value for variant in variants for row in variant.rows})
     columns: dict[str, list] = {"on": [DEVICES[variant.device] for variant in variants]}
@@ -305,10 +312,9 @@ def _cost_table(variants: Sequence[Variant]) -> Table:
         rows = [variant.at(count) for variant in variants]
         name = f"{format_number(count)} world{'s' * (count > 1)}"
         columns[name] = [row.frame_ms if row else "" for row in rows]
-    columns["memory per world"] = [variant.run.buffer_bytes_per_world for variant in variants]
-    columns["left out"] = [LEFT_OUT.get(variant.case, "") for variant in variants]
+    columns["memory"] = [variant.run.buffer_bytes_per_world for variant in variants]
     index = pd.Index([variant.case for variant in variants], name="case")
-    caption = "Time of a frame by number of worlds, median, and the memory of contacts and constraints of a world."
+    caption = "Time of a frame by number of worlds, median, and memory for contacts and constraints per world."
     return Table(pd.DataFrame(columns, index=index), caption)
 
 
@@ -339,7 +345,7 @@ def _cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]])
     return Figure(
         draw=lambda: _draw_cost(variants, panels),
         caption="Time of a frame, of that of the scene exactly as shipped (line) on the same device with as many "
-        "worlds. The whisker is from the 5th to the 95th percentile.",
+        "worlds. The whisker is from the 5th to the 95th percentile; a case without a bar was not timed there.",
         alt="; ".join(
             f"{variant.case} on the {DEVICES[variant.device]} with {row.worlds} worlds: {row.frame_ms}"
             for variant in variants
@@ -351,7 +357,7 @@ def _cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]])
 
 def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Drawing:
     names = list(dict.fromkeys(variant.case for variant in variants))
-    drawing, grid = new_figure(7.2, 1.1 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
+    drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
     for axes, (device, worlds) in zip(grid[0], panels, strict=True):
         whole = _find(variants, device, REFERENCE).at(worlds).frame_ms.value
         for variant in variants:
@@ -362,12 +368,10 @@ def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -
                 )
                 place = names.index(variant.case)
                 axes.barh(place, middle, height=0.62, color=SERIES[0], edgecolor=INK, linewidth=0.6)
-                axes.plot(
-                    [low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=None, linewidth=1.2
-                )
+                axes.plot([low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=1, linewidth=1.2)
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")
         axes.set_xlim(left=0)
-        axes.set_title(f"{DEVICES[device]}, {format_number(worlds)} world{'s' * (worlds > 1)}")
+        axes.set_title(f"{DEVICES[device]}\n{format_number(worlds)} world{'s' * (worlds > 1)}")
         axes.grid(axis="y", visible=False)
     grid[0][0].set_yticks(range(len(names)), names)
     grid[0][0].invert_yaxis()

@@ -1,0 +1,44 @@
+"""The README: what it says to type exists, and the section that it shows how to add works."""
+
+import re
+import textwrap
+
+import pytest
+
+from experiments.case import differences
+from report import ROOT
+from report.check import check_site
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n\n((?: {7}.*\n|\n)+)", re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def files() -> dict[str, str]:
+    """The files of the section that is added, by their folder."""
+    return {path.partition("/")[0]: textwrap.dedent(text).strip() + "\n" for path, text in FILE.findall(README)}
+
+
+def test_every_make_target_is_there():
+    targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    named = set(re.findall(r"(?:`|^ {4})make ([a-z]+)", README, re.MULTILINE))
+    assert named and named <= targets
+
+
+def test_every_place_is_there():
+    places = re.findall(r"^\| (`.*`) \|", README, re.MULTILINE)
+    assert len(places) > 5
+    assert all((ROOT / name).exists() for place in places for name in re.findall(r"`([^`]+)`", place))
+
+
+def test_the_section_that_is_added_works(toy, files):
+    measuring: dict = {}
+    exec(files["experiments"], measuring)
+    cases = measuring["CASES"]
+    assert all("cube_density_kg_m3" in differences(case) for case in (cases[0], cases[-1]))
+    toy.write("report/sections/toy.py", files["report"])
+    toy.write("templates/sections/toy.md.j2", files["templates"])
+    toy.measure([{"case": case.name, "slip_mm": 1.0 + index} for index, case in enumerate(cases)])
+    toy.build()
+    assert check_site(toy.project.site) == []
+    assert 'data-claim="toy.heavier_slips_more" data-outcome="holds"' in toy.page
