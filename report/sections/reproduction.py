@@ -204,7 +204,8 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     return Claim(
         "stiff_pads_hold",
         at_least(gain, bound),
-        holds="Stiffer pads, and nothing else changed, bring the slip down to {slip}, {gain} times less.",
+        holds="Stiffer and more strongly damped pads, and nothing else changed, bring the slip down to {slip}, {gain} "
+        "times less.",
         fails="Stiffer pads alone do not settle it: the slip is then {slip}, and as shipped it is {gain} times that.",
         unknown="Whether stiffer pads hold the cube cannot be told.",
         numbers={"slip": stiff.slip_mm, "gain": gain},

@@ -115,9 +115,9 @@ def _cause(results: Results, proportional: Claim) -> Claim:
         all_of(*outcomes),
         holds="The cube walks out because the contact rows leave out an acceleration of the moving arm, and their "
         "friction is a brake and not a spring: it slides until it balances that acceleration. The friction rows carry "
-        "no position residual ({residual}), so what has slid is never brought back; how fast it slides goes with the contact's "
-        "timeconst, which Newton makes from the pads' kd; and it needs the load cycle: without it the drift is {share} "
-        "of what it is with it.",
+        "no position residual ({residual}), so what has slid is never brought back; how fast it slides goes with the "
+        "contact's timeconst, which Newton makes from the pads' kd; and it needs the load cycle: without it the drift "
+        "is {share} of what it is with it.",
         fails="The evidence does not all point at the friction rows: their largest position residual is {residual}, "
         "their velocity is {departure} off the motion measured and {missing} off what a left-out acceleration gives, "
         "and without the load cycle the drift is {share} of what it is with it.",
