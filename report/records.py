@@ -21,6 +21,7 @@ UNITS = {
     "kg_m3": "kg/m³",
     "ms_per_s": "ms/s",
     "mm_s": "mm/s",
+    "n_m": "N/m",
     "per_s": "1/s",
     "bytes_per_world": "B",
     "bytes": "B",
