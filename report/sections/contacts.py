@@ -191,7 +191,7 @@ def _missing_term(results: Results) -> Claim:
         explanation="A contact point of the arm accelerates by J·q̈ + J̇·q̇: the second part comes from the joints' "
         "velocities, as when a point moves on a curve. A contact row sets only J·q̈, to −b·v. To follow the arm all the "
         "same the row has to slide at v = J̇·q̇ / b. That goes with the square of the speed, so it does not cancel over "
-        "a cycle; no friction coefficient, iteration or smaller step changes it, and b = 2 / (dmax · timeconst) is "
+        "a cycle; no friction coefficient and no iteration changes it, and b = 2 / (dmax · timeconst) is "
         "the only thing that stands against it.",
     )
 

@@ -161,8 +161,8 @@ def _same_creep_in_c(results: Results) -> Claim:
     return Claim(
         "same_creep_in_c",
         at_most(difference, bound),
-        holds="MuJoCo's C engine, in double precision, creeps as well: {c} against {warp} in the same time.",
-        fails="MuJoCo's C engine, in double precision, creeps differently: {c} against {warp} in the same time.",
+        holds="MuJoCo's C engine creeps as well: {c} against {warp} in the same time.",
+        fails="MuJoCo's C engine creeps differently: {c} against {warp} in the same time.",
         unknown="Whether MuJoCo's C engine creeps as well cannot be told.",
         numbers={"c": c, "warp": warp},
     )

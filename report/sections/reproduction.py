@@ -189,7 +189,7 @@ def _same_on_both_engines(results: Results) -> Claim:
             "stiff": _listed(stiff),
             "difference": difference,
         },
-        explanation="The slip comes from what they have in common, not from the code or the precision of one of them.",
+        explanation="The slip comes from what they have in common, not from the code of one of them.",
     )
 
 
