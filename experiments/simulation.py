@@ -3,6 +3,7 @@
 import time
 from collections.abc import Sequence
 
+import mujoco
 import newton
 import warp as wp
 from newton.solvers import SolverMuJoCo
@@ -72,7 +73,7 @@ class Simulation:
 
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
-        return SolverMuJoCo(
+        solver = SolverMuJoCo(
             self.model,
             solver=case.solver,
             integrator=case.integrator,
@@ -89,6 +90,10 @@ class Simulation:
             # Only by being written at every step does Newton's start reach MuJoCo's C engine.
             update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
         )
+        if not case.refsafe:
+            for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
+                option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+        return solver
 
     def frame(self) -> None:
         """Queue one frame: targets, IK, collide, substeps, recording."""
