@@ -94,8 +94,13 @@ class Case:
     """IK iterations per frame. The scene ships with 24; on the CPU those after the eighth were seen to change no bit of
     the positions of TCP and cube."""
     state_sync: bool = False
-    """Whether Newton's state is written into the engine before every substep, as shipped. Without it the slip
-    changes by less than the noise; some body is at times 0.1 mm from where it was."""
+    """Whether Newton's state and targets are written into the engine before every substep, as shipped, or the targets
+    once a frame and the state never. Without it the slip changes by less than the noise; some body is at times 0.1 mm
+    from where it was."""
+    ik_beside: bool = True
+    """Whether the next frame's IK runs beside this frame's physics, or each frame waits for its own, as shipped."""
+    fixed_joints: bool = True
+    """Whether links that are fixed to one another are bodies of their own, as in the robot's description."""
     graph: bool = True
     """Whether a frame is captured once and replayed, or launched kernel by kernel."""
     frame_count: int = 900
@@ -150,7 +155,13 @@ def differences(case: Case) -> dict[str, object]:
 AS_SHIPPED = Case(name="as-shipped")
 """The baseline of every comparison: the scene as shipped, less what was measured to change nothing."""
 UNTRIMMED = replace(
-    AS_SHIPPED, name="untrimmed", ik_iterations=24, state_sync=True, contact_max=4096, constraint_max=8192
+    AS_SHIPPED,
+    name="untrimmed",
+    ik_iterations=24,
+    ik_beside=False,
+    state_sync=True,
+    contact_max=4096,
+    constraint_max=8192,
 )
 """The scene exactly as shipped, with all that it pays for."""
 LEAN = replace(
@@ -159,6 +170,7 @@ LEAN = replace(
     cube_gap_m=AS_SHIPPED.robot_gap_m,
     hand_collides=False,
     visuals=False,
+    fixed_joints=False,
     broad_phase="explicit",
     contact_max=32,
     constraint_max=64,

@@ -5,7 +5,7 @@ import warp as wp
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
-from experiments.scene import Scene
+from experiments.scene import TRACKED_BODIES, Scene
 from experiments.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
 
 NO_FRAME = np.iinfo(np.int32).max
@@ -132,6 +132,7 @@ def record_contacts(
 def end_frame(
     body_q: wp.array2d[wp.transform],
     tracked: wp.array[int],
+    offset: wp.array[wp.transform],
     phase: wp.array[int],
     cursor: wp.array[int],
     poses: wp.array3d[wp.transform],
@@ -141,7 +142,7 @@ def end_frame(
     world = wp.tid()
     frame = cursor[world]
     for body in range(tracked.shape[0]):
-        poses[frame, world, body] = body_q[world, tracked[body]]
+        poses[frame, world, body] = body_q[world, tracked[body]] * offset[body]
     phases[frame, world] = phase[world]
     contacts[frame, world, SLIDE] /= wp.max(contacts[frame, world, LOADED], 1.0)
     # A viewer may run on beyond the last frame; then the last one is written again.
@@ -163,9 +164,11 @@ class Recorder:
         self.contacts_in = contacts
         self.names = _geom_names(scene, solver)
         self.cube_geom = self.names.index("cube")
-        self.tracked = wp.array(scene.bodies, dtype=int, device=device)
+        links = [scene.links[name] for name in TRACKED_BODIES]
+        self.tracked = wp.array([link.body for link in links], dtype=int, device=device)
+        self.offset = wp.array([link.pose for link in links], dtype=wp.transform, device=device)
         self.cursor = wp.zeros(world_count, dtype=int, device=device)
-        self.poses = wp.zeros((frame_count, world_count, len(scene.bodies)), dtype=wp.transform, device=device)
+        self.poses = wp.zeros((frame_count, world_count, len(links)), dtype=wp.transform, device=device)
         self.phases = wp.zeros((frame_count, world_count), dtype=int, device=device)
         self.contacts = wp.zeros((frame_count, world_count, len(FRAME_COLUMNS)), dtype=float, device=device)
         self.peak_contact_total = wp.zeros(1, dtype=int, device=device)
@@ -207,7 +210,7 @@ class Recorder:
         wp.launch(
             end_frame,
             dim=self.cursor.shape,
-            inputs=[body_q, self.tracked, phase],
+            inputs=[body_q, self.tracked, self.offset, phase],
             outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
 

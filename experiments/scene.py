@@ -37,6 +37,8 @@ GROUND_MU = 0.8
 TRACKED_BODIES = ("cube", "fr3_hand_tcp", "fr3_hand", "fr3_leftfinger", "fr3_rightfinger", "fr3_link7")
 """Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
+FIXED_BODIES = ("base", "fr3_link0")
+"""Bodies that do not move, so need no gravity compensation."""
 
 
 def body_index(builder_or_model, name: str) -> int:
@@ -48,6 +50,16 @@ def body_index(builder_or_model, name: str) -> int:
 
 
 @dataclass(frozen=True)
+class Link:
+    """Where a link of the description is: on a body, which is its own unless fixed joints are left out."""
+
+    body: int
+    """Index of the body, within one world."""
+    pose: wp.transform
+    """Pose of the link in the body's frame."""
+
+
+@dataclass(frozen=True)
 class Scene:
     """A finalized batch and where to find things in it. Indices are within one world."""
 
@@ -55,16 +67,16 @@ class Scene:
     """All worlds and the ground."""
     robot: newton.Model
     """The arm alone, once: what inverse kinematics works on."""
-    bodies: tuple[int, ...]
-    """Body index of each of TRACKED_BODIES."""
+    links: dict[str, Link]
+    """Where each of TRACKED_BODIES is."""
     pads: tuple[int, ...]
     """Shape indices of the finger boxes."""
     cube: int
     """Shape index of the cube."""
 
 
-def robot_builder(case: Case) -> ModelBuilder:
-    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority."""
+def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
+    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority; and its links."""
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = Case(name="").robot_gap_m
@@ -74,6 +86,12 @@ def robot_builder(case: Case) -> ModelBuilder:
         floating=False,
         enable_self_collisions=False,
     )
+    if not case.hand_collides:
+        hand = body_index(builder, "fr3_hand")
+        for shape in range(builder.shape_count):
+            if builder.shape_body[shape] == hand:
+                builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
+    links = _find_links(builder, merge=not case.fixed_joints)
     dofs = slice(ROBOT_DOF_COUNT)
     builder.joint_q[dofs] = READY_POSE
     builder.joint_target_q[dofs] = READY_POSE
@@ -82,8 +100,8 @@ def robot_builder(case: Case) -> ModelBuilder:
     builder.joint_effort_limit[dofs] = EFFORT_LIMIT
     builder.joint_armature[dofs] = ARMATURE
 
-    fixed = {body_index(builder, "base"), body_index(builder, "fr3_link0")}
-    _set(builder, "mujoco:gravcomp", {body: 1.0 for body in range(builder.body_count) if body not in fixed})
+    moving = [body for body, label in enumerate(builder.body_label) if label.rsplit("/", 1)[-1] not in FIXED_BODIES]
+    _set(builder, "mujoco:gravcomp", dict.fromkeys(moving, 1.0))
     _set(builder, "mujoco:jnt_actgravcomp", dict.fromkeys(range(ARM_DOF_COUNT), True))
     pads = pad_shapes(builder)
     _set(builder, "mujoco:geom_solimp", dict.fromkeys(pads, PAD_SOLIMP))
@@ -97,12 +115,21 @@ def robot_builder(case: Case) -> ModelBuilder:
                 *half_extents, duplicate_vertices=False, compute_normals=False, compute_uvs=False
             )
             builder.shape_scale[shape] = (1.0, 1.0, 1.0)
-    if not case.hand_collides:
-        hand = body_index(builder, "fr3_hand")
-        for shape in range(builder.shape_count):
-            if builder.shape_body[shape] == hand:
-                builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
-    return builder
+    return builder, links
+
+
+def _find_links(builder: ModelBuilder, *, merge: bool) -> dict[str, Link]:
+    """The tracked links of the robot; with ``merge`` links that are fixed to one another become one body."""
+    names = TRACKED_BODIES[1:]
+    bodies = {name: body_index(builder, name) for name in names}
+    if not merge:
+        return {name: Link(body, wp.transform_identity()) for name, body in bodies.items()}
+    merged = builder.collapse_fixed_joints()
+    parent, pose = merged["body_merged_parent"], merged["body_merged_transform"]
+    return {
+        name: Link(merged["body_remap"][parent.get(body, body)], pose.get(body, wp.transform_identity()))
+        for name, body in bodies.items()
+    }
 
 
 def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
@@ -117,7 +144,7 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
 
 def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     """Build one world per case; the cases must have the same ``batch_key``."""
-    robot = robot_builder(cases[0])
+    robot, links = robot_builder(cases[0])
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
     world.add_builder(robot)
@@ -138,8 +165,8 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     result = Scene(
         model=model,
         # From a builder of its own: finalizing a mesh a second time frees what the first model points to.
-        robot=robot_builder(cases[0]).finalize(device=device),
-        bodies=tuple(body_index(world, name) for name in TRACKED_BODIES),
+        robot=robot_builder(cases[0])[0].finalize(device=device),
+        links={"cube": Link(cube_body, wp.transform_identity()), **links},
         pads=pad_shapes(robot),
         cube=cube_shape,
     )

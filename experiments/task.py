@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from experiments.case import Case
-from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, TRACKED_BODIES, Scene
+from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
@@ -37,9 +37,8 @@ def tool_down() -> wp.quat:
 @wp.kernel
 def set_targets(
     body_q: wp.array2d[wp.transform],
-    phase_start_q: wp.array2d[wp.transform],
-    tcp: int,
     cube: int,
+    phase_start: wp.array[wp.transform],
     phase: wp.array[int],
     phase_seconds: wp.array[float],
     amplitude: wp.array[float],
@@ -58,7 +57,7 @@ def set_targets(
     t = elapsed[world] + FRAME_DT
     elapsed[world] = t
 
-    start = phase_start_q[world, tcp]
+    start = phase_start[world]
     start_position = wp.transform_get_translation(start)
     position = start_position
     rotation = wp.transform_get_rotation(start)
@@ -101,8 +100,8 @@ def set_targets(
 @wp.kernel
 def apply_targets(
     body_q: wp.array2d[wp.transform],
-    body_count: int,
-    tcp: int,
+    tcp_body: int,
+    tcp_pose: wp.transform,
     phase_seconds: wp.array[float],
     in_hand: wp.array[bool],
     goal: wp.array[wp.transform],
@@ -111,7 +110,7 @@ def apply_targets(
     joint_target: wp.array2d[float],
     phase: wp.array[int],
     elapsed: wp.array[float],
-    phase_start_q: wp.array2d[wp.transform],
+    phase_start: wp.array[wp.transform],
 ):
     """Command the joints and end the phase when its time is up and the TCP is where the phase wants it."""
     world = wp.tid()
@@ -125,7 +124,7 @@ def apply_targets(
         return
     if elapsed[world] < phase_seconds[now]:
         return
-    pose = body_q[world, tcp]
+    pose = body_q[world, tcp_body] * tcp_pose
     distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
     between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
     angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
@@ -133,8 +132,7 @@ def apply_targets(
     if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
         phase[world] = now + 1
         elapsed[world] = 0.0
-        for body in range(body_count):
-            phase_start_q[world, body] = body_q[world, body]
+        phase_start[world] = pose
 
 
 @dataclass(frozen=True)
@@ -145,8 +143,8 @@ class Task:
     """Current phase, shape [worlds], int."""
     elapsed: wp.array
     """Time since the phase began [s], shape [worlds]."""
-    phase_start_q: wp.array
-    """Body poses when the phase began, shape [worlds, bodies]."""
+    phase_start: wp.array
+    """Pose of the TCP when the phase began, shape [worlds], transform."""
     phase_seconds: wp.array
     amplitude: wp.array
     """Shake amplitude [m], shape [worlds]."""
@@ -166,47 +164,53 @@ class Task:
     solver: ik.IKSolver
     solution: wp.array
     """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
-    tcp: int
-    cube: int
+    ik_iterations: int
+    tcp: Link
+    cube: Link
 
-    def launch(self, body_q: wp.array, joint_target: wp.array, ik_iterations: int) -> None:
-        """Queue one frame of targets, IK and phase logic.
+    def command(self, body_q: wp.array, joint_target: wp.array) -> None:
+        """Queue the joint targets that were solved for this frame, and the end of the phase when it has come.
 
         Args:
             body_q: Body poses, shape [worlds, bodies].
             joint_target: Joint position targets to write, shape [worlds, coordinates].
         """
-        world_count, body_count = body_q.shape
+        wp.launch(
+            apply_targets,
+            dim=body_q.shape[0],
+            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
+            + [self.target_finger],
+            outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
+            device=body_q.device,
+        )
+
+    def plan(self, body_q: wp.array) -> None:
+        """Queue where the TCP and the fingers should be in the next frame."""
         wp.launch(
             set_targets,
-            dim=world_count,
-            inputs=[body_q, self.phase_start_q, self.tcp, self.cube, self.phase, self.phase_seconds]
+            dim=body_q.shape[0],
+            inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
             + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
             outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
             device=body_q.device,
         )
-        self.solver.step(self.solution, self.solution, iterations=ik_iterations)
-        wp.launch(
-            apply_targets,
-            dim=world_count,
-            inputs=[body_q, body_count, self.tcp, self.phase_seconds, self.in_hand, self.goal, self.solution]
-            + [self.target_finger],
-            outputs=[joint_target, self.phase, self.elapsed, self.phase_start_q],
-            device=body_q.device,
-        )
+
+    def solve(self) -> None:
+        """Queue the inverse kinematics of what was planned, from the last solution."""
+        self.solver.step(self.solution, self.solution, iterations=self.ik_iterations)
 
 
 def build_task(scene: Scene, cases: list[Case]) -> Task:
     """Set up the task with the arm solved to the approach pose (in ``solution``)."""
     device = scene.model.device
     world_count = len(cases)
-    cube, tcp = (scene.bodies[TRACKED_BODIES.index(name)] for name in ("cube", "fr3_hand_tcp"))
-    body_count = scene.model.body_count // world_count
+    cube, tcp = scene.links["cube"], scene.links["fr3_hand_tcp"]
 
     def floats(values) -> wp.array:
         return wp.array(list(values), dtype=wp.float32, device=device)
 
-    cube_position = scene.model.body_q.numpy().reshape(world_count, body_count, 7)[:, cube, :3]
+    bodies = scene.model.body_q.numpy().reshape(world_count, -1, 7)
+    cube_position = bodies[:, cube.body, :3]
     starts = [
         wp.vec3(*CUBE_IN_HAND) if case.cube_in_hand else wp.vec3(*position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
         for case, position in zip(cases, cube_position, strict=True)
@@ -218,8 +222,8 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
         model=scene.robot,
         n_problems=world_count,
         objectives=[
-            ik.IKObjectivePosition(tcp, wp.vec3(), target_position),
-            ik.IKObjectiveRotation(tcp, wp.quat_identity(), target_rotation),
+            ik.IKObjectivePosition(tcp.body, tcp.pose.p, target_position),
+            ik.IKObjectiveRotation(tcp.body, tcp.pose.q, target_rotation),
             ik.IKObjectiveJointLimit(*limits, weight=IK_LIMIT_WEIGHT),
         ],
         lambda_initial=IK_LAMBDA,
@@ -231,7 +235,7 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     return Task(
         phase=wp.array([LIFT if case.cube_in_hand else APPROACH for case in cases], dtype=int, device=device),
         elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
-        phase_start_q=wp.zeros((world_count, body_count), dtype=wp.transform, device=device),
+        phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
         phase_seconds=floats(PHASE_SECONDS),
         amplitude=floats(case.shake_amplitude_m for case in cases),
         frequency=floats(case.shake_frequency_hz for case in cases),
@@ -246,6 +250,7 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
         target_finger=wp.zeros(world_count, dtype=wp.float32, device=device),
         solver=solver,
         solution=solution,
+        ik_iterations=cases[0].ik_iterations,
         tcp=tcp,
         cube=cube,
     )
