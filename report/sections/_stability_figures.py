@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PatchCollection
+from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from report.figures import FAINT, INK, SERIES, new_figure
@@ -20,7 +20,8 @@ DARK = "#101418"
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
 """A creeping run is marked by its rate."""
-HATCH = "//////"
+HATCH = "#a9b8c6"
+"""Colour of the lines over clamped cells."""
 
 
 def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:
@@ -28,15 +29,16 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     drawing, axes = new_figure(7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False)
     for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
         _draw_map(one, rows)
-        one.set(title=title, ylabel="step [ms]")
+        one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
         ke = np.geomspace(*one.get_xlim(), 200)
-        one.plot(ke, 1e3 * bound(ke), color=DARK, linewidth=1.8, linestyle="-", marker="", label=label)
-        one.legend(loc="upper right", fontsize=8, frameon=True, facecolor="#ffffff", labelcolor=DARK, framealpha=0.9)
+        one.plot(ke, 1e3 * bound(ke), color=DARK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
     handles = [Patch(facecolor=colour, edgecolor=DARK, linewidth=0.4) for colour in COLOURS]
-    marks = [Line2D([], [], linestyle="", marker=mark or "$1.2$", color=INK, markersize=6) for mark in MARKS]
+    marks = [
+        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=INK, markersize=6 if mark else 11) for mark in MARKS
+    ]
     drawing.legend(
-        [*zip(handles, marks, strict=True), Patch(facecolor="none", edgecolor=INK, hatch=HATCH, linewidth=0.4)],
+        [*zip(handles, marks, strict=True), Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
         [*("creeping [mm/s]" if name == "creeping" else name for name in CLASSES), "clamped"],
         loc="outside upper center",
         ncols=4,
@@ -53,23 +55,15 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
     grid = np.full((len(steps), len(ke)), np.nan)
     for (x, y), row in cells.items():
         grid[steps.index(y), ke.index(x)] = CLASSES.index(row["class"])
-    axes.set(xscale="log", yscale="log")
-    axes.grid(False)
     edges_x, edges_y = _edges(ke), _edges(steps)
+    axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
+    axes.grid(False)
     axes.pcolormesh(
         edges_x, edges_y, grid, cmap=ListedColormap(COLOURS), norm=BoundaryNorm(np.arange(7) - 0.5, 6), zorder=0.5
     )
-    clamped = [
-        Rectangle(
-            (edges_x[ke.index(x)], edges_y[steps.index(y)]),
-            edges_x[ke.index(x) + 1] - edges_x[ke.index(x)],
-            edges_y[steps.index(y) + 1] - edges_y[steps.index(y)],
-        )
-        for (x, y), row in cells.items()
-        if "clamped" in row and row.clamped
-    ]
+    clamped = [(x, y) for (x, y), row in cells.items() if "clamped" in row and row.clamped]
     axes.add_collection(
-        PatchCollection(clamped, facecolor="none", edgecolor="#9fb2c4", hatch=HATCH, linewidth=0, zorder=0.6)
+        LineCollection(_hatching(clamped, ke, steps, edges_x, edges_y), color=HATCH, linewidths=0.6, zorder=0.6)
     )
     for name, mark in zip(CLASSES, MARKS, strict=True):
         found = [place for place, row in cells.items() if row["class"] == name]
@@ -77,12 +71,24 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             axes.scatter(*zip(*found, strict=True), marker=mark, s=16, color=DARK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping":
-            axes.text(x, y, _short(row.creep_mm_s.value), ha="center", va="center", fontsize=5.5, color=DARK)
+            axes.text(x, y, _short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=DARK)
     axes.xaxis.set_major_locator(LogLocator(numticks=12))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_locator(FixedLocator(steps))
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.2g}"))
+
+
+def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
+    """Slanting lines over the cells at ``places``, as fractions of a cell: one corner to the other, and one on each
+    side."""
+    lines = []
+    for x, y in places:
+        left, right = edges_x[ke.index(x) :][:2]
+        low, high = edges_y[steps.index(y) :][:2]
+        for start, end in (((0.0, 0.0), (1.0, 1.0)), ((0.0, 0.5), (0.5, 1.0)), ((0.5, 0.0), (1.0, 0.5))):
+            lines.append([(left * (right / left) ** a, low * (high / low) ** b) for a, b in (start, end)])
+    return lines
 
 
 def _edges(centres: Sequence[float]) -> np.ndarray:

@@ -140,10 +140,10 @@ def largest_step(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim(
         "largest_step",
         all_of(at_most(high, two), at_most(inverse, two)),
-        holds="With kd at its default the largest step that holds, found by bisection, is {low} to {high} times "
-        "what the explicit bound predicts, where both could be found.",
-        fails="With kd at its default the largest step that holds, found by bisection, is {low} to {high} times "
-        "what the explicit bound predicts: theory and measurement disagree by more than a factor of two.",
+        holds="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
+        "times what the explicit bound predicts, whatever ke.",
+        fails="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
+        "times what the explicit bound predicts: theory and measurement disagree by more than a factor of two.",
         unknown="How the largest step that holds compares with theory cannot be told.",
         numbers={"low": low, "high": high},
     )
@@ -162,14 +162,12 @@ def predicted_step(results: Results, row: Row) -> Value:
 
 
 def step_ratio(results: Results, row: Row) -> Quantity:
-    """Measured over predicted largest step, where a larger step was seen to fail."""
+    """Where it begins to fail over where it should, if a step was seen to hold and a larger one to fail."""
     name = f"step_ratio_{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
-    if name in results.derived:
-        return results.derived[name]
-    return results.value(
+    return results.derived.get(name) or results.value(
         name,
-        "largest step that holds over the predicted, where a larger one was seen to fail",
-        lambda found, failing, predicted: found / predicted,
+        "geometric mean of the largest step that holds and the least that fails, over the predicted",
+        lambda found, failing, predicted: (found * failing) ** 0.5 / predicted,
         row.largest_step_ms,
         row.failing_step_ms,
         predicted_step(results, row),

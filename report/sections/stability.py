@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 from markupsafe import Markup
 
+from report.format import format_number
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
@@ -33,6 +34,7 @@ def derive(results: Results) -> Section:
             "largest_step": _largest_step_table(results, searched),
             "clamp": _clamp_table(family(results, "clamp")),
             "others": _others_table(results),
+            "overlap": _overlap_table(family(results, "overlap")),
         },
         figures={
             "maps": _maps(critical, default_kd),
@@ -99,8 +101,8 @@ def _maps(critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
     def draw():
         return draw_maps(
             [
-                ("kd raised with ke, damping ratio 1", critical, clamped_from, "above: timeconst is clamped to 2 dt"),
-                ("kd at its import default", default_kd, explicit, "above: dt² ke + 2 dt kd > 4"),
+                ("kd = 2√ke", critical, clamped_from, "timeconst is clamped to 2 dt"),
+                ("kd at its default", default_kd, explicit, "dt² ke + 2 dt kd > 4"),
             ]
         )
 
@@ -152,19 +154,19 @@ def _largest_step_table(results: Results, rows: Sequence[Row]) -> Table:
         critical, plain = (by_ke[ke].get(name) for name in ("ke-critical", "ke-kd-100"))
         table.append(
             {
-                "ke": next(iter(by_ke[ke].values())).pad_ke,
                 "kd = 2√ke": _step_cell(critical),
                 "default kd": _step_cell(plain),
                 "predicted": limits.predicted_step(results, plain) if plain else "",
-                "measured over predicted": limits.step_ratio(results, plain) if plain else "",
+                "found over predicted": limits.step_ratio(results, plain) if plain else "",
             }
         )
-    frame = pd.DataFrame(table, columns=["ke", "kd = 2√ke", "default kd", "predicted", "measured over predicted"])
-    frame.index = pd.Index([str(number + 1) for number in range(len(table))], name="no.")
+    frame = pd.DataFrame(table, columns=["kd = 2√ke", "default kd", "predicted", "found over predicted"])
+    frame.index = pd.Index([format_number(ke) for ke in sorted(by_ke)], name="ke")
     return Table(
         frame,
         "The largest step that keeps the cube, by bisection. It is the largest that was tried where none fails. The "
-        "prediction is that of the explicit bound for the default kd.",
+        "prediction is that of the explicit bound for the default kd; what is found is the geometric mean of the "
+        "largest step that holds and the least that was seen to fail.",
     )
 
 
@@ -177,16 +179,13 @@ def _clamp_table(rows: Sequence[Row]) -> Table:
     found = {(row.clamp, row.timeconst_steps.value): row for row in rows}
     table = [
         {
-            "timeconst over dt": next(row.timeconst_steps for row in rows if row.timeconst_steps.value == ratio),
-            **{
-                label: _ending(found.get((clamp, ratio)))
-                for clamp, label in (("off", "clamp off"), ("direct", "direct solref"))
-            },
+            label: _ending(found.get((clamp, ratio)))
+            for clamp, label in (("off", "clamp off"), ("direct", "direct solref"))
         }
         for ratio in ratios
     ]
-    frame = pd.DataFrame(table, columns=["timeconst over dt", "clamp off", "direct solref"])
-    frame.index = pd.Index([str(number + 1) for number in range(len(table))], name="no.")
+    frame = pd.DataFrame(table, columns=["clamp off", "direct solref"])
+    frame.index = pd.Index([format_number(ratio) for ratio in ratios], name="timeconst over dt")
     return Table(frame, "Damping ratio 1 at the shipped step, without the clamp: how the run ends, and its creep.")
 
 
@@ -196,8 +195,23 @@ def _ending(row: Row | None) -> Markup | str:
     return Markup("{} {}").format(row["class"], row.creep_mm_s) if is_stable(row) else row["class"]
 
 
+def _overlap_table(rows: Sequence[Row]) -> Table:
+    columns = {
+        "overlap": [row.overlap_mm for row in rows],
+        "exit speed": [row.exit_speed_mm_s for row in rows],
+        "undamped spring": [row.exit_bound_mm_s for row in rows],
+        "ends": [row["class"] for row in rows],
+    }
+    return Table(
+        pd.DataFrame(columns, index=pd.Index([row.start for row in rows], name="start in")),
+        "Starts that overlap: how fast the cube leaves, how fast an undamped spring of the contact's stiffness "
+        "would throw it, overlap times √k, and how the run ends. Between two pads it is pushed from both sides and "
+        "stays.",
+    )
+
+
 def _others_table(results: Results) -> Table:
-    names = ("friction", "mass", "gravity", "overlap", "buffers")
+    names = ("friction", "mass", "gravity", "buffers")
     rows = [row for name in names for row in family(results, name)]
     columns = {
         "ends": [row["class"] for row in rows],
