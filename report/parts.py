@@ -64,7 +64,7 @@ class PlacedFigure:
     """Unique on the page."""
     figure: Figure
 
-    def __html__(self) -> Markup:
+    def drawn(self) -> Markup:
         absent = [source.reason for source in self.figure.sources if source.value is None]
         if len(absent) == len(self.figure.sources):
             return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(absent[0])

@@ -72,6 +72,8 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
+    values_file: str = VALUES_FILE
+    """Where that file lies below the site's ``data/``."""
 
     @property
     def source(self) -> str:
@@ -119,7 +121,7 @@ class Results:
         self.derived[name] = Value(
             value=value,
             unit=unit,
-            source=f"{VALUES_FILE}#/{self.record.section}/{name}",
+            source=f"{self.values_file}#/{self.record.section}/{name}",
             reason=reason,
             formula=formula,
             sources=tuple(source.source for source in sources),
