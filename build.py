@@ -79,12 +79,12 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs between two releases; 1 when a claim flipped."""
-    from report.compare import compare_releases
+    from report.compare import compare_projects
 
     releases = [project.of(arguments.a), project.of(arguments.b)]
     for release in releases:
         _refuse_unmeasured(release)
-    comparison = compare_releases(*releases)
+    comparison = compare_projects(*releases)
     print(comparison.text)
     return 1 if comparison.flips else 0
 

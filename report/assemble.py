@@ -13,7 +13,7 @@ from report.parts import PlacedFigure, Section
 from report.project import Project
 from report.quantities import VALUES_FILE
 from report.results import Results, ResultsError
-from report.status import State, machine_name, states_of
+from report.status import State, states_of
 
 
 @dataclass(frozen=True)
@@ -41,10 +41,6 @@ class Chapter(Derived):
     names: Mapping[str, Any]
     """What its template can name, and the summary through ``sections``."""
     prose: Prose
-
-    @property
-    def machine(self) -> str:
-        return machine_name(self.results.record)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -12,6 +11,8 @@ from report import ROOT, UsageError
 from report.identity import MISSING, package_versions
 
 RELEASE = re.compile(r"[0-9]+(\.[0-9]+)+")
+REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
+NAME = re.compile(r"[A-Za-z0-9-]+")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 
@@ -44,21 +45,23 @@ def _set_up(folder: Path, release: str, packages: Mapping[str, str], root: Path)
     uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
     if not uv:
         raise UsageError(f"NEWTON={release} needs uv to make its environment, and uv is not there")
-    with tempfile.NamedTemporaryFile("w", suffix=".txt") as overrides:
-        overrides.write("\n".join(_overrides(packages | {"newton": release})))
-        overrides.flush()
-        python = folder / "bin" / "python"
-        install = [uv, "pip", "install", "--python", python, "--overrides", overrides.name]
-        install += ["--requirements", root / "pyproject.toml", "--group", f"{root / 'pyproject.toml'}:dev"]
-        for command in ([uv, "venv", "--allow-existing", "--python", sys.executable, folder], install):
-            _run(command, release, folder)
+    project = root / "pyproject.toml"
+    install = [uv, "pip", "install", "--python", folder / "bin" / "python", "--group", f"{project}:dev"]
+    install += requirements(project.read_text(encoding="utf-8"), packages | {"newton": release})
+    for command in ([uv, "venv", "--allow-existing", "--python", sys.executable, folder], install):
+        _run(command, release, folder)
 
 
-def _overrides(packages: Mapping[str, str]) -> list[str]:
-    """What takes the place of the project's own pins."""
-    names = {"newton": "newton[sim]"}
-    versions = {name: "" if version == MISSING else f"=={version}" for name, version in packages.items()}
-    return [names.get(name, name) + version for name, version in versions.items()]
+def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
+    """The project's requirements with these versions of the simulator's packages in the place of its own.
+
+    Args:
+        project: Text of pyproject.toml, in which each requirement is a line of its own.
+        packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
+    """
+    named = {"newton": "newton[sim]"}
+    own = [line for line in REQUIREMENT.findall(project) if NAME.match(line)[0] not in packages]
+    return own + [f"{named.get(name, name)}=={version}" for name, version in packages.items() if version != MISSING]
 
 
 def _run(command: list[str | Path], release: str, folder: Path) -> None:

@@ -72,12 +72,6 @@ def _records(project: Project) -> Iterable[Record]:
             continue
 
 
-def machine_name(record: Record) -> str:
-    """The processor that the numbers were measured on."""
-    device = "gpu" if record.machine.get("device") == "cuda" else "cpu"
-    return record.machine.get(device) or device.upper()
-
-
 def status_matrix(project: Project) -> str:
     """The state of every section, in a column for each release that has results."""
     columns = {release: states_of(project.of(release)) for release in project.releases}
@@ -92,7 +86,7 @@ def status_table(states: Iterable[State], profile: str) -> str:
     lines = [HEADINGS]
     for state in states:
         record = state.record
-        where, when = (machine_name(record), format_time(record.measured["date"])) if record else ("–", "–")
+        where, when = (record.processor, format_time(record.measured["date"])) if record else ("–", "–")
         lines.append((state.section, state.name, where, when, profile, "; ".join(state.notes)))
     return _aligned(lines)
 
