@@ -109,7 +109,9 @@ def compare(before: Release, after: Release, releases: tuple[str, str]) -> Compa
             continue
         sides = before[section].results.record, after[section].results.record
         if sides[0].machine_for_speed != sides[1].machine_for_speed:
-            notes.append(f"speed of {section}: it was measured on {' and on '.join(_machine(side) for side in sides)}")
+            notes.append(
+                f"speed of {section}: it was measured on {' and on '.join(side.machine_text for side in sides)}"
+            )
         if section != NOISE:
             moves += _moves(before[section], after[section], floors)
     return Comparison(releases, moves, flips(before, after), notes)
@@ -254,11 +256,6 @@ def _is_lost(row: Row) -> bool:
 
 def _is_speed(column: str, unit: str) -> bool:
     return unit in SPEED_UNITS or column in SPEED_COLUMNS
-
-
-def _machine(record: Record) -> str:
-    driver = record.machine.get("driver")
-    return record.processor + (f" (driver {driver})" if driver else "")
 
 
 def _plain(cell: Any) -> Any:

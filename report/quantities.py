@@ -30,7 +30,8 @@ class Quantity:
     value: float | int | None
     unit: str
     source: str
-    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``."""
+    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``; empty for a number
+    that no file has a place for."""
     reason: str = ""
     """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
@@ -39,6 +40,8 @@ class Quantity:
     @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
+        if not self.source:
+            return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         if self._hint:
             attributes["title"] = self._hint

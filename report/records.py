@@ -24,6 +24,7 @@ UNITS = {
     "mm_s": "mm/s",
     "n_m": "N/m",
     "per_s": "1/s",
+    "1_s": "1/s",
     "bytes_per_world": "B",
     "bytes": "B",
     "mm": "mm",
@@ -64,6 +65,12 @@ class Record:
         """What the numbers were measured on."""
         device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
         return self.machine.get(device) or device.upper()
+
+    @property
+    def machine_text(self) -> str:
+        """The processor, and the driver that it runs with."""
+        driver = self.machine.get("driver")
+        return self.processor + (f" (driver {driver})" if driver else "")
 
     @property
     def origin(self) -> Origin:

@@ -135,7 +135,7 @@ class Results:
             reason=reason,
             origins=frozenset().union(*origins),
             formula=formula,
-            sources=tuple(source.source for source in sources),
+            sources=tuple(source.source for source in sources if source.source),
         )
         return self.derived[name]
 
