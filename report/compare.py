@@ -145,6 +145,15 @@ def verdict(column: str, before: Any, after: Any) -> str:
     return "better" if grows == (column in MORE_IS_BETTER) else "worse"
 
 
+def is_beyond(noise: float, before: float, after: float) -> bool:
+    """Whether two values differ by more than noise, and by more than rounding.
+
+    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
+    would then be a change.
+    """
+    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
+
+
 @dataclass(frozen=True)
 class Floor:
     """How far apart runs of one case come out in one column."""
@@ -154,14 +163,9 @@ class Floor:
     """The largest mean of such runs; larger values are taken to be noisier in proportion."""
 
     def at(self, *values: float) -> float:
-        """The noise of such values.
-
-        Never less than rounding makes: on one processor a release may repeat itself to the last bit, and so would
-        call any other order of its sums a change.
-        """
-        largest = max(map(abs, values))
-        scale = largest / self.magnitude if self.magnitude else 1.0
-        return max(self.spread * max(1.0, scale), ROUNDING_SHARE * largest)
+        """The noise of such values."""
+        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
+        return self.spread * max(1.0, scale)
 
 
 def noise_floors(releases: Iterable[Release]) -> dict[str, Floor]:
@@ -214,7 +218,7 @@ def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iter
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
             noise, is_chosen = _noise(column, rows, values, floors, ranges)
-            if abs(values[1] - values[0]) > noise:
+            if is_beyond(noise, *values):
                 yield Move(before.name, key, column, *cells, noise, is_chosen)
 
 

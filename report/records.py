@@ -24,7 +24,6 @@ UNITS = {
     "mm_s": "mm/s",
     "n_m": "N/m",
     "per_s": "1/s",
-    "1_s": "1/s",
     "bytes_per_world": "B",
     "bytes": "B",
     "mm": "mm",

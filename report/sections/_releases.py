@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from report.assemble import Derived, Release
 from report.claims import Claim
-from report.compare import verdict
+from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results
 
@@ -50,9 +50,12 @@ def change(results: Results, name: str, before: Quantity, after: Quantity) -> Va
 
 
 def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
-    """A number, and whether it is better or worse than the earlier one; nothing is said of what was not measured on
-    the same processor."""
-    if difference is None or None in (difference.value, noise.value) or abs(difference.value) <= noise.value:
+    """A number, and whether it is better or worse than the earlier one.
+
+    Nothing is said of what was not measured on the same processor.
+    """
+    told = difference is not None and None not in (difference.value, noise.value)
+    if not told or not is_beyond(noise.value, before.value, after.value):
         return Markup("{}").format(after)
     if len({origin.processor for origin in difference.origins}) > 1:
         return Markup('{} <span class="moved">other machine</span>').format(after)

@@ -9,6 +9,7 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most
+from report.compare import is_beyond
 from report.figures import new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -20,19 +21,21 @@ order = 200
 
 SHIPPED, TAKEN, GIVEN, SWITCHED = (
     "as-shipped",
-    "as-shipped-no-friction-timeconst",
-    "as-shipped-friction-timeconst",
+    "as-shipped-friction-timeconst-off",
+    "as-shipped-friction-timeconst-on",
     "as-shipped-kf-off",
 )
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
-SLIP = Headline("slip as shipped", "reproduction", SHIPPED, "slip_mm", "mm")
-MUJOCO_CONTACTS = Headline("slip with contacts found by MuJoCo", "contact_source", "contacts-mujoco", "slip_mm", "mm")
+SLIP = Headline("slip as shipped", "upgrade", SHIPPED, "slip_mm", "mm")
+MUJOCO_CONTACTS = Headline(
+    "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
+)
 MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
 HEADLINES = (
     SLIP,
-    Headline("drift as shipped", "reproduction", SHIPPED, "drift_mm_s", "mm/s"),
-    Headline("slip with stiff pads", "reproduction", "stiff-pads", "slip_mm", "mm"),
-    Headline("slip with the arm held still", "reproduction", "hold", "slip_mm", "mm"),
+    Headline("drift as shipped", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
+    Headline("slip with stiff pads", "upgrade", "stiff-pads", "slip_mm", "mm"),
+    Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
     MUJOCO_CONTACTS,
     MUJOCO_C,
     Headline("slip with ke raised alone", "stiffness", "pad-ke-2.5e6-kd-100", "slip_mm", "mm"),
@@ -53,7 +56,7 @@ LIVE = {
     "dampratio": ("damping ratio", "1"),
     "friction_timeconst_s": ("friction rows' own time constant", "s"),
     "friction_dampratio": ("friction rows' own damping ratio", "1"),
-    "friction_damping_1_s": ("friction rows' damping, measured", "1/s"),
+    "friction_damping_per_s": ("friction rows' damping, measured", "1/s"),
     "friction": ("friction", "1"),
     "dmin": ("dmin", "1"),
     "dmax": ("dmax", "1"),
@@ -66,14 +69,21 @@ TRIED = {
     TAKEN: "friction rows' time constant taken out",
     GIVEN: "two substeps written into it",
     SWITCHED: "switched off: kf below zero",
+    "as-shipped-kf-100": "kf 100",
+    "as-shipped-kf-30": "kf 30",
     "as-shipped-kf-10": "kf 10",
     "as-shipped-kf-3": "kf 3",
     "as-shipped-mujoco-contacts": "contacts found by MuJoCo",
     "stiff-pads": "stiff pads",
     "stiff-pads-kf-off": "stiff pads, kf below zero",
+    "stiff-pads-mujoco-contacts": "stiff pads, contacts found by MuJoCo",
     "hold": "arm held still",
     "hold-kf-off": "arm held still, kf below zero",
 }
+
+
+SETTINGS = {"option": "solver option", "default": "default", "sum": "sum of the engine's"}
+"""Kinds of rows that are no runs: each has a name and a value."""
 
 
 def derive(results: Results, releases: Releases) -> Section:
@@ -140,7 +150,7 @@ def _slip_is_the_same(results: Results, ends: _Ends, noise: Value) -> Claim:
     moved = change(results, "slip_change", old, new)
     return Claim(
         "slip_is_the_same",
-        ends.one or _within(moved, noise),
+        ends.one or _within(old, new, moved, noise),
         holds="From Newton {a} to {b} the scene as shipped does the same: the cube slips {before} and {after}, and "
         "runs of one release differ by up to {noise}.",
         fails="Newton {b} does not do what Newton {a} did: as shipped the cube slips {after}, where it slipped "
@@ -150,15 +160,15 @@ def _slip_is_the_same(results: Results, ends: _Ends, noise: Value) -> Claim:
     )
 
 
-def _within(moved: Value, noise: Quantity) -> Outcome:
-    """Whether a change is no more than noise."""
+def _within(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
+    """Whether a change is no more than noise and rounding."""
     for quantity in (moved, noise):
         if quantity.value is None:
             return Outcome("unknown", quantity.reason)
     processors = sorted({origin.processor for origin in moved.origins})
     if len(processors) > 1:
         return Outcome("unknown", f"one was measured on {processors[0]}, the other on {processors[1]}")
-    return HOLDS if abs(moved.value) <= noise.value else FAILS
+    return FAILS if is_beyond(noise.value, before.value, after.value) else HOLDS
 
 
 def _in_one_step(results: Results, releases: Releases, noise: Value) -> Claim:
@@ -168,7 +178,7 @@ def _in_one_step(results: Results, releases: Releases, noise: Value) -> Claim:
     steps = []
     for before, after in pairwise(there):
         moved = change(results, f"slip_step_{after}", cells[before], cells[after])
-        if _within(moved, noise) == FAILS:
+        if _within(cells[before], cells[after], moved, noise) == FAILS:
             steps.append(f"from Newton {before} to {after}")
     outcome = HOLDS if len(steps) == 1 else FAILS
     if len(there) < 3:
@@ -327,7 +337,7 @@ def _same_speed(results: Results, ends: _Ends) -> Claim:
     moved = change(results, "frame_change", old, new)
     return Claim(
         "same_speed",
-        ends.one or _machines_differ(ends.releases, headline.section) or _within(moved, spread),
+        ends.one or _machines_differ(ends.releases, headline.section) or _within(old, new, moved, spread),
         holds="One world is as fast as it was: a frame as shipped takes {after}, and took {before}; frames of one run "
         "spread over up to {spread}.",
         fails="A frame as shipped takes {after} in Newton {b}, where it took {before} in Newton {a}, on the same "
@@ -363,7 +373,7 @@ def _headline_table(results: Results, releases: Releases, floors: Mapping[str, V
     frame = pd.DataFrame({f"Newton {release}": found for release, found in columns.items()}, dtype=object)
     frame["noise"] = [Markup("{}").format(floors[headline.unit]) for headline in HEADLINES]
     frame.index = pd.Index([headline.label for headline in HEADLINES], name="")
-    return Table(frame, "Marked is what differs from the oldest release by more than the noise, the largest of theirs.")
+    return Table(frame, "Marked is what differs from the oldest release by more than noise and rounding.")
 
 
 def _name(headline: Headline) -> str:
@@ -419,8 +429,8 @@ def _option_table(releases: Releases) -> Table:
     for release, sections in releases.items():
         rows = sections["upgrade"].results.rows if "upgrade" in sections else []
         for row in rows:
-            if "kind" in row and row.kind in ("option", "default"):
-                found.setdefault(f"{row.kind} {row.name}", {})[release] = row["value"]
+            if row.kind in SETTINGS:
+                found.setdefault(f"{SETTINGS[row.kind]} {row.name}", {})[release] = row["value"]
     measured = [release for release, sections in releases.items() if "upgrade" in sections]
     differing = {
         name: values
