@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
 
+from report.claims import HOLDS
 from report.overview import overview
 from report.page import Prose, Templates
 from report.parts import PlacedFigure, Section
@@ -156,6 +157,7 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
         "rows": results.rows,
         "value": results.derived,
         "claim": _finder(name, "claim", claims),
+        "holds": _finder(name, "claim", {claim.name: claim.outcome == HOLDS for claim in section.claims}),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", figures),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),

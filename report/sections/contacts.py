@@ -81,7 +81,7 @@ def _far_inside_cone(results: Results, run: Row) -> Claim:
         "sliding is {one}.",
         unknown="How much of the friction cone the grasp uses cannot be told.",
         numbers={"use": run.cone_use_max, "one": results.value("cone_limit", "by definition", lambda: 1.0)},
-        explanation="The cube does not slip because it is held too weakly, so more friction or more grip is no cure.",
+        explanation="The grasp is not too weak, so what the cube slips is not for want of friction or of grip.",
     )
 
 
@@ -111,8 +111,8 @@ def _no_friction_residual(results: Results) -> Claim:
         unknown="Whether the friction rows carry a position residual cannot be told.",
         numbers={"largest": largest, "normal": normal},
         explanation="A normal row knows how deep the cube is in the pad and pushes it back out. A friction row knows "
-        "only a velocity: the acceleration that it asks for is −b·v, with b = 2 / (dmax · timeconst). It slows a "
-        "sliding cube down, and once the cube has slid, nothing remembers where it was.",
+        "only a velocity: the acceleration that it asks for is −b·v, with b = 2 / (dmax · timeconst) of that row. It "
+        "slows a sliding cube down, and once the cube has slid, nothing remembers where it was.",
     )
 
 

@@ -62,8 +62,8 @@ def _drift_needs_cycle(results: Results) -> Claim:
         holds="The drift needs the load cycle: with the arm held still, the cube drifts at {held} along the shake's "
         "main "
         "axis, against {shaken} when shaken. That is {share} of it.",
-        fails="The drift does not need the load cycle: with the arm held still, the cube still drifts at {held} along "
-        "the shake's main axis, against {shaken} when shaken, {share} of it.",
+        fails="The load cycle is not all that moves the cube: with the arm held still, it drifts at {held} along the "
+        "shake's main axis, against {shaken} when shaken, in size {share} of it.",
         unknown="Whether the drift needs the load cycle cannot be told.",
         numbers={"held": held, "shaken": shaken, "share": share},
         explanation="Time alone, with the weight of the cube on the pads, does not do it.",
@@ -137,13 +137,12 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     return Claim(
         "stiff_pads_keep_creep",
         at_least(share, bound),
-        holds="Stiff pads leave most of this creep: {stiff} of {shipped} in {duration}.",
+        holds="Stiff pads do not end this creep: with them it is {stiff} in {duration}, as shipped {shipped}.",
         fails="Stiff pads reduce this creep too: to {stiff} from {shipped} in {duration}.",
         unknown="Whether stiff pads change this creep cannot be told.",
         numbers={"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s},
-        explanation="It is another effect than the drift of the shake, which stiff pads nearly end. This report does "
-        "not "
-        "explain it, and the fix does not cure it: who holds an object for minutes should know of it.",
+        explanation="This report does not explain the creep, and the fix does not cure it: who holds an object for "
+        "minutes should know of it.",
     )
 
 
