@@ -20,6 +20,7 @@ UNITS = {
     "mm_per_cycle": "mm/cycle",
     "kg_m3": "kg/m³",
     "ms_per_s": "ms/s",
+    "mrad_s": "mrad/s",
     "mm_s": "mm/s",
     "n_m": "N/m",
     "per_s": "1/s",
