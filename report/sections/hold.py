@@ -246,8 +246,8 @@ def _longer_steps_creep_less(results: Results) -> Claim:
     return Claim(
         "longer_steps_creep_less",
         greater(many, few, noise=noise_floor(results, "slip_floor")),
-        holds="A longer step rounds away less: with a quarter of the substeps the cube creeps {few} in the last second, "
-        "in place of {many}.",
+        holds="A longer step loses less to rounding: with a quarter of the substeps the cube creeps {few} in the last "
+        "second, in place of {many}.",
         fails="A longer step does not help: with a quarter of the substeps the cube creeps {few} in the last second, "
         "against {many}.",
         unknown="Whether a longer step helps cannot be told.",
