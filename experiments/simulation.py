@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Sequence
 from functools import partial
 
+import mujoco
 import newton
 import warp as wp
 from newton.solvers import SolverMuJoCo
@@ -83,7 +84,7 @@ class Simulation:
 
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
-        return make_solver(
+        solver = make_solver(
             self.model,
             friction_timeconst_s=case.friction_timeconst_override_s,
             solver=case.solver,
@@ -101,6 +102,10 @@ class Simulation:
             # Only by being written at every step does Newton's start reach MuJoCo's C engine.
             update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
         )
+        if not case.refsafe:
+            for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
+                option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+        return solver
 
     def queue_targets(self) -> None:
         """Queue the joint targets of this frame."""

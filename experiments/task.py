@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from experiments.case import Case
-from experiments.scene import ARM_DOF_COUNT, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
+from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
@@ -16,7 +16,6 @@ PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
 """Least time of each phase [s]; the shake has no end."""
 
 FINGER_OPEN = wp.constant(0.035)
-FINGER_CLOSED = wp.constant(-0.01)
 APPROACH_HEIGHT = wp.constant(0.10)
 LIFT_HEIGHT = wp.constant(0.20)
 SHAKE_RATIO_Y = wp.constant(0.65)
@@ -44,6 +43,9 @@ def set_targets(
     phase_seconds: wp.array[float],
     amplitude: wp.array[float],
     frequency: wp.array[float],
+    in_hand: wp.array[bool],
+    finger_closed: wp.array[float],
+    finger_shake: wp.array[float],
     elapsed: wp.array[float],
     goal: wp.array[wp.transform],
     target_position: wp.array[wp.vec3],
@@ -71,18 +73,18 @@ def set_targets(
         position = cube_position
         rotation = tool_down()
     elif now == GRASP:
-        finger_end = FINGER_CLOSED
+        finger_end = finger_closed[world]
     elif now == LIFT:
-        position = start_position + wp.vec3(0.0, 0.0, LIFT_HEIGHT)
-        finger_start = FINGER_CLOSED
-        finger_end = FINGER_CLOSED
+        position = start_position + wp.vec3(0.0, 0.0, wp.where(in_hand[world], 0.0, LIFT_HEIGHT))
+        finger_start = finger_closed[world]
+        finger_end = finger_closed[world]
     else:
         angle = 2.0 * wp.pi * frequency[world] * t
         position = start_position + amplitude[world] * wp.vec3(
             wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
         )
-        finger_start = FINGER_CLOSED
-        finger_end = FINGER_CLOSED
+        finger_start = finger_shake[world]
+        finger_end = finger_shake[world]
 
     goal[world] = wp.transform(position, rotation)
     blend = float(1.0)
@@ -101,6 +103,7 @@ def apply_targets(
     tcp_body: int,
     tcp_pose: wp.transform,
     phase_seconds: wp.array[float],
+    in_hand: wp.array[bool],
     goal: wp.array[wp.transform],
     solution: wp.array2d[float],
     target_finger: wp.array[float],
@@ -125,7 +128,8 @@ def apply_targets(
     distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
     between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
     angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
-    if distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE:
+    # A cube in the hand is only held still before the shake, and may be heavy enough to pull the arm down.
+    if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
         phase[world] = now + 1
         elapsed[world] = 0.0
         phase_start[world] = pose
@@ -146,6 +150,11 @@ class Task:
     """Shake amplitude [m], shape [worlds]."""
     frequency: wp.array
     """Shake frequency [Hz], shape [worlds]."""
+    in_hand: wp.array
+    """Whether the run starts with the cube in the hand, shape [worlds]."""
+    finger_closed: wp.array
+    finger_shake: wp.array
+    """Finger joint targets [m] that hold the cube and in the shake, shape [worlds]."""
     goal: wp.array
     """Where the phase ends, shape [worlds], transform."""
     target_position: wp.array
@@ -169,7 +178,7 @@ class Task:
         wp.launch(
             apply_targets,
             dim=body_q.shape[0],
-            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.goal, self.solution]
+            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
             + [self.target_finger],
             outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
             device=body_q.device,
@@ -181,7 +190,7 @@ class Task:
             set_targets,
             dim=body_q.shape[0],
             inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
-            + [self.amplitude, self.frequency],
+            + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
             outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
             device=body_q.device,
         )
@@ -200,9 +209,13 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     def floats(values) -> wp.array:
         return wp.array(list(values), dtype=wp.float32, device=device)
 
-    cube_position = scene.model.body_q.numpy()[cube.body][:3]
-    approach = wp.vec3(*cube_position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
-    target_position = wp.array([approach] * world_count, dtype=wp.vec3, device=device)
+    bodies = scene.model.body_q.numpy().reshape(world_count, -1, 7)
+    cube_position = bodies[:, cube.body, :3]
+    starts = [
+        wp.vec3(*CUBE_IN_HAND) if case.cube_in_hand else wp.vec3(*position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
+        for case, position in zip(cases, cube_position, strict=True)
+    ]
+    target_position = wp.array(starts, dtype=wp.vec3, device=device)
     target_rotation = wp.array([wp.vec4(1.0, 0.0, 0.0, 0.0)] * world_count, dtype=wp.vec4, device=device)
     limits = (scene.robot.joint_limit_lower, scene.robot.joint_limit_upper)
     solver = ik.IKSolver(
@@ -220,12 +233,17 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     for _ in range(APPROACH_SOLVE_COUNT):
         solver.step(solution, solution, iterations=cases[0].ik_iterations)
     return Task(
-        phase=wp.zeros(world_count, dtype=int, device=device),
+        phase=wp.array([LIFT if case.cube_in_hand else APPROACH for case in cases], dtype=int, device=device),
         elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
         phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
         phase_seconds=floats(PHASE_SECONDS),
         amplitude=floats(case.shake_amplitude_m for case in cases),
         frequency=floats(case.shake_frequency_hz for case in cases),
+        in_hand=wp.array([case.cube_in_hand for case in cases], dtype=bool, device=device),
+        finger_closed=floats(case.finger_closed_m for case in cases),
+        finger_shake=floats(
+            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
+        ),
         goal=wp.zeros(world_count, dtype=wp.transform, device=device),
         target_position=target_position,
         target_rotation=target_rotation,

@@ -24,6 +24,7 @@ UNITS = {
     "mm_s": "mm/s",
     "n_m": "N/m",
     "per_s": "1/s",
+    "m_s2": "m/s²",
     "bytes_per_world": "B",
     "bytes": "B",
     "mm": "mm",
