@@ -15,14 +15,16 @@ STATE_ARRAYS = "joint_q joint_qd body_q body_qd".split()
 ENGINE_ARRAYS = "qpos qvel qacc_warmstart".split()
 
 
-def put_in_state_of(target: Simulation, source: Simulation) -> None:
-    """Put every world of ``target`` into the state of the first world of ``source``, task and solver included."""
+def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
+    """Put every world of ``target`` into the state of one world of ``source``, task and solver included."""
     pairs = [(getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS]
     pairs += [(getattr(target.state, name), getattr(source.state, name)) for name in STATE_ARRAYS]
     pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
+    wp.synchronize()  # simulations run on streams of their own, these copies do not
     for to, of in pairs:
-        first = of.numpy().reshape(source.world_count, -1)[:1]
-        to.assign(np.repeat(first, target.world_count, axis=0).reshape(to.numpy().shape))
+        one = of.numpy().reshape(source.world_count, -1)[world : world + 1]
+        to.assign(np.repeat(one, target.world_count, axis=0).reshape(to.numpy().shape))
+    wp.synchronize()
 
 
 def replay_ms(device: wp.Device, queue: Callable[[], None], repeat_count: int, warmup_count: int = 3) -> np.ndarray:
@@ -43,15 +45,17 @@ def frame_ms(simulation: Simulation, repeat_count: int, warmup_count: int = 3) -
     return _timed(simulation.device, simulation.step, repeat_count)
 
 
+def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
+    """Wall time [ms] of one call, until the device is done with it."""
+    wp.synchronize_device(device)
+    start = time.perf_counter()
+    run()
+    wp.synchronize_device(device)
+    return 1e3 * (time.perf_counter() - start)
+
+
 def _timed(device: wp.Device, run: Callable[[], None], repeat_count: int) -> np.ndarray:
-    times = []
-    for _ in range(repeat_count):
-        wp.synchronize_device(device)
-        start = time.perf_counter()
-        run()
-        wp.synchronize_device(device)
-        times.append(1e3 * (time.perf_counter() - start))
-    return np.array(times)
+    return np.array([elapsed_ms(device, run) for _ in range(repeat_count)])
 
 
 def buffer_bytes_per_world(solver: SolverMuJoCo, contacts: newton.Contacts | None) -> int:
