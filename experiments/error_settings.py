@@ -5,21 +5,30 @@ from dataclasses import dataclass, replace
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 
 PADS = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
-SUBSTEPS = {"full": (1, 2, 4, 8, 16, 32, 64), "quick": (1, 2, 4, 8, 16)}
-CPU_SUBSTEPS = {"full": (1, 4, 16), "quick": ()}
-"""For Warp on the CPU of a machine that has a GPU."""
+SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
+LADDERS = {
+    "full": {"newton": SUBSTEPS, "mujoco": SUBSTEPS, "newton-each-substep": (4, 16, 64), "cpu": (1, 4, 16)},
+    "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "cpu": ()},
+}
+"""Substeps of each method; ``cpu`` is Warp on the CPU of a machine that has a GPU."""
 KNOBS = {
     "full": {
-        "iterations": (1, 2, 5, 50, 200),
-        "ls_iterations": (1, 5, 20),
-        "solver": ("cg",),
-        "cone": ("pyramidal",),
-        "impratio": (1.0, 10.0, 1000.0),
-        "integrator": ("euler", "rk4"),
+        "as-shipped": {
+            "iterations": (1, 2, 5, 50, 200),
+            "ls_iterations": (5, 20),
+            "solver": ("cg",),
+            "cone": ("pyramidal",),
+            "impratio": (1.0, 1000.0),
+            "integrator": ("euler", "rk4"),
+        },
+        "stiff": {"iterations": (5, 200), "solver": ("cg",), "cone": ("pyramidal",), "impratio": (1.0,)},
     },
-    "quick": {"iterations": (1, 5, 200), "ls_iterations": (5,), "cone": ("pyramidal",), "impratio": (1.0,)},
+    "quick": {
+        "as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)},
+        "stiff": {"iterations": (200,), "impratio": (1.0,)},
+    },
 }
-"""What else is varied, one at a time, at the shipped number of substeps."""
+"""What else is varied, one at a time, in the method and with the substeps as shipped."""
 TIGHT = {"iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
 MODEL_FIELDS = ("cone", "impratio")
 """Knobs that make it another model, which converges to another solution."""
@@ -48,25 +57,30 @@ class Setting:
 
 
 def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
-    """All points: the substeps of each method, the other knobs of the shipped method, and in C whatever is in Warp.
+    """All points: substeps of each method, the other knobs as shipped, and whatever is in Warp also in C.
 
     Args:
         profile: ``full`` or ``quick``.
-        cpu_too: Whether to run Warp on the CPU as well.
+        cpu_too: Whether Warp is run on the CPU as well.
     """
     points = []
     for pads, base in PADS.items():
-        for substeps in SUBSTEPS[profile]:
-            at = replace(base, substeps=substeps)
-            points.append(setting(at, pads, "newton", "substeps"))
-            points.append(setting(replace(at, contacts="mujoco"), pads, "mujoco", "substeps"))
-            if substeps > 1:
-                points.append(setting(replace(at, collide_count=substeps), pads, "newton-each-substep", "substeps"))
-        for substeps in CPU_SUBSTEPS[profile] if cpu_too else ():
-            points.append(setting(replace(base, substeps=substeps, device="cpu"), pads, "cpu", "substeps"))
-        for knob, values in KNOBS[profile].items():
+        for method, ladder in LADDERS[profile].items():
+            if method != "cpu" or cpu_too:
+                points += [setting(by_method(base, method, n), pads, method, "substeps") for n in ladder]
+        for knob, values in KNOBS[profile][pads].items():
             points += [setting(replace(base, **{knob: value}), pads, "newton", knob) for value in values]
     return points + list(dict.fromkeys(map(native_of, points)))
+
+
+def by_method(base: Case, method: str, substeps: int) -> Case:
+    changes = {
+        "newton": {},
+        "mujoco": {"contacts": "mujoco"},
+        "newton-each-substep": {"collide_count": substeps},
+        "cpu": {"device": "cpu"},
+    }
+    return replace(base, substeps=substeps, **changes[method])
 
 
 def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
