@@ -7,10 +7,29 @@ from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 PADS = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
 LADDERS = {
-    "full": {"newton": SUBSTEPS, "mujoco": SUBSTEPS, "newton-each-substep": (4, 16, 64), "cpu": (1, 4, 16)},
-    "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "cpu": ()},
+    "full": {
+        "newton": SUBSTEPS,
+        "mujoco": SUBSTEPS,
+        "newton-each-substep": (4, 16),
+        "newton-rk4": (2, 4, 16),
+        "mujoco-rk4": (2, 4),
+        "cpu": (1, 4, 16),
+        "c-rk4": (1, 2, 4, 8, 16, 32),
+    },
+    "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "c-rk4": (1, 2, 4, 8)},
 }
-"""Substeps of each method; ``cpu`` is Warp on the CPU of a machine that has a GPU."""
+"""Substeps of each method. What is run in Warp is run in C as well."""
+METHODS = {
+    "newton": {},
+    "newton-each-substep": {},
+    "mujoco": {"contacts": "mujoco"},
+    "newton-rk4": {"integrator": "rk4"},
+    "mujoco-rk4": {"contacts": "mujoco", "integrator": "rk4"},
+    "cpu": {"device": "cpu"},
+    "c-rk4": {"backend": "mujoco", "integrator": "rk4"},
+}
+"""Whose contacts, through which engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
+each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
 KNOBS = {
     "full": {
         "as-shipped": {
@@ -19,17 +38,17 @@ KNOBS = {
             "solver": ("cg",),
             "cone": ("pyramidal",),
             "impratio": (1.0, 1000.0),
-            "integrator": ("euler", "rk4"),
+            "integrator": ("euler",),
         },
         "stiff": {"iterations": (5, 200), "solver": ("cg",), "cone": ("pyramidal",), "impratio": (1.0,)},
     },
     "quick": {
         "as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)},
-        "stiff": {"iterations": (200,), "impratio": (1.0,)},
+        "stiff": {},
     },
 }
 """What else is varied, one at a time, in the method and with the substeps as shipped."""
-TIGHT = {"iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
+CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
 MODEL_FIELDS = ("cone", "impratio")
 """Knobs that make it another model, which converges to another solution."""
 CYCLE_COUNT = 3
@@ -45,8 +64,7 @@ class Setting:
     pads: str
     """Key of PADS."""
     method: str
-    """Whose contacts, through which engine: ``newton``, ``newton-each-substep``, ``mujoco``, ``cpu`` or ``c``; or
-    ``reference``."""
+    """Key of METHODS, ``c`` or ``reference``."""
     knob: str
     """The parameter that is varied."""
 
@@ -70,17 +88,12 @@ def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
                 points += [setting(by_method(base, method, n), pads, method, "substeps") for n in ladder]
         for knob, values in KNOBS[profile][pads].items():
             points += [setting(replace(base, **{knob: value}), pads, "newton", knob) for value in values]
-    return points + list(dict.fromkeys(map(native_of, points)))
+    return list(dict.fromkeys([*points, *map(native_of, points)]))
 
 
 def by_method(base: Case, method: str, substeps: int) -> Case:
-    changes = {
-        "newton": {},
-        "mujoco": {"contacts": "mujoco"},
-        "newton-each-substep": {"collide_count": substeps},
-        "cpu": {"device": "cpu"},
-    }
-    return replace(base, substeps=substeps, **changes[method])
+    collide_count = substeps if method == "newton-each-substep" else 1
+    return replace(base, substeps=substeps, collide_count=collide_count, **METHODS[method])
 
 
 def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
@@ -92,12 +105,12 @@ def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
 def native_of(point: Setting) -> Setting:
     """The same setting in MuJoCo's C engine, which makes its own contacts in every step."""
     case = replace(point.case, backend="mujoco", contacts="newton", collide_count=1, device=None)
-    return setting(case, point.pads, "c", point.knob)
+    return setting(case, point.pads, "c-rk4" if case.integrator == "rk4" else "c", point.knob)
 
 
 def reference_of(point: Setting, substeps: int) -> Setting:
     """The converged solution of the setting's model, in C."""
     model = {name: getattr(point.case, name) for name in MODEL_FIELDS}
-    case = replace(PADS[point.pads], backend="mujoco", substeps=substeps, frame_count=FRAME_COUNT, **model, **TIGHT)
+    case = replace(PADS[point.pads], backend="mujoco", substeps=substeps, frame_count=FRAME_COUNT, **CONVERGED, **model)
     name = f"{point.pads}/reference/{case.cone}-impratio-{case.impratio:g}-substeps-{substeps}"
     return Setting(replace(case, name=name), point.pads, "reference", "substeps")
