@@ -1,6 +1,7 @@
 """Error against run time: the metrics by hand, and the reference against the real scene."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -46,18 +47,28 @@ def test_the_front_is_what_nothing_beats():
     assert metrics.pareto_front(error, cost).tolist() == [True, True, False, True, True, False]
 
 
-def test_the_front_of_a_record_is_within_the_pads_and_valid():
-    def row(case, pads, error, ms, valid=True):
-        return {"case": case, "pads": pads, "numerical_error_mm": error, "ms_per_s": ms, "valid": valid}
+def test_fronts_compare_what_can_be_compared():
+    def row(case, error, ms, valid=True, pads="stiff", backend="mujoco-c", grasp=1.0, **model):
+        row = {"case": case, "pads": pads, "backend": backend, "valid": valid, "ms_per_s": ms, **model}
+        return row | {"numerical_error_mm": error, "grasp_error_mm_per_cycle": grasp}
 
     rows = [
-        row("good", "stiff", 1.0, 2.0),
-        row("beaten", "stiff", 2.0, 3.0),
-        row("failed", "stiff", 0.1, None, valid=False),
-        row("other pads", "as-shipped", 5.0, 5.0),
+        row("good", 1.0, 2.0, grasp=0.5),
+        row("beaten", 2.0, 3.0),
+        row("failed", 0.1, None, valid=False),
+        row("other pads", 5.0, 5.0, pads="as-shipped"),
+        row("other backend", 4.0, 4.0, backend="warp-cuda", grasp=0.6),
+        row("other model", 0.1, 1.0, impratio=1.0, grasp=0.9),
     ]
-    error_runtime.mark_front(rows)
-    assert [row["on_front"] for row in rows] == [True, False, False, True]
+    error_runtime.mark_fronts(rows)
+
+    def on(column):
+        return {row["case"] for row in rows if row[column]}
+
+    assert on("on_front") == {"good", "other pads"}
+    assert on("on_backend_front") == {"good", "other pads", "other backend"}
+    assert on("on_grasp_front") == {"good", "other model"}
+    assert on("on_grasp_backend_front") == {"good", "other model", "other backend"}
 
 
 def trace(**changes) -> Trace:
@@ -110,13 +121,17 @@ def test_warp_and_c_agree_from_the_same_state(shakes):
         assert error_runtime.distance_mm(of_warp, of_c) < 0.02
 
 
-def test_the_reference_converges_at_first_order(shakes):
+def test_the_shipped_integrator_converges_to_the_reference_at_first_order(shakes):
     _, starts = shakes
-    point = setting(AS_SHIPPED, "as-shipped", "newton", "substeps")
-    runs = [NativeShake(reference_of(point, n).case, starts["as-shipped"]).run() for n in (32, 64, 128)]
-    coarse, fine = (error_runtime.distance_mm(a, b) for a, b in zip(runs, runs[1:], strict=False))
-    assert coarse / fine == pytest.approx(2.0, rel=0.15)
-    assert coarse < 0.05
+
+    def run(point):
+        return NativeShake(point.case, starts["as-shipped"]).run()
+
+    points = [setting(replace(AS_SHIPPED, substeps=n), "as-shipped", "newton", "substeps") for n in (8, 16, 32)]
+    reference = run(reference_of(points[0], 64))
+    errors = [error_runtime.distance_mm(run(native_of(point)), reference) for point in points]
+    assert [a / b for a, b in pairwise(errors)] == pytest.approx([2.0, 2.0], rel=0.05)
+    assert error_runtime.distance_mm(run(reference_of(points[0], 32)), reference) < 1e-4 * errors[-1]
 
 
 def test_the_model_in_c_has_the_timeconst_of_the_pads(shakes):
