@@ -335,8 +335,8 @@ def _stiff_contact_still_slips(results: Results) -> Claim:
     return Claim(
         "stiff_contact_still_slips",
         all_of(at_least(ratio, one), at_least(share, results.derived["ke_alone_bound"])),
-        holds="A stiff contact alone is no help: at ke {ke} and the default kd the contact is {ratio} times as stiff as "
-        "with the fix, and the cube slips {slip}.",
+        holds="A stiff contact alone is no help: at ke {ke} and the default kd the contact is {ratio} times as stiff "
+        "as with the fix, and the cube slips {slip}.",
         fails="At ke {ke} and the default kd the contact is {ratio} times as stiff as with the fix, and the cube slips "
         "{slip}.",
         unknown="Whether a stiff contact slips all the same cannot be told.",
