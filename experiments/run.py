@@ -16,7 +16,7 @@ import pandas as pd
 import warp as wp
 
 from experiments.measurement import Conditions
-from report import ReportError
+from report import ROOT, ReportError
 from report.identity import identity_of, installed_release, sections
 from report.records import Record, record_path, units_of, write_record
 from report.traces import write_traces
@@ -33,7 +33,7 @@ def main() -> int:
     failures = 0
     for section, module in modules.items():
         try:
-            measure_section(section, module, device, arguments)
+            measure_section(section, module, device, arguments.profile)
         except Exception:  # one section's fault must not cost the others
             traceback.print_exc()
             print(f"{section}: measuring failed; what was there is kept", file=sys.stderr)
@@ -46,7 +46,6 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
-    parser.add_argument("--newton", help="release that the record's command names")
     return parser.parse_args()
 
 
@@ -70,10 +69,9 @@ def section_module(section: str) -> ModuleType:
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
 
 
-def measure_section(section: str, module: ModuleType, device: wp.Device, arguments: argparse.Namespace) -> None:
+def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
     """Let the section's module measure, and write its record and traces."""
     start = time.perf_counter()
-    profile = arguments.profile
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
@@ -82,7 +80,7 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, argumen
         measured={
             "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
             "commit": commit(),
-            "command": command(section, device, profile, arguments.newton),
+            "command": command(section, device, profile),
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
@@ -133,9 +131,11 @@ def commit() -> str | None:
     )
 
 
-def command(section: str, device: wp.Device, profile: str, newton: str | None) -> str:
+def command(section: str, device: wp.Device, profile: str) -> str:
     parts = ["make rerun", f"SECTION={section}", f"DEVICE={'cuda' if device.is_cuda else 'cpu'}"]
-    parts += [f"NEWTON={newton}"] if newton else []
+    release = installed_release()
+    if f"newton[sim]=={release}" not in (ROOT / "pyproject.toml").read_text(encoding="utf-8"):
+        parts.append(f"NEWTON={release}")
     return " ".join(parts + ([] if profile == "full" else [f"PROFILE={profile}"]))
 
 

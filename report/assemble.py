@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
 
+from report import ReportError
 from report.claims import HOLDS
 from report.overview import overview
 from report.page import Prose, Templates
@@ -85,8 +86,8 @@ def assemble(project: Project, others: Mapping[str, Release] | None = None, valu
             section = module.derive(derived.results, releases) if _compares(module) else derived.section
             names = _names(derived.results, section)
             prose = templates.prose(f"sections/{name}.md.j2", name, names)
-        except ResultsError as error:
-            left_out.append(_left_out(derived.state, error))
+        except Exception as error:
+            left_out.append(_left_out(project, derived.state, error))
         else:
             chapters[name] = Chapter(derived.state, derived.results, section, names, prose)
     return Report(
@@ -118,8 +119,8 @@ def derive_release(project: Project, values_file: str) -> tuple[Release, list[St
         results = Results(state.record, project.record_path(state.section), others, values_file=values_file)
         try:
             section = Section() if _compares(module) else module.derive(results)
-        except ResultsError as error:
-            left_out.append(_left_out(state, error))
+        except Exception as error:
+            left_out.append(_left_out(project, state, error))
         else:
             found[state.section] = Derived(state, results, section)
     return found, left_out
@@ -135,10 +136,12 @@ def _compares(module: ModuleType) -> bool:
     return len(inspect.signature(module.derive).parameters) > 1
 
 
-def _left_out(state: State, error: ResultsError) -> State:
-    if state.name == "fresh":
+def _left_out(project: Project, state: State, error: Exception) -> State:
+    """A section that can't be shown: a record of older code or of another release may lack anything."""
+    if state.name == "fresh" and project.is_own:
         raise error
-    return replace(state, record=None, notes=(str(error),))
+    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
+    return replace(state, record=None, notes=(" ".join(words.split()),))
 
 
 def _summary(templates: Templates, chapters: Mapping[str, Chapter]) -> Prose:

@@ -42,7 +42,6 @@ def measure(project: Project, sections: list[str], device: str) -> None:
     """
     python = python_of(project.release, expected_packages(project), project.root)
     options = ["--device", device, "--profile", project.profile]
-    options += [] if project.is_own else ["--newton", project.release]
     command = [python, "-m", "experiments.run", *sections, *options]
     status = subprocess.run(command, cwd=project.root, check=False).returncode
     if status:
