@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import sys
 from collections.abc import Sequence
 
 from markupsafe import Markup
@@ -16,7 +17,7 @@ def draw_all(figures: Sequence[PlacedFigure]) -> list[Markup]:
     """Each figure as HTML, in their order."""
     global _figures
     workers = min(_processor_count(), len(figures))
-    if workers < 2 or "fork" not in multiprocessing.get_all_start_methods():
+    if workers < 2:
         return [figure.drawn() for figure in figures]
     _figures = figures
     with multiprocessing.get_context("fork").Pool(workers) as pool:
@@ -28,4 +29,5 @@ def _draw(index: int) -> Markup:
 
 
 def _processor_count() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    """The processors that may be used; one where a fork is not safe, or not there."""
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else 1
