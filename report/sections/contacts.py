@@ -50,6 +50,11 @@ def _of_kind(results: Results, kind: str) -> list[Row]:
     return [row for row in results.rows if row.kind == kind]
 
 
+def _in_c(results: Results, kind: str) -> list[Row]:
+    """The runs of one kind through MuJoCo C, one for each of CASES."""
+    return [results.row[f"{case}-{kind}"] for case in CASES]
+
+
 def _gap(results: Results, run: Row) -> Value:
     return results.value(
         f"slide_gap_{run.case}",
@@ -158,7 +163,7 @@ def _slide_accounts_when_stiff(results: Results, run: Row, gaps: dict[str, Value
 
 
 def _missing_term(results: Results) -> Claim:
-    rows = _of_kind(results, "missing-term")
+    rows = _in_c(results, "missing-term")
     departures = [
         results.value(
             f"missing_term_departure_{row.case}",
@@ -201,7 +206,7 @@ def _missing_term(results: Results) -> Claim:
 
 def _term_restored(results: Results) -> Claim:
     """The intervention: the same runs, with the left-out acceleration in the contact rows."""
-    left_out, restored = _of_kind(results, "missing-term"), _of_kind(results, "term-restored")
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     shares = [
         results.value(
             f"restored_share_{without.case.removesuffix('-missing-term')}",
@@ -232,7 +237,7 @@ def _term_restored(results: Results) -> Claim:
 
 def _rest_is_creep(results: Results) -> Claim:
     """What the rows' slide leaves over is the motion that is there without any slide."""
-    left_out, restored = _of_kind(results, "missing-term"), _of_kind(results, "term-restored")
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     rests = [
         results.value(
             f"rest_{without.case.removesuffix('-missing-term')}",
@@ -261,7 +266,7 @@ def _rest_is_creep(results: Results) -> Claim:
 
 
 def _missing_table(results: Results) -> Table:
-    left_out, restored = _of_kind(results, "missing-term"), _of_kind(results, "term-restored")
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     columns = {
         "from the left-out term": [row.predicted_slide_mm for row in left_out],
         "from the friction rows": [row.slide_mm for row in left_out],
