@@ -39,7 +39,9 @@ def test_a_release_is_judged_without_being_installed(toy, newer):
     assert newer.state().notes == ("packages: newton 1.4.0 → 1.8.0",)
 
 
-def test_the_newest_record_of_a_release_says_which_packages_belong_to_it(newer):
+def test_the_newest_record_of_a_release_says_which_packages_belong_to_it(toy):
+    newer = toy.of("99.0")  # one that is installed nowhere
+    newer.measure()
     newer.write("report/sections/other.py", "order = 2\n")
     newer.write("experiments/other.py", "")
     shutil.copy(newer.record_path, newer.project.record_path("other"))
