@@ -4,7 +4,7 @@
     python -m experiments.audit module:function      another one
 
 The function returns an object in the conventions of Newton's examples: ``model``, ``solver`` (a SolverMuJoCo),
-``contacts`` (None when MuJoCo generates them) and ``step()``, which runs one frame.
+``contacts`` (None when MuJoCo generates them), ``state`` after the last frame and ``step()``, which runs one frame.
 """
 
 import argparse
@@ -27,14 +27,15 @@ from experiments.timing import buffer_bytes_per_world
 
 FRAME_COUNT = 300
 """Frames of the run: for the shake scene the set-up and a cycle and a half of shake."""
-IK_FRAME_STEP = 10
-"""Frames between two looks at the inverse kinematics."""
+LOOK_FRAME_STEP = 10
+"""Frames between two looks at the inverse kinematics and at the writes of Newton's state."""
 
 
 class Scene(Protocol):
     model: newton.Model
     solver: SolverMuJoCo
     contacts: newton.Contacts | None
+    state: newton.State
 
     def step(self) -> None: ...
 
@@ -63,6 +64,11 @@ class Seen:
     loaded_counts: list[int]
     constraint_peak: int = 0
     limit_peak: int = 0
+    equality_peak: int = 0
+    tendon_lengths: list[np.ndarray] = field(default_factory=list)
+    sensor_values: list[np.ndarray] = field(default_factory=list)
+    state_changes: list[float] = field(default_factory=list)
+    """Largest change of a coordinate in each write of Newton's state that was looked at."""
     actuators_moved: set[int] = field(default_factory=set)
     ik_iterations_moving: int = 0
 
@@ -72,9 +78,11 @@ def audit(scene: Scene, frame_count: int = FRAME_COUNT) -> list[Item]:
     seen = Seen(set(), set(), set(), [], [])
     task = getattr(scene, "task", None)
     for frame in tqdm(range(frame_count), desc="audit", unit="frame", delay=3.0):
-        before = wp.clone(task.solution) if task and frame % IK_FRAME_STEP == 0 else None
+        before = wp.clone(task.solution) if task and frame % LOOK_FRAME_STEP == 0 else None
         scene.step()
         _look(scene, seen)
+        if frame % LOOK_FRAME_STEP == 0:
+            seen.state_changes.append(_state_change(scene))
         if before is not None:
             moving = _moving_iterations(task, before, scene.case.ik_iterations)
             seen.ik_iterations_moving = max(seen.ik_iterations_moving, moving)
@@ -84,9 +92,7 @@ def audit(scene: Scene, frame_count: int = FRAME_COUNT) -> list[Item]:
         *_contact_items(scene, seen),
         *_feature_items(scene, seen),
         *([Item(iterations, scene.case.ik_iterations, seen.ik_iterations_moving)] if task else []),
-        Item(
-            "writes of Newton's state into the engine, per substep", float(scene.solver.update_data_interval != 0), 0.0
-        ),
+        _state_item(scene, seen),
     ]
 
 
@@ -105,6 +111,9 @@ def _look(scene: Scene, seen: Seen) -> None:
     seen.loaded_counts.append(int(loaded.sum()))
     seen.constraint_peak = max(seen.constraint_peak, int(data.nefc.numpy()[0]))
     seen.limit_peak = max(seen.limit_peak, int(data.nl.numpy()[0]))
+    seen.equality_peak = max(seen.equality_peak, int(data.ne.numpy()[0]))
+    seen.tendon_lengths.append(data.ten_length.numpy()[0])
+    seen.sensor_values.append(data.sensordata.numpy()[0])
     seen.actuators_moved.update(int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0]))
 
 
@@ -152,11 +161,44 @@ def _feature_items(scene: Scene, seen: Seen) -> list[Item]:
     limited = int(np.count_nonzero(engine.jnt_limited))
     return [
         Item("joints with limits, against the most that were reached at once", limited, seen.limit_peak),
-        Item("equality constraints", engine.neq, engine.neq),
-        Item("tendons", engine.ntendon, engine.ntendon),
-        Item("sensors", engine.nsensor, 0 if engine.nsensor else engine.nsensor),
+        Item("equality constraints, against the most rows that they made", engine.neq, seen.equality_peak),
+        Item("tendons, against those whose length changed", engine.ntendon, _changed_count(seen.tendon_lengths)),
+        Item(
+            "numbers from sensors, against those that changed", engine.nsensordata, _changed_count(seen.sensor_values)
+        ),
+        Item(
+            "bodies, against those that move against their parent",
+            engine.nbody - 1,
+            np.count_nonzero(engine.body_dofnum),
+        ),
         Item("actuators, against those that ever gave a force", engine.nu, len(seen.actuators_moved)),
     ]
+
+
+def _changed_count(looks: list[np.ndarray]) -> int:
+    """How many of the numbers were not the same in all looks."""
+    return int((np.array(looks) != looks[0]).any(axis=0).sum())
+
+
+def _state_change(scene: Scene) -> float:
+    """How much the largest change of a coordinate is when Newton's state is written into the engine."""
+    data = scene.solver.mjw_data
+    kept = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
+    scene.solver._update_mjc_data(data, scene.model, scene.state)
+    change = max(float(np.abs(array.numpy() - copy.numpy()).max()) for array, copy in kept)
+    for array, copy in kept:
+        wp.copy(array, copy)
+    return change
+
+
+def _state_item(scene: Scene, seen: Seen) -> Item:
+    changes = seen.state_changes if scene.solver.update_data_interval else []
+    return Item(
+        "looks at a write of Newton's state into the engine, against those where it changed a bit",
+        len(changes),
+        sum(change > 0.0 for change in changes),
+        f"largest change of a coordinate {max(changes):.1e}" if changes else "",
+    )
 
 
 def _moving_iterations(task: Task, before: wp.array, iterations: int) -> int:

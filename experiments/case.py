@@ -26,6 +26,9 @@ class Case:
     """Friction coefficient of the finger pads (``ShapeConfig`` default)."""
     pad_dmax: float = 0.95
     """Second entry of the pads' solimp: the impedance at full penetration."""
+    pad_kf: float = 1e3
+    """Authored friction gain of the finger pads (``ShapeConfig`` default); read from newton 1.5.0 on, and there a
+    negative one leaves the friction rows to the normal row's solref."""
     cube_ke: float = 8e4
     cube_kd: float = 8e2
     cube_mu: float = 1.2
@@ -38,6 +41,22 @@ class Case:
     """Amplitude A of the shake along its main axis [m]; 0 holds the arm still."""
     shake_frequency_hz: float = 1.0
     """Frequency f of the shake along its main axis [Hz]."""
+    pad_direct: bool = False
+    """Whether the pads' solref is (-pad_ke, -pad_kd), which the engine takes as it is, with no clamp."""
+    cube_edge_m: float = 0.04
+    cube_offset_m: float = 0.0
+    """Shift of the cube's start along the shake's main axis [m]."""
+    cube_in_hand: bool = False
+    """Whether the run starts where the shake will be, with the fingers closed on the cube. It is then held still for as
+    long as the lift takes."""
+    start_overlap_m: float = 0.0
+    """How deep [m] the cube starts in what it touches: the ground, or each of the pads."""
+    finger_closed_m: float = -0.01
+    """Position target [m] of each finger that holds the cube: what is missing to it presses, at 400 N/m."""
+    finger_shake_m: float | None = None
+    """Position target [m] of each finger in the shake; None leaves it closed."""
+    gravity_m_s2: float = 9.81
+    """Downward acceleration [m/s²]; negative is upward."""
 
     # What all worlds of a batch share: mujoco_warp keeps one geom_priority, one set of geoms, one solver.
     ground_gap_m: float = 0.005
@@ -68,6 +87,11 @@ class Case:
     ls_tolerance: float | None = None
     cone: str = "elliptic"
     impratio: float = 50.0
+    friction_timeconst_override_s: float | None = None
+    """Written over the solreffriction of Newton's contacts: a timeconst [s], or 0 for none, which leaves the friction
+    rows to the normal row's solref. None keeps what the release writes."""
+    refsafe: bool = True
+    """Whether the engine takes no timeconst below two substeps."""
     contact_max: int | None = None
     """Contacts per world that the buffers hold; None sizes them for the scene."""
     constraint_max: int | None = None
@@ -76,8 +100,13 @@ class Case:
     """IK iterations per frame. The scene ships with 24; on the CPU those after the eighth were seen to change no bit of
     the positions of TCP and cube."""
     state_sync: bool = False
-    """Whether Newton's state is written into the engine before every substep, as shipped. Without it the slip
-    changes by less than the noise; some body is at times 0.1 mm from where it was."""
+    """Whether Newton's state and targets are written into the engine before every substep, as shipped, or the targets
+    once a frame and the state never. Without it the slip changes by less than the noise; some body is at times 0.1 mm
+    from where it was."""
+    ik_beside: bool = True
+    """Whether the next frame's IK runs beside this frame's physics, or each frame waits for its own, as shipped."""
+    fixed_joints: bool = True
+    """Whether links that are fixed to one another are bodies of their own, as in the robot's description."""
     graph: bool = True
     """Whether a frame is captured once and replayed, or launched kernel by kernel."""
     frame_count: int = 900
@@ -87,7 +116,15 @@ class Case:
             value = getattr(self, field.name)
             if isinstance(value, (float, int)) and not math.isfinite(value):
                 raise CaseError(f"{field.name} must be a finite number, got {value}")
-        for name in ("pad_ke", "pad_kd", "cube_ke", "cube_kd", "cube_density_kg_m3", "shake_frequency_hz"):
+        for name in (
+            "pad_ke",
+            "pad_kd",
+            "cube_ke",
+            "cube_kd",
+            "cube_density_kg_m3",
+            "cube_edge_m",
+            "shake_frequency_hz",
+        ):
             if getattr(self, name) <= 0.0:
                 raise CaseError(f"{name} must be greater than 0, got {getattr(self, name):g}")
         for name in ("pad_mu", "cube_mu", "cube_gap_m", "robot_gap_m", "ground_gap_m", "shake_amplitude_m"):
@@ -101,8 +138,9 @@ class Case:
 
 
 WORLD_FIELDS = (
-    "pad_ke pad_kd pad_mu pad_dmax cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
-    " shake_amplitude_m shake_frequency_hz"
+    "pad_ke pad_kd pad_mu pad_dmax pad_kf cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
+    " shake_amplitude_m shake_frequency_hz pad_direct cube_edge_m cube_offset_m cube_in_hand start_overlap_m"
+    " finger_closed_m finger_shake_m gravity_m_s2"
 ).split()
 """Parameters that may differ between the worlds of one batch."""
 
@@ -123,7 +161,13 @@ def differences(case: Case) -> dict[str, object]:
 AS_SHIPPED = Case(name="as-shipped")
 """The baseline of every comparison: the scene as shipped, less what was measured to change nothing."""
 UNTRIMMED = replace(
-    AS_SHIPPED, name="untrimmed", ik_iterations=24, state_sync=True, contact_max=4096, constraint_max=8192
+    AS_SHIPPED,
+    name="untrimmed",
+    ik_iterations=24,
+    ik_beside=False,
+    state_sync=True,
+    contact_max=4096,
+    constraint_max=8192,
 )
 """The scene exactly as shipped, with all that it pays for."""
 LEAN = replace(
@@ -132,6 +176,7 @@ LEAN = replace(
     cube_gap_m=AS_SHIPPED.robot_gap_m,
     hand_collides=False,
     visuals=False,
+    fixed_joints=False,
     broad_phase="explicit",
     contact_max=32,
     constraint_max=64,

@@ -14,7 +14,7 @@ MAP_SIZE = {"full": 32, "quick": 4}
 AMPLITUDES_M = (0.005, 0.12)
 FREQUENCIES_HZ = (0.25, 5.0)
 """Range of the map, spaced evenly on a log scale."""
-ALONE_COUNT = {"full": 8, "quick": 2}
+ALONE_COUNT = {"full": 4, "quick": 2}
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 
 

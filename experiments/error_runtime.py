@@ -107,7 +107,7 @@ class WarpShake:
         wp.synchronize_device(device)
 
     def frame_ms(self, repeat_count: int, warmup_count: int) -> np.ndarray:
-        return frame_ms(self.simulation, repeat_count, warmup_count)
+        return frame_ms(self.simulation, repeat_count)
 
 
 def run_shakes(shakes: dict[Setting, WarpShake]) -> dict[Setting, Trace]:
@@ -250,7 +250,7 @@ def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[st
     case = replace(FIXED, name=f"worlds-{world_count}", frame_count=WARMUP_COUNT + REPEAT_COUNT)
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
-    times = frame_ms(simulation, REPEAT_COUNT, WARMUP_COUNT)
+    times = frame_ms(simulation, REPEAT_COUNT)
     traces = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
     reason = next(filter(None, (invalid_reason(case, trace) for trace in traces)), None)
     row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)

@@ -8,32 +8,30 @@ import warp as wp
 
 from experiments.audit import audit, audit_rows
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
-from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, summarize
+from experiments.measurement import Conditions, Measurement, summarize
 from experiments.simulation import Simulation, simulate
-from experiments.timing import buffer_bytes_per_world, frame_ms, put_in_state_of
+from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},
     "ik-iterations": {"ik_iterations": AS_SHIPPED.ik_iterations},
+    "ik-in-turn": {"ik_beside": True},
     "state-sync": {"state_sync": False},
     "cube-gap": {"cube_gap_m": AS_SHIPPED.robot_gap_m},
     "hand-box": {"hand_collides": False},
     "visuals": {"visuals": False},
+    "fixed-joints": {"fixed_joints": False},
     "broad-phase": {"broad_phase": "explicit"},
 }
 """What is left out, by name, and the parameters that do it."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
-FEW_FROM = 4096
-"""From this many worlds on, and on the CPU, only the buffers and all together are left out: a variant that keeps the
-large buffers takes seconds a frame there."""
-SHAKE_FRAME = SETUP_FRAME_COUNT + 30
-"""Frame in the middle of the first cycle from which frames are timed."""
-REPEAT_COUNT = {"many": 20, "few": 5}
+REPEAT_COUNT = {"cuda": 10, "cpu": 5}
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
 def variants(few: bool) -> list[Case]:
+    """The cases; ``few`` for a CPU, where one that keeps the large buffers takes a quarter of a second a frame."""
     names = ("buffers",) if few else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
@@ -43,14 +41,11 @@ def measure(conditions: Conditions) -> Measurement:
     rows = []
     for kind in ("cuda", "cpu") if conditions.is_cuda else ("cpu",):
         trajectories = run_to_end(conditions, kind)
-        pilot = Simulation([replace(AS_SHIPPED, frame_count=SHAKE_FRAME + 1)], wp.get_device(kind))
-        for _ in range(SHAKE_FRAME):
-            pilot.step()
+        pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            few = kind == "cpu" or world_count >= FEW_FROM
-            for case in variants(few):
+            for case in variants(few=kind == "cpu"):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
-                row |= time_case(case, world_count, pilot, REPEAT_COUNT["few" if few else "many"])
+                row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])
     frame_count = AUDIT_FRAME_COUNT["quick" if conditions.quick else "full"]
     items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
@@ -86,7 +81,7 @@ def time_case(case: Case, world_count: int, pilot: Simulation, repeat_count: int
     """Time frames of the shake in ``world_count`` worlds; every number None, with the reason, if memory runs out."""
     gc.collect()  # frees the batch before
     try:
-        simulation = Simulation([replace(case, frame_count=repeat_count + 8)] * world_count, pilot.device)
+        simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
         put_in_state_of(simulation, pilot)
         times = frame_ms(simulation, repeat_count)
     except RuntimeError as error:

@@ -167,6 +167,9 @@ class Grasp:
     """Normal force over penetration, of a loaded contact, mean."""
     timeconst_s: float
     dampratio: float
+    friction_timeconst_s: float
+    """Of solreffriction; 0 where the friction rows take the normal row's."""
+    friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
@@ -203,6 +206,8 @@ def grasp(rows: ContactRows) -> Grasp | None:
         stiffness_n_m=float((normal[loaded] / penetration).mean()),
         timeconst_s=float(rows.solref[strongest, 0]),
         dampratio=float(rows.solref[strongest, 1]),
+        friction_timeconst_s=float(rows.solreffriction[strongest, 0]),
+        friction_dampratio=float(rows.solreffriction[strongest, 1]),
         friction=float(rows.friction[strongest]),
         dmin=float(rows.solimp[strongest, 0]),
         dmax=float(rows.solimp[strongest, 1]),

@@ -5,7 +5,7 @@ import warp as wp
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
-from experiments.scene import Scene
+from experiments.scene import TRACKED_BODIES, Scene
 from experiments.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
 
 NO_FRAME = np.iinfo(np.int32).max
@@ -132,6 +132,7 @@ def record_contacts(
 def end_frame(
     body_q: wp.array2d[wp.transform],
     tracked: wp.array[int],
+    offset: wp.array[wp.transform],
     phase: wp.array[int],
     cursor: wp.array[int],
     poses: wp.array3d[wp.transform],
@@ -141,7 +142,7 @@ def end_frame(
     world = wp.tid()
     frame = cursor[world]
     for body in range(tracked.shape[0]):
-        poses[frame, world, body] = body_q[world, tracked[body]]
+        poses[frame, world, body] = body_q[world, tracked[body]] * offset[body]
     phases[frame, world] = phase[world]
     contacts[frame, world, SLIDE] /= wp.max(contacts[frame, world, LOADED], 1.0)
     # A viewer may run on beyond the last frame; then the last one is written again.
@@ -163,9 +164,11 @@ class Recorder:
         self.contacts_in = contacts
         self.names = _geom_names(scene, solver)
         self.cube_geom = self.names.index("cube")
-        self.tracked = wp.array(scene.bodies, dtype=int, device=device)
+        links = [scene.links[name] for name in TRACKED_BODIES]
+        self.tracked = wp.array([link.body for link in links], dtype=int, device=device)
+        self.offset = wp.array([link.pose for link in links], dtype=wp.transform, device=device)
         self.cursor = wp.zeros(world_count, dtype=int, device=device)
-        self.poses = wp.zeros((frame_count, world_count, len(scene.bodies)), dtype=wp.transform, device=device)
+        self.poses = wp.zeros((frame_count, world_count, len(links)), dtype=wp.transform, device=device)
         self.phases = wp.zeros((frame_count, world_count), dtype=int, device=device)
         self.contacts = wp.zeros((frame_count, world_count, len(FRAME_COLUMNS)), dtype=float, device=device)
         self.peak_contact_total = wp.zeros(1, dtype=int, device=device)
@@ -207,7 +210,7 @@ class Recorder:
         wp.launch(
             end_frame,
             dim=self.cursor.shape,
-            inputs=[body_q, self.tracked, phase],
+            inputs=[body_q, self.tracked, self.offset, phase],
             outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
 
@@ -302,8 +305,8 @@ class _HostContacts:
             data = solver.mj_data
             count, contact, efc = data.ncon, data.contact, data
             self.world_id = np.zeros(count, dtype=int)
-            self.force, self.residual, self.velocity = (
-                np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel)
+            self.force, self.residual, self.velocity, self.reference = (
+                np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)
             )
             address = np.asarray(contact.efc_address).reshape(count)
         else:
@@ -311,12 +314,14 @@ class _HostContacts:
             contact, efc = data.contact, data.efc
             count = min(int(data.nacon.numpy()[0]), data.naconmax)
             self.world_id = contact.worldid.numpy()[:count]
-            self.force, self.residual, self.velocity = (rows.numpy() for rows in (efc.force, efc.pos, efc.vel))
+            self.force, self.residual, self.velocity, self.reference = (
+                rows.numpy() for rows in (efc.force, efc.pos, efc.vel, efc.aref)
+            )
             address = contact.efc_address.numpy()[:count, 0]
         self.address = address
         host = {
             name: getattr(contact, name)[:count] if solver.use_mujoco_cpu else getattr(contact, name).numpy()[:count]
-            for name in ("dist", "friction", "frame", "solref", "solimp", "dim", "geom")
+            for name in ("dist", "friction", "frame", "solref", "solreffriction", "solimp", "dim", "geom")
         }
         self.fields = {name: np.array(values) for name, values in host.items()}
 
@@ -325,7 +330,7 @@ class _HostContacts:
         field = {name: values[mine] for name, values in self.fields.items()}
         address = self.address[mine]
         axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
-        force, residual, velocity = np.zeros((len(mine), 3)), *np.full((2, len(mine), 3), np.nan)
+        force, residual, velocity, reference = np.zeros((len(mine), 3)), *np.full((3, len(mine), 3), np.nan)
         for i, row in enumerate(address):
             if row < 0:
                 continue
@@ -333,6 +338,7 @@ class _HostContacts:
             velocity[i] = self.velocity[world, row : row + 3]
             if elliptic:
                 force[i] = self.force[world, row : row + 3]
+                reference[i] = self.reference[world, row : row + 3]
             else:
                 a, b, c, d = self.force[world, row : row + 4]
                 force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
@@ -345,11 +351,13 @@ class _HostContacts:
             distance_m=field["dist"],
             friction=friction,
             solref=field["solref"],
+            solreffriction=field["solreffriction"],
             solimp=field["solimp"],
             dim=field["dim"],
             force_n=force,
             residual_m=residual,
             velocity_m_s=velocity,
+            reference_m_s2=reference,
             slide_m_s=sign * (axes[:, 1:, 0] * velocity[:, 1:]).sum(axis=1),
         )
 

@@ -33,7 +33,7 @@ def main() -> int:
     failures = 0
     for section, module in modules.items():
         try:
-            measure_section(section, module, device, arguments.profile)
+            measure_section(section, module, device, arguments)
         except Exception:  # one section's fault must not cost the others
             traceback.print_exc()
             print(f"{section}: measuring failed; what was there is kept", file=sys.stderr)
@@ -46,6 +46,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
+    parser.add_argument("--newton", help="release that the record's command names")
     return parser.parse_args()
 
 
@@ -69,9 +70,10 @@ def section_module(section: str) -> ModuleType:
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
 
 
-def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
+def measure_section(section: str, module: ModuleType, device: wp.Device, arguments: argparse.Namespace) -> None:
     """Let the section's module measure, and write its record and traces."""
     start = time.perf_counter()
+    profile = arguments.profile
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
@@ -80,7 +82,7 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
         measured={
             "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
             "commit": commit(),
-            "command": command(section, device, profile),
+            "command": command(section, device, profile, arguments.newton),
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
@@ -131,8 +133,9 @@ def commit() -> str | None:
     )
 
 
-def command(section: str, device: wp.Device, profile: str) -> str:
+def command(section: str, device: wp.Device, profile: str, newton: str | None) -> str:
     parts = ["make rerun", f"SECTION={section}", f"DEVICE={'cuda' if device.is_cuda else 'cpu'}"]
+    parts += [f"NEWTON={newton}"] if newton else []
     return " ".join(parts + ([] if profile == "full" else [f"PROFILE={profile}"]))
 
 

@@ -26,11 +26,19 @@ ARMATURE = (0.3,) * 4 + (0.11,) * 3 + (0.15,) * 2
 PAD_SOLIMP = (0.7, 0.95, 0.0001, 0.5, 2.0)
 CUBE_EDGE = 0.04
 CUBE_POSITION = (0.0, -0.44, 0.02)
+CUBE_IN_HAND = (0.0, -0.44, 0.22)
+"""Where a cube starts that is in the hand: as high above its place on the ground as the task lifts it."""
+PAD_FACE = 2e-5
+"""How far [m] the faces of the pads stand beyond the origins of the fingers."""
+SOLREF_MODE_RAW = 1
+"""Newton's mark of a shape whose solref is given as it is, and not by ke and kd."""
 GROUND_MU = 0.8
 
 TRACKED_BODIES = ("cube", "fr3_hand_tcp", "fr3_hand", "fr3_leftfinger", "fr3_rightfinger", "fr3_link7")
 """Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
+FIXED_BODIES = ("base", "fr3_link0")
+"""Bodies that do not move, so need no gravity compensation."""
 
 
 def body_index(builder_or_model, name: str) -> int:
@@ -42,6 +50,16 @@ def body_index(builder_or_model, name: str) -> int:
 
 
 @dataclass(frozen=True)
+class Link:
+    """Where a link of the description is: on a body, which is its own unless fixed joints are left out."""
+
+    body: int
+    """Index of the body, within one world."""
+    pose: wp.transform
+    """Pose of the link in the body's frame."""
+
+
+@dataclass(frozen=True)
 class Scene:
     """A finalized batch and where to find things in it. Indices are within one world."""
 
@@ -49,16 +67,16 @@ class Scene:
     """All worlds and the ground."""
     robot: newton.Model
     """The arm alone, once: what inverse kinematics works on."""
-    bodies: tuple[int, ...]
-    """Body index of each of TRACKED_BODIES."""
+    links: dict[str, Link]
+    """Where each of TRACKED_BODIES is."""
     pads: tuple[int, ...]
     """Shape indices of the finger boxes."""
     cube: int
     """Shape index of the cube."""
 
 
-def robot_builder(case: Case) -> ModelBuilder:
-    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority."""
+def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
+    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority; and its links."""
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = Case(name="").robot_gap_m
@@ -68,6 +86,12 @@ def robot_builder(case: Case) -> ModelBuilder:
         floating=False,
         enable_self_collisions=False,
     )
+    if not case.hand_collides:
+        hand = body_index(builder, "fr3_hand")
+        for shape in range(builder.shape_count):
+            if builder.shape_body[shape] == hand:
+                builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
+    links = _find_links(builder, merge=not case.fixed_joints)
     dofs = slice(ROBOT_DOF_COUNT)
     builder.joint_q[dofs] = READY_POSE
     builder.joint_target_q[dofs] = READY_POSE
@@ -76,8 +100,8 @@ def robot_builder(case: Case) -> ModelBuilder:
     builder.joint_effort_limit[dofs] = EFFORT_LIMIT
     builder.joint_armature[dofs] = ARMATURE
 
-    fixed = {body_index(builder, "base"), body_index(builder, "fr3_link0")}
-    _set(builder, "mujoco:gravcomp", {body: 1.0 for body in range(builder.body_count) if body not in fixed})
+    moving = [body for body, label in enumerate(builder.body_label) if label.rsplit("/", 1)[-1] not in FIXED_BODIES]
+    _set(builder, "mujoco:gravcomp", dict.fromkeys(moving, 1.0))
     _set(builder, "mujoco:jnt_actgravcomp", dict.fromkeys(range(ARM_DOF_COUNT), True))
     pads = pad_shapes(builder)
     _set(builder, "mujoco:geom_solimp", dict.fromkeys(pads, PAD_SOLIMP))
@@ -91,12 +115,21 @@ def robot_builder(case: Case) -> ModelBuilder:
                 *half_extents, duplicate_vertices=False, compute_normals=False, compute_uvs=False
             )
             builder.shape_scale[shape] = (1.0, 1.0, 1.0)
-    if not case.hand_collides:
-        hand = body_index(builder, "fr3_hand")
-        for shape in range(builder.shape_count):
-            if builder.shape_body[shape] == hand:
-                builder.shape_flags[shape] &= ~ShapeFlags.COLLIDE_SHAPES
-    return builder
+    return builder, links
+
+
+def _find_links(builder: ModelBuilder, *, merge: bool) -> dict[str, Link]:
+    """The tracked links of the robot; with ``merge`` links that are fixed to one another become one body."""
+    names = TRACKED_BODIES[1:]
+    bodies = {name: body_index(builder, name) for name in names}
+    if not merge:
+        return {name: Link(body, wp.transform_identity()) for name, body in bodies.items()}
+    merged = builder.collapse_fixed_joints()
+    parent, pose = merged["body_merged_parent"], merged["body_merged_transform"]
+    return {
+        name: Link(merged["body_remap"][parent.get(body, body)], pose.get(body, wp.transform_identity()))
+        for name, body in bodies.items()
+    }
 
 
 def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
@@ -111,7 +144,7 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
 
 def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     """Build one world per case; the cases must have the same ``batch_key``."""
-    robot = robot_builder(cases[0])
+    robot, links = robot_builder(cases[0])
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
     world.add_builder(robot)
@@ -132,8 +165,8 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     result = Scene(
         model=model,
         # From a builder of its own: finalizing a mesh a second time frees what the first model points to.
-        robot=robot_builder(cases[0]).finalize(device=device),
-        bodies=tuple(body_index(world, name) for name in TRACKED_BODIES),
+        robot=robot_builder(cases[0])[0].finalize(device=device),
+        links={"cube": Link(cube_body, wp.transform_identity()), **links},
         pads=pad_shapes(robot),
         cube=cube_shape,
     )
@@ -141,26 +174,40 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     return result
 
 
-def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> None:
-    """Write what each case has for itself into its world's part of the model's arrays."""
-    model = scene.model
-    world_count = len(cases)
+@dataclass(frozen=True)
+class _Worlds:
+    """The cases as columns, to be written into each world's part of the model's arrays."""
 
-    def column(name: str) -> np.ndarray:
-        return np.array([getattr(case, name) for case in cases], dtype=np.float32)
+    cases: list[Case]
 
-    def write(array: wp.array, indices, values: np.ndarray) -> None:
+    def column(self, name: str) -> np.ndarray:
+        return np.array([getattr(case, name) for case in self.cases], dtype=np.float32)
+
+    def rows(self, array: wp.array) -> np.ndarray:
+        """A copy of ``array`` on the host, shape [worlds, …]; what belongs to no world, as the ground, is left out."""
+        host, count = array.numpy(), len(self.cases)
+        return host[: host.shape[0] // count * count].reshape(count, -1, *host.shape[1:])
+
+    def write(self, array: wp.array, indices, values: np.ndarray) -> None:
+        """Write one value for each world at each of ``indices`` within the world."""
         host = array.numpy()
-        worlds = host[: host.shape[0] // world_count * world_count].reshape(world_count, -1, *host.shape[1:])
+        rows = self.rows(array)
         for index in indices:
-            worlds[:, index] = values
+            rows[:, index] = values
+        host[: rows.shape[0] * rows.shape[1]] = rows.reshape(-1, *host.shape[1:])
         array.assign(host)
 
+
+def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> None:
+    """Write what each case has for itself into its world's part of the model's arrays."""
+    model, worlds = scene.model, _Worlds(cases)
+    column, write = worlds.column, worlds.write
     pads, cube = scene.pads, (scene.cube,)
-    robot_shapes = [shape for shape in range(model.shape_count // world_count) if shape != scene.cube]
+    robot_shapes = [shape for shape in range(model.shape_count // len(cases)) if shape != scene.cube]
     write(model.shape_material_ke, pads, column("pad_ke"))
     write(model.shape_material_kd, pads, column("pad_kd"))
     write(model.shape_material_mu, pads, column("pad_mu"))
+    write(model.shape_material_kf, pads, column("pad_kf"))
     write(model.shape_material_ke, cube, column("cube_ke"))
     write(model.shape_material_kd, cube, column("cube_kd"))
     write(model.shape_material_mu, cube, column("cube_mu"))
@@ -170,20 +217,59 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
     gap[-1] = cases[0].ground_gap_m
     model.shape_gap.assign(gap)
 
-    solimp = np.tile(np.array(PAD_SOLIMP, dtype=np.float32), (world_count, 1))
+    solimp = np.tile(np.array(PAD_SOLIMP, dtype=np.float32), (len(cases), 1))
     solimp[:, 1] = column("pad_dmax")
     write(model.mujoco.geom_solimp, pads, solimp)
+    if any(case.pad_direct for case in cases):
+        mode = worlds.rows(model.mujoco.solref_mode)[:, pads[0]]
+        write(model.mujoco.solref, pads, -np.stack([column("pad_ke"), column("pad_kd")], axis=1))
+        write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
 
-    scale = column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3
-    for array, power in (
-        (model.body_mass, 1),
-        (model.body_inv_mass, -1),
-        (model.body_inertia, 1),
-        (model.body_inv_inertia, -1),
+    gravity = model.gravity.numpy()
+    gravity[:, 2] = -column("gravity_m_s2")
+    model.gravity.assign(gravity)
+    _scale_cube(scene, worlds, cube_body)
+    _place_cube(scene, worlds, cube_body)
+
+
+def _scale_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
+    """Size, mass and inertia: the builder made the cube with the edge and the density of the scene as shipped."""
+    model, shape = scene.model, (scene.cube,)
+    size = worlds.column("cube_edge_m") / np.float32(CUBE_EDGE)
+    mass = worlds.column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3 * size**3
+    for array, indices, scale in (
+        (model.shape_scale, shape, size),
+        (model.shape_collision_radius, shape, size),
+        (model.body_mass, (cube_body,), mass),
+        (model.body_inv_mass, (cube_body,), mass**-1),
+        (model.body_inertia, (cube_body,), mass * size**2),
+        (model.body_inv_inertia, (cube_body,), (mass * size**2) ** -1),
     ):
-        host = array.numpy().reshape(world_count, -1, *array.numpy().shape[1:])
-        values = host[:, cube_body]
-        write(array, (cube_body,), values * (scale**power).reshape(-1, *[1] * (values.ndim - 1)))
+        values = worlds.rows(array)[:, indices[0]]
+        worlds.write(array, indices, values * scale.reshape(-1, *[1] * (values.ndim - 1)))
+
+
+def _place_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
+    """Put every cube where it starts; where that is in the hand, close the fingers on it."""
+    model = scene.model
+    place = np.array([cube_start(case) for case in worlds.cases])
+    poses = worlds.rows(model.body_q)[:, cube_body]
+    poses[:, :3] = place
+    worlds.write(model.body_q, (cube_body,), poses)
+    for axis in range(3):
+        worlds.write(model.joint_q, (ROBOT_DOF_COUNT + axis,), place[:, axis])
+    touching = 0.5 * worlds.column("cube_edge_m") + PAD_FACE - worlds.column("start_overlap_m")
+    opening = np.where(worlds.column("cube_in_hand"), touching, READY_POSE[-1])
+    worlds.write(model.joint_q, range(ARM_DOF_COUNT, ROBOT_DOF_COUNT), opening)
+
+
+def cube_start(case: Case) -> tuple[float, float, float]:
+    """Position of the cube's centre [m] before the first frame."""
+    x, y, z = CUBE_IN_HAND
+    if not case.cube_in_hand:
+        x, y, _ = CUBE_POSITION
+        z = 0.5 * case.cube_edge_m - case.start_overlap_m
+    return x + case.cube_offset_m, y, z
 
 
 def _set(builder: ModelBuilder, name: str, values: dict[int, object]) -> None:

@@ -1,14 +1,17 @@
 """From cases to traces: cases that can share a simulation are worlds of one batch."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
+import mujoco
 import newton
 import warp as wp
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
 from experiments.case import Case, batch_key
+from experiments.compat import make_solver
 from experiments.recorder import Recorder
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
@@ -35,6 +38,7 @@ class Simulation:
         self.frame_dt = 1.0 / FRAME_RATE
         self.substep_dt = self.frame_dt / case.substeps
         self.stream = wp.Stream(device) if device.is_cuda else None
+        self.stream_beside = wp.Stream(device) if device.is_cuda else None
         with wp.ScopedDevice(device):
             self.scene = build_scene(cases, device)
             self.model = self.scene.model
@@ -43,8 +47,13 @@ class Simulation:
             self.pipeline, self.contacts = self._build_collision()
             self.solver = self._build_solver()
             self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, case.frame_count)
+            if case.ik_beside:
+                self.task.plan(self.body_q)
+                self.task.solve()
         wp.synchronize_device(device)  # what was built on the device's own stream is used on another
-        self.graph = None
+        self.parts = [self.queue_targets, self.queue_physics]
+        self.part_beside = self.task.solve if case.ik_beside else None
+        self.captured = False
 
     def _start_at_approach_pose(self) -> None:
         model = self.model
@@ -52,12 +61,15 @@ class Simulation:
         joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
         model.joint_q.assign(joint_q.reshape(-1))
         self.state = model.state()
+        self.state.body_f = None  # no external forces, so none are written before every substep
         self.control = model.control()
         wp.copy(self.control.joint_target_q, model.joint_q)
         newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
         self.body_q = self.state.body_q.reshape((self.world_count, -1))
         self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
-        wp.copy(self.task.phase_start_q, self.body_q)
+        tcp = self.scene.links["fr3_hand_tcp"]
+        poses = self.body_q.numpy()[:, tcp.body]
+        self.task.phase_start.assign([wp.transform(*pose) * tcp.pose for pose in poses])
 
     def _build_collision(self):
         if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
@@ -72,8 +84,9 @@ class Simulation:
 
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
-        return SolverMuJoCo(
+        solver = make_solver(
             self.model,
+            friction_timeconst_s=case.friction_timeconst_override_s,
             solver=case.solver,
             integrator=case.integrator,
             iterations=case.iterations,
@@ -89,34 +102,65 @@ class Simulation:
             # Only by being written at every step does Newton's start reach MuJoCo's C engine.
             update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
         )
+        if not case.refsafe:
+            for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
+                option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+        return solver
 
-    def frame(self) -> None:
-        """Queue one frame: targets, IK, collide, substeps, recording."""
+    def queue_targets(self) -> None:
+        """Queue the joint targets of this frame."""
+        if self.case.ik_beside:
+            self.task.command(self.body_q, self.joint_target)
+            self.task.plan(self.body_q)
+        else:
+            self.task.plan(self.body_q)
+            self.task.solve()
+            self.task.command(self.body_q, self.joint_target)
+
+    def queue_physics(self) -> None:
+        """Queue collisions, substeps and recording of one frame."""
         case = self.case
-        self.task.launch(self.body_q, self.joint_target, case.ik_iterations)
         self.recorder.begin_frame()
         for substep in range(case.substeps):
             if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
                 self.pipeline.collide(self.state, self.contacts)
-            self.solver.step(self.state, self.state, self.control, self.contacts, self.substep_dt)
+            # Without a control the engine keeps the targets that it has.
+            control = self.control if substep == 0 or case.state_sync else None
+            self.solver.step(self.state, self.state, control, self.contacts, self.substep_dt)
             self.recorder.watch_substep()
         self.recorder.end_frame(self.body_q, self.task.phase)
 
-    def step(self) -> None:
-        """Run one frame, as a graph from the second on: a first step must not happen inside a capture.
+    def frame(self) -> None:
+        """Queue one frame: targets, substeps and recording, and beside them the IK of the next frame."""
+        command, physics = self.parts
+        command()
+        if self.part_beside is not None:
+            self._wait(self.stream_beside, self.stream)
+        physics()  # first, so that the device need not wait for the other to be launched
+        if self.part_beside is not None:
+            with wp.ScopedStream(self.stream_beside):
+                self.part_beside()
+            self._wait(self.stream, self.stream_beside)
 
-        Warp replays graphs on the CPU as well, which saves the cost of launching from Python; MuJoCo's C engine is no
-        kernel and is called frame by frame.
+    def step(self) -> None:
+        """Run one frame, as graphs from the second on: a first step must not happen inside a capture.
+
+        What runs beside the physics is a graph of its own: the solver's loops are conditional nodes, and Warp cannot
+        capture those while a second stream is part of the capture. Warp replays graphs on the CPU as well, which saves
+        the cost of launching from Python; MuJoCo's C engine is no kernel and is called frame by frame.
         """
         with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
-            if self.graph is not None:
-                wp.capture_launch(self.graph)
-                return
             self.frame()
-            if self.case.graph and not self.solver.use_mujoco_cpu:
-                with wp.ScopedCapture() as capture:
-                    self.frame()
-                self.graph = capture.graph
+            if self.case.graph and not self.solver.use_mujoco_cpu and not self.captured:
+                self.parts = [captured(part) for part in self.parts]
+                self.part_beside = self.part_beside and captured(self.part_beside)
+                self.captured = True
+
+    @staticmethod
+    def _wait(stream: wp.Stream | None, other: wp.Stream | None) -> None:
+        """Let what is queued next on ``stream`` wait for what is queued on ``other``; the CPU has no streams."""
+        if stream is not None:
+            stream.wait_stream(other)
 
 
 def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
@@ -177,6 +221,13 @@ def simulate(
     for members, worlds in zip(batches.values(), run(simulations, title, contact_frames), strict=True):
         traces.update(zip(members, worlds, strict=True))
     return [traces[index] for index in range(len(cases))]
+
+
+def captured(queue: Callable[[], None]) -> Callable[[], None]:
+    """What replays ``queue`` as a graph on the current stream."""
+    with wp.ScopedCapture() as capture:
+        queue()
+    return partial(wp.capture_launch, capture.graph)
 
 
 def _synchronize(simulations: Sequence[Simulation]) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from experiments.case import Case
-from experiments.scene import ARM_DOF_COUNT, READY_POSE, ROBOT_DOF_COUNT, TRACKED_BODIES, Scene
+from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
@@ -16,7 +16,6 @@ PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
 """Least time of each phase [s]; the shake has no end."""
 
 FINGER_OPEN = wp.constant(0.035)
-FINGER_CLOSED = wp.constant(-0.01)
 APPROACH_HEIGHT = wp.constant(0.10)
 LIFT_HEIGHT = wp.constant(0.20)
 SHAKE_RATIO_Y = wp.constant(0.65)
@@ -38,13 +37,15 @@ def tool_down() -> wp.quat:
 @wp.kernel
 def set_targets(
     body_q: wp.array2d[wp.transform],
-    phase_start_q: wp.array2d[wp.transform],
-    tcp: int,
     cube: int,
+    phase_start: wp.array[wp.transform],
     phase: wp.array[int],
     phase_seconds: wp.array[float],
     amplitude: wp.array[float],
     frequency: wp.array[float],
+    in_hand: wp.array[bool],
+    finger_closed: wp.array[float],
+    finger_shake: wp.array[float],
     elapsed: wp.array[float],
     goal: wp.array[wp.transform],
     target_position: wp.array[wp.vec3],
@@ -56,7 +57,7 @@ def set_targets(
     t = elapsed[world] + FRAME_DT
     elapsed[world] = t
 
-    start = phase_start_q[world, tcp]
+    start = phase_start[world]
     start_position = wp.transform_get_translation(start)
     position = start_position
     rotation = wp.transform_get_rotation(start)
@@ -72,18 +73,18 @@ def set_targets(
         position = cube_position
         rotation = tool_down()
     elif now == GRASP:
-        finger_end = FINGER_CLOSED
+        finger_end = finger_closed[world]
     elif now == LIFT:
-        position = start_position + wp.vec3(0.0, 0.0, LIFT_HEIGHT)
-        finger_start = FINGER_CLOSED
-        finger_end = FINGER_CLOSED
+        position = start_position + wp.vec3(0.0, 0.0, wp.where(in_hand[world], 0.0, LIFT_HEIGHT))
+        finger_start = finger_closed[world]
+        finger_end = finger_closed[world]
     else:
         angle = 2.0 * wp.pi * frequency[world] * t
         position = start_position + amplitude[world] * wp.vec3(
             wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
         )
-        finger_start = FINGER_CLOSED
-        finger_end = FINGER_CLOSED
+        finger_start = finger_shake[world]
+        finger_end = finger_shake[world]
 
     goal[world] = wp.transform(position, rotation)
     blend = float(1.0)
@@ -99,16 +100,17 @@ def set_targets(
 @wp.kernel
 def apply_targets(
     body_q: wp.array2d[wp.transform],
-    body_count: int,
-    tcp: int,
+    tcp_body: int,
+    tcp_pose: wp.transform,
     phase_seconds: wp.array[float],
+    in_hand: wp.array[bool],
     goal: wp.array[wp.transform],
     solution: wp.array2d[float],
     target_finger: wp.array[float],
     joint_target: wp.array2d[float],
     phase: wp.array[int],
     elapsed: wp.array[float],
-    phase_start_q: wp.array2d[wp.transform],
+    phase_start: wp.array[wp.transform],
 ):
     """Command the joints and end the phase when its time is up and the TCP is where the phase wants it."""
     world = wp.tid()
@@ -122,15 +124,15 @@ def apply_targets(
         return
     if elapsed[world] < phase_seconds[now]:
         return
-    pose = body_q[world, tcp]
+    pose = body_q[world, tcp_body] * tcp_pose
     distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
     between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
     angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
-    if distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE:
+    # A cube in the hand is only held still before the shake, and may be heavy enough to pull the arm down.
+    if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
         phase[world] = now + 1
         elapsed[world] = 0.0
-        for body in range(body_count):
-            phase_start_q[world, body] = body_q[world, body]
+        phase_start[world] = pose
 
 
 @dataclass(frozen=True)
@@ -141,13 +143,18 @@ class Task:
     """Current phase, shape [worlds], int."""
     elapsed: wp.array
     """Time since the phase began [s], shape [worlds]."""
-    phase_start_q: wp.array
-    """Body poses when the phase began, shape [worlds, bodies]."""
+    phase_start: wp.array
+    """Pose of the TCP when the phase began, shape [worlds], transform."""
     phase_seconds: wp.array
     amplitude: wp.array
     """Shake amplitude [m], shape [worlds]."""
     frequency: wp.array
     """Shake frequency [Hz], shape [worlds]."""
+    in_hand: wp.array
+    """Whether the run starts with the cube in the hand, shape [worlds]."""
+    finger_closed: wp.array
+    finger_shake: wp.array
+    """Finger joint targets [m] that hold the cube and in the shake, shape [worlds]."""
     goal: wp.array
     """Where the phase ends, shape [worlds], transform."""
     target_position: wp.array
@@ -157,56 +164,66 @@ class Task:
     solver: ik.IKSolver
     solution: wp.array
     """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
-    tcp: int
-    cube: int
+    ik_iterations: int
+    tcp: Link
+    cube: Link
 
-    def launch(self, body_q: wp.array, joint_target: wp.array, ik_iterations: int) -> None:
-        """Queue one frame of targets, IK and phase logic.
+    def command(self, body_q: wp.array, joint_target: wp.array) -> None:
+        """Queue the joint targets that were solved for this frame, and the end of the phase when it has come.
 
         Args:
             body_q: Body poses, shape [worlds, bodies].
             joint_target: Joint position targets to write, shape [worlds, coordinates].
         """
-        world_count, body_count = body_q.shape
+        wp.launch(
+            apply_targets,
+            dim=body_q.shape[0],
+            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
+            + [self.target_finger],
+            outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
+            device=body_q.device,
+        )
+
+    def plan(self, body_q: wp.array) -> None:
+        """Queue where the TCP and the fingers should be in the next frame."""
         wp.launch(
             set_targets,
-            dim=world_count,
-            inputs=[body_q, self.phase_start_q, self.tcp, self.cube, self.phase, self.phase_seconds]
-            + [self.amplitude, self.frequency],
+            dim=body_q.shape[0],
+            inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
+            + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
             outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
             device=body_q.device,
         )
-        self.solver.step(self.solution, self.solution, iterations=ik_iterations)
-        wp.launch(
-            apply_targets,
-            dim=world_count,
-            inputs=[body_q, body_count, self.tcp, self.phase_seconds, self.goal, self.solution, self.target_finger],
-            outputs=[joint_target, self.phase, self.elapsed, self.phase_start_q],
-            device=body_q.device,
-        )
+
+    def solve(self) -> None:
+        """Queue the inverse kinematics of what was planned, from the last solution."""
+        self.solver.step(self.solution, self.solution, iterations=self.ik_iterations)
 
 
 def build_task(scene: Scene, cases: list[Case]) -> Task:
     """Set up the task with the arm solved to the approach pose (in ``solution``)."""
     device = scene.model.device
     world_count = len(cases)
-    cube, tcp = (scene.bodies[TRACKED_BODIES.index(name)] for name in ("cube", "fr3_hand_tcp"))
-    body_count = scene.model.body_count // world_count
+    cube, tcp = scene.links["cube"], scene.links["fr3_hand_tcp"]
 
     def floats(values) -> wp.array:
         return wp.array(list(values), dtype=wp.float32, device=device)
 
-    cube_position = scene.model.body_q.numpy()[cube][:3]
-    approach = wp.vec3(*cube_position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
-    target_position = wp.array([approach] * world_count, dtype=wp.vec3, device=device)
+    bodies = scene.model.body_q.numpy().reshape(world_count, -1, 7)
+    cube_position = bodies[:, cube.body, :3]
+    starts = [
+        wp.vec3(*CUBE_IN_HAND) if case.cube_in_hand else wp.vec3(*position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
+        for case, position in zip(cases, cube_position, strict=True)
+    ]
+    target_position = wp.array(starts, dtype=wp.vec3, device=device)
     target_rotation = wp.array([wp.vec4(1.0, 0.0, 0.0, 0.0)] * world_count, dtype=wp.vec4, device=device)
     limits = (scene.robot.joint_limit_lower, scene.robot.joint_limit_upper)
     solver = ik.IKSolver(
         model=scene.robot,
         n_problems=world_count,
         objectives=[
-            ik.IKObjectivePosition(tcp, wp.vec3(), target_position),
-            ik.IKObjectiveRotation(tcp, wp.quat_identity(), target_rotation),
+            ik.IKObjectivePosition(tcp.body, tcp.pose.p, target_position),
+            ik.IKObjectiveRotation(tcp.body, tcp.pose.q, target_rotation),
             ik.IKObjectiveJointLimit(*limits, weight=IK_LIMIT_WEIGHT),
         ],
         lambda_initial=IK_LAMBDA,
@@ -216,18 +233,24 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     for _ in range(APPROACH_SOLVE_COUNT):
         solver.step(solution, solution, iterations=cases[0].ik_iterations)
     return Task(
-        phase=wp.zeros(world_count, dtype=int, device=device),
+        phase=wp.array([LIFT if case.cube_in_hand else APPROACH for case in cases], dtype=int, device=device),
         elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
-        phase_start_q=wp.zeros((world_count, body_count), dtype=wp.transform, device=device),
+        phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
         phase_seconds=floats(PHASE_SECONDS),
         amplitude=floats(case.shake_amplitude_m for case in cases),
         frequency=floats(case.shake_frequency_hz for case in cases),
+        in_hand=wp.array([case.cube_in_hand for case in cases], dtype=bool, device=device),
+        finger_closed=floats(case.finger_closed_m for case in cases),
+        finger_shake=floats(
+            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
+        ),
         goal=wp.zeros(world_count, dtype=wp.transform, device=device),
         target_position=target_position,
         target_rotation=target_rotation,
         target_finger=wp.zeros(world_count, dtype=wp.float32, device=device),
         solver=solver,
         solution=solution,
+        ik_iterations=cases[0].ik_iterations,
         tcp=tcp,
         cube=cube,
     )

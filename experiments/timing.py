@@ -2,17 +2,33 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 import newton
 import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-from experiments.simulation import Simulation
+from experiments.case import Case
+from experiments.measurement import SETUP_FRAME_COUNT
+from experiments.simulation import Simulation, captured
 
-TASK_ARRAYS = "phase elapsed phase_start_q goal target_position target_rotation target_finger solution".split()
-STATE_ARRAYS = "joint_q joint_qd body_q body_qd".split()
+TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
+STATE_ARRAYS = "joint_q joint_qd".split()
 ENGINE_ARRAYS = "qpos qvel qacc_warmstart".split()
+SHAKE_FRAME_COUNT = 30
+"""Frames of shake before the frames that are timed."""
+WARMUP_COUNT = 3
+FRAMES_PER_LOOK = 5
+"""Frames between two looks at the clock."""
+
+
+def in_the_shake(case: Case, device: wp.Device) -> Simulation:
+    """A simulation of one world in the first cycle of the shake, from which others take their state."""
+    simulation = Simulation([replace(case, frame_count=1)], device)
+    for _ in range(SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT):
+        simulation.step()
+    return simulation
 
 
 def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
@@ -24,25 +40,23 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
     for to, of in pairs:
         one = of.numpy().reshape(source.world_count, -1)[world : world + 1]
         to.assign(np.repeat(one, target.world_count, axis=0).reshape(to.numpy().shape))
+    newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)
     wp.synchronize()
 
 
-def replay_ms(device: wp.Device, queue: Callable[[], None], repeat_count: int, warmup_count: int = 3) -> np.ndarray:
-    """Wall time [ms] of each replay of what ``queue`` queues, captured as one graph; shape [repeat_count]."""
-    with wp.ScopedDevice(device):
-        queue()
-        with wp.ScopedCapture() as capture:
-            queue()
-        for _ in range(warmup_count):
-            wp.capture_launch(capture.graph)
-        return _timed(device, lambda: wp.capture_launch(capture.graph), repeat_count)
+def frame_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
+    """Wall time [ms] of a frame as the simulation runs them, shape [repeat_count].
 
+    Each is the mean of FRAMES_PER_LOOK frames, queued without a wait between them, as a user would run them.
+    """
 
-def frame_ms(simulation: Simulation, repeat_count: int, warmup_count: int = 3) -> np.ndarray:
-    """Wall time [ms] of each of ``repeat_count`` frames as the simulation runs them."""
-    for _ in range(warmup_count):
+    def frames() -> None:
+        for _ in range(FRAMES_PER_LOOK):
+            simulation.step()
+
+    for _ in range(WARMUP_COUNT):
         simulation.step()
-    return _timed(simulation.device, simulation.step, repeat_count)
+    return np.array([elapsed_ms(simulation.device, frames) for _ in range(repeat_count)]) / FRAMES_PER_LOOK
 
 
 def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
@@ -54,8 +68,35 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
     return 1e3 * (time.perf_counter() - start)
 
 
-def _timed(device: wp.Device, run: Callable[[], None], repeat_count: int) -> np.ndarray:
-    return np.array([elapsed_ms(device, run) for _ in range(repeat_count)])
+def engine_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
+    """Time [ms] that the engine's own steps take of a frame, all substeps together, shape [repeat_count].
+
+    CUDA events around each ``mjw.step``, inside the graph of whole frames; the IK runs before the physics here, so that
+    the engine has the device for itself. CUDA only.
+    """
+    solver, step = simulation.solver, simulation.solver._mujoco_warp_step
+    events = []
+
+    def timed_step() -> None:
+        start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
+        events.append((start, end))
+        wp.record_event(start)
+        step()
+        wp.record_event(end)
+
+    command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
+    with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
+        solver._mujoco_warp_step = timed_step
+        parts = [captured(command), captured(solve), captured(physics)]
+        del solver._mujoco_warp_step
+        times = []
+        for repeat in range(WARMUP_COUNT + repeat_count):
+            for part in parts:
+                part()
+            wp.synchronize_device(simulation.device)
+            if repeat >= WARMUP_COUNT:
+                times.append(sum(wp.get_event_elapsed_time(start, end) for start, end in events))
+    return np.array(times)
 
 
 def buffer_bytes_per_world(solver: SolverMuJoCo, contacts: newton.Contacts | None) -> int:

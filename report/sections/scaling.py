@@ -1,4 +1,4 @@
-"""Time and memory against the number of worlds, with the engine's own step on the same batch as the floor."""
+"""Time and memory against the number of worlds, with the engine's own steps in the same frames as the floor."""
 
 from collections.abc import Mapping, Sequence
 
@@ -29,7 +29,7 @@ def derive(results: Results) -> Section:
     )
     times = Figure(
         draw=lambda: _draw_times(rows, over_floor, floor_bound),
-        caption="Above: time of a whole frame and of its substeps as bare engine steps. Below: the one over the other; "
+        caption="Above: time of a whole frame and of the engine's own steps in it. Below: the one over the other; "
         "the line is the bound.",
         alt="; ".join(f"{row.worlds} worlds: frame {row.frame_ms}, steps {row.mjw_step_ms}" for row in rows),
         sources=[row.frame_ms for row in rows],
@@ -53,7 +53,7 @@ def derive(results: Results) -> Section:
 
 
 def _over_floor(results: Results, row: Row) -> Value:
-    formula = "time of a whole frame over that of its substeps as bare engine steps"
+    formula = "time of a whole frame over that of the engine's own steps in it"
     return ratio(results, f"over_floor_{row.worlds.value}", formula, row.frame_ms, row.mjw_step_ms)
 
 

@@ -1,0 +1,248 @@
+"""Where the grasp holds, creeps, drops and explodes: extreme cases, and the largest step for each stiffness."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from experiments import metrics, stability_families
+from experiments.case import Case
+from experiments.classify import CLASSES, STABLE, classify, creep_mm_s, excess_speed_m_s, is_finite
+from experiments.measurement import Conditions, Measurement
+from experiments.scene import cube_start
+from experiments.simulation import simulate
+from experiments.stability_families import (
+    DAMPING,
+    HOLD_FRAME_COUNT,
+    REFERENCE_SUBSTEPS,
+    SHAKE_FRAME_COUNT,
+    Probe,
+    grid_cell,
+)
+from experiments.stability_limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
+from experiments.task import FRAME_RATE
+from experiments.trace import Trace
+
+OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
+"""Starts of the repeats: the cube's shift in the hand."""
+FLOOR_FAMILY = "steps"
+"""The family whose repeats say what creep cannot be told from none; it has all of them also when quick."""
+SINGLE_FAMILIES = ("buffers", "long")
+BISECTION_ROUNDS = {"full": 3, "quick": 1}
+GRIP_FRAMES = slice(2, 9)
+"""Frames of the hold in which the grip force is measured, before a cube that slides has left the pads."""
+PENETRATION_FRAMES = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
+"""The end of the hold."""
+EXIT_FRAMES = 15
+FREED_FRAMES = 30
+"""Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
+PASSING: dict[str, Callable[[Sequence[Mapping]], list[bool | None]]] = {
+    "steps": stability_families.passing_steps,
+    "ke-critical": stability_families.passing_critical,
+    "ke-kd-100": stability_families.passing_kd_100,
+    "clamp": stability_families.passing_clamp,
+    "shake": stability_families.passing_load,
+    "grip": stability_families.passing_load,
+    "friction": stability_families.passing_friction,
+    "mass": stability_families.passing_finite,
+    "size": stability_families.passing_size,
+    "overlap": stability_families.passing_overlap,
+    "gravity": stability_families.passing_gravity,
+    "buffers": stability_families.passing_buffers,
+}
+"""When the rows of a family pass."""
+
+
+def measure(conditions: Conditions) -> Measurement:
+    profile = "quick" if conditions.quick else "full"
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[profile]
+    runs = [replace_frames(found, frame_count) for found in stability_families.probes(profile)]
+    runs += [*stability_families.buffers(frame_count), stability_families.long_run(profile)]
+    traces = simulate_repeats(conditions, runs, title="stability")
+    floor = creep_floor_mm_s(
+        [
+            [creep_mm_s(case, trace) for case, trace in group]
+            for run, group in zip(runs, traces, strict=True)
+            if run.family == FLOOR_FAMILY and run.case.substeps == REFERENCE_SUBSTEPS
+        ]
+    )
+    rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
+    [(long, long_trace)] = traces[-1]
+    rows[-1] |= long_columns(long_trace, long)
+    for family, passing in PASSING.items():
+        members = [row for row in rows if row["family"] == family]
+        for row, passes in zip(members, passing(members), strict=True):
+            row["passes"] = None if passes is None else bool(passes)
+    searched = search_steps(conditions, rows, floor)
+    return Measurement([row | {"creep_floor_mm_s": floor} for row in rows + searched], {"long": long_table(long_trace)})
+
+
+def replace_frames(run: Probe, frame_count: int) -> Probe:
+    return replace(run, case=replace(run.case, frame_count=frame_count))
+
+
+def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) -> list[list[tuple[Case, Trace]]]:
+    """Every repeat of every run, all of them side by side."""
+    groups = [[replace(run.case, cube_offset_m=offset) for offset in offsets_m(conditions, run)] for run in runs]
+    traces = iter(simulate([case for group in groups for case in group], device=conditions.device, title=title))
+    return [[(case, next(traces)) for case in group] for group in groups]
+
+
+def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
+    """The starts of a run's repeats; what is as certain as an overflow, or as long as the long run, has one."""
+    if run.family in SINGLE_FAMILIES:
+        return (0.0,)
+    return OFFSETS_M["quick" if conditions.quick and run.family != FLOOR_FAMILY else "full"]
+
+
+def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
+    """How far apart the repeats of one case come out at most [mm/s]."""
+    return max(max(group) - min(group) for group in groups)
+
+
+def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
+    """What is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
+    kind = classify(case, trace, floor)
+    finite = is_finite(trace)
+    row = {"class": kind, "finite": finite, "failure": str(trace.failure) if trace.failure else None}
+    moved = metrics.displacement(trace)
+    row |= numbers(
+        "" if kind in STABLE and len(moved.time_s) > 2 else f"the run ended as {kind}",
+        drift_mm_s=lambda: metrics.drift_mm_s(moved),
+        creep_mm_s=lambda: creep_mm_s(case, trace),
+        penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[PENETRATION_FRAMES])),
+        cone_use=lambda: float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
+    )
+    row |= numbers(
+        "" if finite else "the run ended as non-finite",
+        excess_speed_mm_s=lambda: 1e3 * float(excess_speed_m_s(case, trace).max()),
+    )
+    reached = len(moved.time_s) > 2
+    grip = float(np.median(trace.column("normal_force_n")[GRIP_FRAMES])) if finite and reached else 0.0
+    row |= numbers(
+        "" if grip > 0.0 else "no grip force was measured",
+        grip_force_n=lambda: grip,
+        load=lambda: friction_load(case, demand_m_s2(case, trace), grip),
+    )
+    if case.start_overlap_m:
+        row |= numbers(
+            "" if finite else "the run ended as non-finite",
+            exit_speed_mm_s=lambda: 1e3 * exit_speed_m_s(case, trace),
+            exit_bound_mm_s=lambda: 1e3 * exit_bound_m_s(case),
+        )
+    if case.finger_shake_m is not None:
+        row |= numbers("" if finite else "the run ended as non-finite", energy_growth=lambda: energy_growth(trace))
+    peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
+    return row | peaks | {"step_s": step_s(case)}
+
+
+def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
+    """The value of each function under its name; with a reason, None for each and the reason beside it."""
+    if not reason:
+        return {name: function() for name, function in functions.items()}
+    return dict.fromkeys(functions) | {f"{name}_reason": reason for name in functions}
+
+
+def worst(run: Probe, observed: Sequence[Mapping[str, object]]) -> dict[str, object]:
+    """One row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
+    ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
+    row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0], "passes": None}
+    return row | {"repeat_count": len(observed), "classes": ", ".join(found["class"] for found in ranked)}
+
+
+def exit_speed_m_s(case: Case, trace: Trace) -> float:
+    """Largest speed [m/s] of the cube on its way out of what it starts in, √(v² + 2 g h) where it has risen by h above
+    contact."""
+    start = np.array(cube_start(case))
+    touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
+    position = np.vstack([start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)])
+    velocity = np.diff(position, axis=0) / trace.frame_dt
+    height = 0.5 * (position[1:, 2] + position[:-1, 2]) - touching
+    return float(np.sqrt((velocity**2).sum(axis=1) + 2.0 * case.gravity_m_s2 * np.maximum(0.0, height)).max())
+
+
+def energy_growth(trace: Trace) -> float:
+    """Kinetic energy of a freed cube at the end over that when the fingers have opened."""
+    position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
+    energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
+    return float(energy[-FREED_FRAMES:].mean() / energy[FREED_FRAMES : 2 * FREED_FRAMES].mean())
+
+
+def long_columns(trace: Trace, case: Case) -> dict[str, object]:
+    """How far the cube creeps per cycle in the first and in the last tenth of the long run, and whether that grows."""
+    moved = metrics.displacement(trace)
+    columns = {"slip_mm": metrics.slip_mm(moved), "shake_duration_s": float(moved.time_s[-1])}
+    # The shake repeats every second cycle of its main axis.
+    increments = metrics.cycle_increments_mm(moved, 0.5 * case.shake_frequency_hz) / 2.0
+    tenth = max(1, len(increments) // 10)
+    first, last = (float(np.abs(part.mean())) for part in (increments[:tenth], increments[-tenth:]))
+    columns |= {"increment_first_mm_per_cycle": first, "increment_last_mm_per_cycle": last}
+    return columns | {"passes": bool(last <= 1.1 * first)}
+
+
+def long_table(trace: Trace) -> dict[str, np.ndarray]:
+    """The long run once a second."""
+    moved = metrics.displacement(trace)
+    every = slice(None, None, FRAME_RATE)
+    vector = 1e3 * moved.vector_m[every]
+    names = ("x_mm", "y_mm", "z_mm")
+    return {"time_s": moved.time_s[every], "along_mm": 1e3 * moved.along_m[every]} | dict(
+        zip(names, vector.T, strict=True)
+    )
+
+
+def bracket(stable: Mapping[int, bool]) -> tuple[int, int] | None:
+    """The number of substeps that fails last and the next that was seen to hold, from what was found for some numbers.
+
+    0 for the first when even the least number holds; None when the largest does not.
+    """
+    counts = sorted(stable)
+    failing = [count for count in counts if not stable[count]]
+    if not stable[counts[-1]]:
+        return None
+    last = failing[-1] if failing else 0
+    return last, next(count for count in counts if count > last)
+
+
+def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) -> list[dict[str, object]]:
+    """For each stiffness of the grids, the least number of substeps that holds the cube, by bisection.
+
+    All stiffnesses are searched together: one round is one ``simulate``.
+    """
+    profile = "quick" if conditions.quick else "full"
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT["quick"]
+    cells: dict[tuple[str, float], dict[int, Mapping]] = {}
+    for row in rows:
+        if row["family"] in DAMPING:
+            cells.setdefault((row["family"], row["pad_ke"]), {})[row["substeps"]] = row
+    for _ in range(BISECTION_ROUNDS[profile]):
+        wanted = []
+        for (family, ke), found in cells.items():
+            ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
+            if ends and ends[0] > 0 and ends[1] - ends[0] > 1:
+                wanted.append(replace_frames(grid_cell(family, ke, sum(ends) // 2), frame_count))
+        if not wanted:
+            break
+        traces = simulate_repeats(conditions, wanted, title="stability, largest step")
+        for run, group in zip(wanted, traces, strict=True):
+            row = worst(run, [observe(*one, floor) for one in group])
+            cells[run.family, run.parameters["pad_ke"]][run.case.substeps] = row
+    return [largest_step_row(family, ke, found) for (family, ke), found in cells.items()]
+
+
+def largest_step_row(family: str, ke: float, found: Mapping[int, Mapping]) -> dict[str, object]:
+    """The run with the largest step that holds, and by which step the next larger one that was tried fails."""
+    ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
+    least = ends[1] if ends else max(found)
+    row = dict(found[least]) | {"case": f"largest-step-{family}-{ke:.3g}", "family": "largest-step", "of": family}
+    row["passes"] = ends is not None
+    fails_at = ends[0] if ends else least
+    row |= numbers(
+        "" if ends else f"it holds at none of the steps: {row['class']} at the smallest",
+        largest_step_s=lambda: 1.0 / FRAME_RATE / least,
+        substeps_least=lambda: least,
+    )
+    return row | numbers(
+        "" if fails_at else "no step that was tried fails",
+        failing_step_s=lambda: 1.0 / FRAME_RATE / fails_at,
+    )
