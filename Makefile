@@ -8,7 +8,7 @@ endif
 PORT ?= 8000
 OPTIONS = $(if $(NEWTON),--newton '$(NEWTON)') $(if $(DEVICE),--device '$(DEVICE)') $(if $(PROFILE),--profile '$(PROFILE)')
 
-.PHONY: report status rerun check publish serve test lint help
+.PHONY: report status rerun check diff publish serve test lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
@@ -23,14 +23,17 @@ rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PR
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
 	@$(PYTHON) build.py check $(OPTIONS)
 
+diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE]
+	@$(PYTHON) build.py diff --a '$(A)' --b '$(B)' $(OPTIONS)
+
 publish: $(READY) ## Check site/ and put it at TARGET=dir:PATH in one step [TARGET]
 	@$(PYTHON) build.py publish --target '$(TARGET)'
 
 serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
 	@$(PYTHON) -m http.server --directory site --bind 127.0.0.1 $(PORT)
 
-test: $(READY) ## Run the tests, which need no GPU
-	@$(PYTHON) -m pytest
+test: $(READY) ## Run the tests, which need no GPU [NEWTON]
+	@$(PYTHON) build.py test $(OPTIONS)
 
 lint: $(READY) ## Check the style of the sources
 	@$(PYTHON) -m ruff check .
@@ -40,7 +43,8 @@ help: ## Print this
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 	@echo
 	@echo 'SECTION=reproduction    section to measure'
-	@echo 'NEWTON=1.8.0            Newton release, in an environment of its own'
+	@echo 'NEWTON=1.8.0            Newton release, measured in an environment of its own'
+	@echo 'A=1.4.0 B=1.8.0         Newton releases to compare'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
 	@echo 'TARGET=dir:PATH         where to publish'

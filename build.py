@@ -1,23 +1,24 @@
 """The command line that make calls; ``make help`` says what there is."""
 
 import argparse
+import subprocess
 import sys
 
 from report import ReportError, UsageError
-from report.environment import enter
+from report.environment import python_of, refuse_bad_release
 from report.identity import installed_release, sections
 from report.measure import measure, measuring_device
 from report.project import PROFILES, Project
-from report.status import State, state_of, status_table
+from report.status import expected_packages, states_of, status_matrix, status_table
 
 
 def main() -> int:
     arguments = _parse_arguments()
     try:
         _refuse_bad_input(arguments)
-        if arguments.newton:
-            enter(arguments.newton, sys.argv[1:])
-        return COMMANDS[arguments.command](Project(installed_release(), arguments.profile), arguments)
+        own = installed_release()
+        project = Project(arguments.newton or own, arguments.profile, own_release=own)
+        return COMMANDS[arguments.command](project, arguments)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
@@ -26,7 +27,9 @@ def main() -> int:
 def report(project: Project, arguments: argparse.Namespace) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = measuring_device(arguments.device, project.profile)
-    states = _states(project)
+    if not device:
+        _refuse_unmeasured(project)
+    states = states_of(project)
     for state in states:
         if state.name == "damaged":
             print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
@@ -35,6 +38,8 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
     if stale and device:
         try:
             measure(project, stale, device)
+        except UsageError:
+            raise
         except ReportError as error:
             print(error, file=sys.stderr)
             status = 1
@@ -53,20 +58,35 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def status(project: Project, arguments: argparse.Namespace) -> int:
-    """Print which sections are fresh, and what changed for those that are not."""
-    print(f"newton {project.release}")
-    print(status_table(_states(project), project.profile))
+    """Print which sections of which releases are fresh, and what changed for those that are not."""
+    _refuse_unmeasured(project)
+    print(status_matrix(project))
+    print(f"\nnewton {project.release}")
+    print(status_table(states_of(project), project.profile))
     return 0
 
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome."""
-    from report.site import assemble
+    from report.assemble import assemble
 
-    for chapter in assemble(project, _states(project)).chapters:
+    _refuse_unmeasured(project)
+    for chapter in assemble(project).chapters:
         for claim in chapter.section.claims:
             print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
     return 0
+
+
+def diff(project: Project, arguments: argparse.Namespace) -> int:
+    """Print what differs between two releases; 1 when a claim flipped."""
+    from report.compare import compare_projects
+
+    releases = [project.of(arguments.a), project.of(arguments.b)]
+    for release in releases:
+        _refuse_unmeasured(release)
+    comparison = compare_projects(*releases)
+    print(comparison.text)
+    return 1 if comparison.flips else 0
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -77,24 +97,33 @@ def publish(project: Project, arguments: argparse.Namespace) -> int:
     return 0
 
 
-COMMANDS = {"report": report, "rerun": rerun, "status": status, "check": check, "publish": publish}
+def test(project: Project, arguments: argparse.Namespace) -> int:
+    """Run the tests with one release."""
+    python = python_of(project.release, expected_packages(project), project.root)
+    return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
+
+
+COMMANDS = {
+    "report": report,
+    "rerun": rerun,
+    "status": status,
+    "check": check,
+    "diff": diff,
+    "publish": publish,
+    "test": test,
+}
 
 
 def _build(project: Project) -> None:
-    from report.site import assemble, build
+    from report.site import build
 
-    report = assemble(project, _states(project))
-    build(report)
+    report = build(project)
     for state in report.left_out:
-        print(f"{state.section} is left out ({state.name}): {state.rerun(project.profile)} measures it")
+        print(f"{state.section} is left out ({state.name}): {project.rerun(state.section)} measures it")
     for chapter in report.chapters:
         if chapter.state.notes:
-            print(f"{chapter.name} is stale: {chapter.state.rerun(project.profile)} renews it")
+            print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
     print(f"built {project.site / 'index.html'}")
-
-
-def _states(project: Project) -> list[State]:
-    return [state_of(project, section) for section in sections()]
 
 
 def _parse_arguments() -> argparse.Namespace:
@@ -102,6 +131,8 @@ def _parse_arguments() -> argparse.Namespace:
     parser.add_argument("command", choices=COMMANDS)
     parser.add_argument("--section", help="section to measure")
     parser.add_argument("--newton", help="Newton release, where it is not the project's own")
+    parser.add_argument("--a", help="Newton release to compare from")
+    parser.add_argument("--b", help="Newton release to compare with it")
     parser.add_argument("--device", help="cuda or cpu, to measure there on purpose")
     parser.add_argument("--profile", default="full", help="quick: small grids and short runs, kept apart")
     parser.add_argument("--target", help="where to publish, as dir:PATH")
@@ -113,8 +144,20 @@ def _refuse_bad_input(arguments: argparse.Namespace) -> None:
         raise UsageError(f"PROFILE={arguments.profile} is no profile; use one of: {', '.join(PROFILES)}")
     if arguments.command == "rerun" and arguments.section not in sections():
         raise UsageError(f"SECTION={arguments.section or ''} is no section; use one of: {', '.join(sections())}")
+    if arguments.newton:
+        refuse_bad_release("NEWTON", arguments.newton)
+    if arguments.command == "diff":
+        for name in ("a", "b"):
+            refuse_bad_release(name.upper(), getattr(arguments, name) or "")
     if arguments.device:
         measuring_device(arguments.device, arguments.profile)
+
+
+def _refuse_unmeasured(project: Project) -> None:
+    """Where nothing is to be measured, a release that has no results is taken for a mistake; the own one is not."""
+    if not project.is_own and not any(state.name != "missing" for state in states_of(project)):
+        there = [release for release in project.releases if release != project.release]
+        raise UsageError(f"NEWTON={project.release} has no results; there are: {', '.join(there) or 'none'}")
 
 
 if __name__ == "__main__":

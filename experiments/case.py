@@ -26,6 +26,9 @@ class Case:
     """Friction coefficient of the finger pads (``ShapeConfig`` default)."""
     pad_dmax: float = 0.95
     """Second entry of the pads' solimp: the impedance at full penetration."""
+    pad_kf: float = 1e3
+    """Authored friction gain of the finger pads (``ShapeConfig`` default); read from newton 1.5.0 on, and there a
+    negative one leaves the friction rows to the normal row's solref."""
     cube_ke: float = 8e4
     cube_kd: float = 8e2
     cube_mu: float = 1.2
@@ -84,6 +87,9 @@ class Case:
     ls_tolerance: float | None = None
     cone: str = "elliptic"
     impratio: float = 50.0
+    friction_timeconst_override_s: float | None = None
+    """Written over the solreffriction of Newton's contacts: a timeconst [s], or 0 for none, which leaves the friction
+    rows to the normal row's solref. None keeps what the release writes."""
     refsafe: bool = True
     """Whether the engine takes no timeconst below two substeps."""
     contact_max: int | None = None
@@ -132,7 +138,7 @@ class Case:
 
 
 WORLD_FIELDS = (
-    "pad_ke pad_kd pad_mu pad_dmax cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
+    "pad_ke pad_kd pad_mu pad_dmax pad_kf cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
     " shake_amplitude_m shake_frequency_hz pad_direct cube_edge_m cube_offset_m cube_in_hand start_overlap_m"
     " finger_closed_m finger_shake_m gravity_m_s2"
 ).split()

@@ -13,6 +13,7 @@ from experiments.measurement import (
     displacement_table,
     summarize,
 )
+from experiments.precision import measure_precision
 from experiments.task import FRAME_RATE
 from experiments.trace import Trace
 
@@ -24,12 +25,14 @@ CASES = (
     replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
     AS_SHIPPED,
     replace(HOLD, name="hold-mujoco-c", backend="mujoco"),
+    replace(HOLD, name="hold-substeps-4", substeps=4),
 )
 
 
 def measure(conditions: Conditions) -> Measurement:
     traces = conditions.simulate(CASES, title="hold")
     rows = [summarize(case, trace) | creep(trace) for case, trace in zip(CASES, traces, strict=True)]
+    rows += measure_precision(conditions.device, conditions.quick)
     return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
 
 

@@ -13,6 +13,7 @@ import numpy as np
 import warp as wp
 
 from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case
+from experiments.compat import kf_is_read
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement
 from experiments.scene import build_scene
 from experiments.simulation import CONSTRAINT_MAX, CONTACT_MAX
@@ -115,6 +116,7 @@ class _Shapes:
         self.parameters = {
             "ke": (self.ke, config.ke),
             "kd": (self.kd, config.kd),
+            **({"kf": (model.shape_material_kf.numpy(), config.kf)} if kf_is_read() else {}),
             "mu": (model.shape_material_mu.numpy(), config.mu),
             "mu_torsional": (model.shape_material_mu_torsional.numpy(), config.mu_torsional),
             "mu_rolling": (model.shape_material_mu_rolling.numpy(), config.mu_rolling),

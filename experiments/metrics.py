@@ -95,6 +95,32 @@ def cycle_increments_mm(moved: Displacement, frequency_hz: float) -> np.ndarray:
     return 1e3 * np.diff(at)
 
 
+def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
+    """Length of the mean change in position over a shake cycle, the first cycle and an odd last one left out [mm].
+
+    The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
+    only pairs of cycles count. NaN when there is no pair after the first cycle.
+    """
+    pair_count = int(np.floor((moved.time_s[-1] * frequency_hz - 1.0) / 2.0 + 1e-9)) if len(moved.time_s) else 0
+    if pair_count < 1:
+        return float("nan")
+    ends = np.array([1.0, 1.0 + 2.0 * pair_count]) / frequency_hz
+    first, last = np.stack([np.interp(ends, moved.time_s, column) for column in moved.vector_m.T], axis=1)
+    return 1e3 * float(np.linalg.norm(last - first)) / (2 * pair_count)
+
+
+def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
+    """Root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
+    return 1e3 * float(np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1))))
+
+
+def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """Which points no other point beats: none is at most as far off at most as dear, and better in one; shape [n]."""
+    no_worse = (error[None, :] <= error[:, None]) & (cost[None, :] <= cost[:, None])
+    better = (error[None, :] < error[:, None]) | (cost[None, :] < cost[:, None])
+    return ~(no_worse & better).any(axis=1)
+
+
 def cube_height_m(trace: Trace) -> float:
     """Height of the cube's centre in the last frame [m]."""
     return float(trace.poses[-1, CUBE, 2])
@@ -141,6 +167,9 @@ class Grasp:
     """Normal force over penetration, of a loaded contact, mean."""
     timeconst_s: float
     dampratio: float
+    friction_timeconst_s: float
+    """Of solreffriction; 0 where the friction rows take the normal row's."""
+    friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
@@ -177,6 +206,8 @@ def grasp(rows: ContactRows) -> Grasp | None:
         stiffness_n_m=float((normal[loaded] / penetration).mean()),
         timeconst_s=float(rows.solref[strongest, 0]),
         dampratio=float(rows.solref[strongest, 1]),
+        friction_timeconst_s=float(rows.solreffriction[strongest, 0]),
+        friction_dampratio=float(rows.solreffriction[strongest, 1]),
         friction=float(rows.friction[strongest]),
         dmin=float(rows.solimp[strongest, 0]),
         dmax=float(rows.solimp[strongest, 1]),

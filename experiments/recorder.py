@@ -252,14 +252,15 @@ class Recorder:
         return result
 
     def _contact_count(self) -> tuple[wp.array, int]:
-        """Where the generator of the contacts counts them, and how many there is room for.
+        """Where the generator of the contacts counts them, and the most that is sure to be all of them.
 
-        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer.
+        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer. That one
+        may have lost some as soon as it is full: the narrow phase then stops, and counts no further.
         """
         data = self.solver.mjw_data
         if self.contacts_in is None:
             return data.nacon, data.naconmax
-        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max, data.naconmax)
+        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max - 1, data.naconmax)
 
     @property
     def _elliptic(self) -> bool:
@@ -305,8 +306,8 @@ class _HostContacts:
             data = solver.mj_data
             count, contact, efc = data.ncon, data.contact, data
             self.world_id = np.zeros(count, dtype=int)
-            self.force, self.residual, self.velocity = (
-                np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel)
+            self.force, self.residual, self.velocity, self.reference = (
+                np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)
             )
             address = np.asarray(contact.efc_address).reshape(count)
         else:
@@ -314,12 +315,14 @@ class _HostContacts:
             contact, efc = data.contact, data.efc
             count = min(int(data.nacon.numpy()[0]), data.naconmax)
             self.world_id = contact.worldid.numpy()[:count]
-            self.force, self.residual, self.velocity = (rows.numpy() for rows in (efc.force, efc.pos, efc.vel))
+            self.force, self.residual, self.velocity, self.reference = (
+                rows.numpy() for rows in (efc.force, efc.pos, efc.vel, efc.aref)
+            )
             address = contact.efc_address.numpy()[:count, 0]
         self.address = address
         host = {
             name: getattr(contact, name)[:count] if solver.use_mujoco_cpu else getattr(contact, name).numpy()[:count]
-            for name in ("dist", "friction", "frame", "solref", "solimp", "dim", "geom")
+            for name in ("dist", "friction", "frame", "solref", "solreffriction", "solimp", "dim", "geom")
         }
         self.fields = {name: np.array(values) for name, values in host.items()}
 
@@ -328,7 +331,7 @@ class _HostContacts:
         field = {name: values[mine] for name, values in self.fields.items()}
         address = self.address[mine]
         axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
-        force, residual, velocity = np.zeros((len(mine), 3)), *np.full((2, len(mine), 3), np.nan)
+        force, residual, velocity, reference = np.zeros((len(mine), 3)), *np.full((3, len(mine), 3), np.nan)
         for i, row in enumerate(address):
             if row < 0:
                 continue
@@ -336,6 +339,7 @@ class _HostContacts:
             velocity[i] = self.velocity[world, row : row + 3]
             if elliptic:
                 force[i] = self.force[world, row : row + 3]
+                reference[i] = self.reference[world, row : row + 3]
             else:
                 a, b, c, d = self.force[world, row : row + 4]
                 force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
@@ -348,11 +352,13 @@ class _HostContacts:
             distance_m=field["dist"],
             friction=friction,
             solref=field["solref"],
+            solreffriction=field["solreffriction"],
             solimp=field["solimp"],
             dim=field["dim"],
             force_n=force,
             residual_m=residual,
             velocity_m_s=velocity,
+            reference_m_s2=reference,
             slide_m_s=sign * (axes[:, 1:, 0] * velocity[:, 1:]).sum(axis=1),
         )
 

@@ -16,7 +16,7 @@ import pandas as pd
 import warp as wp
 
 from experiments.measurement import Conditions
-from report import ReportError
+from report import ROOT, ReportError
 from report.identity import identity_of, installed_release, sections
 from report.records import Record, record_path, units_of, write_record
 from report.traces import write_traces
@@ -133,6 +133,9 @@ def commit() -> str | None:
 
 def command(section: str, device: wp.Device, profile: str) -> str:
     parts = ["make rerun", f"SECTION={section}", f"DEVICE={'cuda' if device.is_cuda else 'cpu'}"]
+    release = installed_release()
+    if f"newton[sim]=={release}" not in (ROOT / "pyproject.toml").read_text(encoding="utf-8"):
+        parts.append(f"NEWTON={release}")
     return " ".join(parts + ([] if profile == "full" else [f"PROFILE={profile}"]))
 
 

@@ -207,6 +207,7 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
     write(model.shape_material_ke, pads, column("pad_ke"))
     write(model.shape_material_kd, pads, column("pad_kd"))
     write(model.shape_material_mu, pads, column("pad_mu"))
+    write(model.shape_material_kf, pads, column("pad_kf"))
     write(model.shape_material_ke, cube, column("cube_ke"))
     write(model.shape_material_kd, cube, column("cube_kd"))
     write(model.shape_material_mu, cube, column("cube_mu"))

@@ -11,6 +11,7 @@ from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
 from experiments.case import Case, batch_key
+from experiments.compat import make_solver
 from experiments.recorder import Recorder
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
@@ -83,8 +84,9 @@ class Simulation:
 
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
-        solver = SolverMuJoCo(
+        solver = make_solver(
             self.model,
+            friction_timeconst_s=case.friction_timeconst_override_s,
             solver=case.solver,
             integrator=case.integrator,
             iterations=case.iterations,

@@ -1,6 +1,7 @@
 """Timing of frames in the middle of the shake, without first simulating the way there in every world."""
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
 
 import newton
@@ -30,15 +31,17 @@ def in_the_shake(case: Case, device: wp.Device) -> Simulation:
     return simulation
 
 
-def put_in_state_of(target: Simulation, source: Simulation) -> None:
-    """Put every world of ``target`` into the state of the first world of ``source``, task and solver included."""
+def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
+    """Put every world of ``target`` into the state of one world of ``source``, task and solver included."""
     pairs = [(getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS]
     pairs += [(getattr(target.state, name), getattr(source.state, name)) for name in STATE_ARRAYS]
     pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
+    wp.synchronize()  # simulations run on streams of their own, these copies do not
     for to, of in pairs:
-        first = of.numpy().reshape(source.world_count, -1)[:1]
-        to.assign(np.repeat(first, target.world_count, axis=0).reshape(to.numpy().shape))
+        one = of.numpy().reshape(source.world_count, -1)[world : world + 1]
+        to.assign(np.repeat(one, target.world_count, axis=0).reshape(to.numpy().shape))
     newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)
+    wp.synchronize()
 
 
 def frame_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
@@ -46,18 +49,23 @@ def frame_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
 
     Each is the mean of FRAMES_PER_LOOK frames, queued without a wait between them, as a user would run them.
     """
+
+    def frames() -> None:
+        for _ in range(FRAMES_PER_LOOK):
+            simulation.step()
+
     for _ in range(WARMUP_COUNT):
         simulation.step()
-    return np.array([_look_ms(simulation) for _ in range(repeat_count)])
+    return np.array([elapsed_ms(simulation.device, frames) for _ in range(repeat_count)]) / FRAMES_PER_LOOK
 
 
-def _look_ms(simulation: Simulation) -> float:
-    wp.synchronize_device(simulation.device)
+def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
+    """Wall time [ms] of one call, until the device is done with it."""
+    wp.synchronize_device(device)
     start = time.perf_counter()
-    for _ in range(FRAMES_PER_LOOK):
-        simulation.step()
-    wp.synchronize_device(simulation.device)
-    return 1e3 * (time.perf_counter() - start) / FRAMES_PER_LOOK
+    run()
+    wp.synchronize_device(device)
+    return 1e3 * (time.perf_counter() - start)
 
 
 def engine_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:

@@ -34,6 +34,8 @@ class ContactRows:
     """Sliding friction, shape [n]."""
     solref: np.ndarray
     """timeconst [s] and dampratio, shape [n, 2]."""
+    solreffriction: np.ndarray
+    """timeconst [s] and dampratio of the friction rows, shape [n, 2]; 0, 0 where they take ``solref``."""
     solimp: np.ndarray
     """Shape [n, 5]."""
     dim: np.ndarray
@@ -44,6 +46,8 @@ class ContactRows:
     """Position residual of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
     velocity_m_s: np.ndarray
     """Velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
+    reference_m_s2: np.ndarray
+    """Acceleration that the rows aim at, shape [n, 3]; NaN where there is no row, and with a pyramidal cone."""
     slide_m_s: np.ndarray
     """Velocity of the cube against the other geom along the shake's main axis, from the friction rows, shape [n]."""
 

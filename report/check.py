@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Mapping
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
@@ -61,11 +62,11 @@ class Reading(HTMLParser):
 def check_site(site: Path) -> list[str]:
     """What is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     problems = []
-    for path in sorted(site.rglob("*.html")):
-        reading = Reading(path.read_text(encoding="utf-8"))
-        found = [*_check_self_contained(reading), *_check_links(reading, path, site), *_check_claims(reading)]
+    pages = {path.resolve(): Reading(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+    for path, reading in pages.items():
+        found = [*_check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
         found += _check_numbers(reading, path.parent / "data")
-        problems += [f"{path.relative_to(site)}: {problem}" for problem in found]
+        problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for path in sorted(site.rglob("*.css")):
         if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
             problems.append(f"{path.relative_to(site)} fetches something")
@@ -80,17 +81,17 @@ def _check_self_contained(reading: Reading) -> list[str]:
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
 
 
-def _check_links(reading: Reading, page: Path, site: Path) -> list[str]:
+def _check_links(reading: Reading, page: Path, pages: Mapping[Path, Reading], site: Path) -> list[str]:
     problems = [f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1]
     for address in reading.links + reading.fetched:
         parts = urlsplit(address)
         if parts.scheme or parts.netloc:
             continue
-        target = (page.parent / unquote(parts.path)).resolve() if parts.path else page.resolve()
+        target = (page.parent / unquote(parts.path)).resolve() if parts.path else page
         if parts.path.startswith("/") or not target.is_relative_to(site.resolve()):
             problems.append(f"{address} leaves the site")
         elif not target.exists() or (
-            target == page.resolve() and parts.fragment and unquote(parts.fragment) not in reading.ids
+            target in pages and parts.fragment and unquote(parts.fragment) not in pages[target].ids
         ):
             problems.append(f"{address} leads nowhere")
     return problems
@@ -114,7 +115,7 @@ def _check_numbers(reading: Reading, data: Path) -> list[str]:
             if name not in files:
                 files[name] = json.loads((data / name).read_text(encoding="utf-8"))
             kept = _resolve(files[name], pointer)
-            kept = kept["value"] if name == VALUES_FILE else kept
+            kept = kept["value"] if name.endswith(VALUES_FILE) else kept
         except (OSError, ValueError, LookupError, TypeError):
             problems.append(f"{number.get('data-src')} resolves to nothing")
             continue

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from markupsafe import Markup
 
-from report.quantities import Quantity
+from report.quantities import Quantity, mixed
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ class Claim:
 
 def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
     """Whether ``a`` is greater than ``b``; a difference that is not above the noise can't tell."""
-    if absent := _absent(a, b, noise):
-        return absent
+    if undecided := _undecided(a, b, noise):
+        return undecided
     difference = a.value - b.value
     if abs(difference) <= noise.value:
         return Outcome("unknown", "the difference is within the noise")
@@ -66,13 +66,15 @@ def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
 
 
 def at_least(a: Quantity, bound: Quantity) -> Outcome:
-    return _absent(a, bound) or (HOLDS if a.value >= bound.value else FAILS)
+    return _undecided(a, bound) or (HOLDS if a.value >= bound.value else FAILS)
 
 
 def at_most(a: Quantity, bound: Quantity) -> Outcome:
-    return _absent(a, bound) or (HOLDS if a.value <= bound.value else FAILS)
+    return _undecided(a, bound) or (HOLDS if a.value <= bound.value else FAILS)
 
 
-def _absent(*quantities: Quantity) -> Outcome | None:
+def _undecided(*quantities: Quantity) -> Outcome | None:
+    """Why these can't be compared, when they can't."""
     reasons = [quantity.reason for quantity in quantities if quantity.value is None]
+    reasons += filter(None, [mixed(*(quantity.origins for quantity in quantities))])
     return Outcome("unknown", reasons[0]) if reasons else None

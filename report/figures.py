@@ -1,6 +1,7 @@
 """Figures: one look for all of them, drawn as SVG that takes its colours from the page."""
 
 import io
+import math
 import re
 from collections.abc import Callable
 
@@ -8,7 +9,12 @@ import matplotlib
 from cycler import cycler
 from markupsafe import Markup
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
+from matplotlib.ticker import LogFormatter, LogFormatterMathtext
+
+from report.format import format_number, format_power
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
@@ -57,6 +63,26 @@ UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg 
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
+class LogLabels(LogFormatter):
+    """Labels of a logarithmic axis as text; Matplotlib's own are formulas, which take long to typeset."""
+
+    def __call__(self, value: float, position: int | None = None) -> str:
+        if not super().__call__(value, position):
+            return ""
+        low, high = self.axis.get_view_interval()
+        exponent = round(math.log10(value))
+        if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
+            return format_power(exponent)
+        return format_number(value, digits=1)
+
+
+def _label_plainly(axis: Axis) -> None:
+    if isinstance(axis.get_major_formatter(), LogFormatterMathtext):
+        axis.set_major_formatter(LogLabels())
+    if isinstance(axis.get_minor_formatter(), LogFormatterMathtext):
+        axis.set_minor_formatter(LogLabels(labelOnlyBase=axis.get_minor_formatter().labelOnlyBase))
+
+
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Axes]:
     """A figure of ``width`` × ``height`` inches with the axes that ``Figure.subplots`` makes."""
     drawing = Drawing(figsize=(width, height))
@@ -67,7 +93,12 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
     """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
     with matplotlib.rc_context({**STYLE, "svg.hashsalt": name}):
         buffer = io.StringIO()
-        draw().savefig(buffer, format="svg", metadata={"Date": None})
+        # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
+        drawing = draw()
+        for axes in drawing.axes:
+            _label_plainly(axes.xaxis)
+            _label_plainly(axes.yaxis)
+        FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
     svg = UNWANTED.sub("", buffer.getvalue())
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():

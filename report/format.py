@@ -27,8 +27,13 @@ def format_number(value: float | int | None, *, digits: int = 3) -> str:
         return _typeset(f"{value:,.0f}" if value == 0 else f"{value:,}")
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     if int(exponent) not in PLAIN_EXPONENTS:
-        return f"{_typeset(mantissa)}{THIN_SPACE}×{THIN_SPACE}10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+        return f"{_typeset(mantissa)}{THIN_SPACE}×{THIN_SPACE}{format_power(int(exponent))}"
     return _typeset(f"{value:,.{max(0, digits - 1 - int(exponent))}f}")
+
+
+def format_power(exponent: int) -> str:
+    """A power of ten."""
+    return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
 def format_time(time: str) -> str:

@@ -6,8 +6,9 @@ import json
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from importlib import metadata
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from report import ROOT, ReportError
@@ -32,16 +33,27 @@ class Identity:
     """Digest by file: the parts of ``code`` and ``config``, so that a change can be named."""
 
 
-def identity_of(section: str, profile: str, root: Path = ROOT) -> Identity:
-    """The identity that ``experiments/<section>.py`` has now."""
-    trees = _import_closure(root / "experiments" / f"{section}.py", root)
-    code = {_name(path, root): _digest(canonical(tree)) for path, tree in trees.items()}
-    assets = {name for tree in trees.values() for name in _named_assets(tree, root)}
+@dataclass(frozen=True)
+class _Source:
+    """What the text of one module says, as far as it matters here."""
+
+    digest: str
+    imports: tuple[str, ...]
+    """Names that it imports, of which some are modules of this project."""
+    assets: tuple[str, ...]
+    """Paths of assets that it may name."""
+
+
+def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+    """The identity that ``experiments/<section>.py`` has now, with ``packages``, or else with those installed here."""
+    sources = _import_closure(root / "experiments" / f"{section}.py", root)
+    code = {name: source.digest for name, source in sources.items()}
+    assets = {name for source in sources.values() for name in source.assets if (root / name).is_file()}
     config = {name: hashlib.sha256((root / name).read_bytes()).hexdigest() for name in assets}
     return Identity(
         code=_digest(code),
         config=_digest({"profile": profile, **config}),
-        packages=package_versions(),
+        packages=package_versions() if packages is None else packages,
         profile=profile,
         files=dict(sorted({**code, **config}.items())),
     )
@@ -115,21 +127,29 @@ def _is_docstring(node: Any) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
-def _import_closure(start: Path, root: Path) -> dict[Path, ast.Module]:
-    trees: dict[Path, ast.Module] = {}
+def _import_closure(start: Path, root: Path) -> dict[str, _Source]:
+    """What the module at ``start`` and the project's modules that it imports say, by their names."""
+    sources: dict[str, _Source] = {}
     waiting = [start]
     while waiting:
         path = waiting.pop()
-        if path in trees:
+        name = _name(path, root)
+        if name in sources:
             continue
         try:
-            trees[path] = ast.parse(path.read_bytes(), filename=str(path))
+            sources[name] = _read(path.read_bytes(), name)
         except (OSError, SyntaxError, ValueError) as error:
-            raise ReportError(f"cannot read {_name(path, root)}: {' '.join(str(error).split())}") from None
-        package = path.relative_to(root).parts[:-1]
-        for name in _imported_names(trees[path], package):
-            waiting += _module_files(name, root)
-    return trees
+            raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
+        for imported in sources[name].imports:
+            waiting += _module_files(imported, root)
+    return sources
+
+
+@cache  # by the text itself: every section imports the same few modules
+def _read(text: bytes, name: str) -> _Source:
+    tree = ast.parse(text, filename=name)
+    imports = _imported_names(tree, PurePosixPath(name).parts[:-1])
+    return _Source(_digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(tree)))
 
 
 def _imported_names(tree: ast.Module, package: tuple[str, ...]) -> Iterator[str]:
@@ -152,10 +172,10 @@ def _module_files(name: str, root: Path) -> Iterator[Path]:
                 yield file
 
 
-def _named_assets(tree: ast.Module, root: Path) -> Iterator[str]:
+def _named_assets(tree: ast.Module) -> Iterator[str]:
     for node in ast.walk(tree):
         text = node.value if isinstance(node, ast.Constant) else None
-        if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text and (root / text).is_file():
+        if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
             yield text
 
 

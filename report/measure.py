@@ -2,10 +2,11 @@
 
 import shutil
 import subprocess
-import sys
 
 from report import ReportError, UsageError
+from report.environment import python_of
 from report.project import Project
+from report.status import expected_packages
 
 DEVICES = ("cuda", "cpu")
 
@@ -35,9 +36,13 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
 
 
 def measure(project: Project, sections: list[str], device: str) -> None:
-    """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed."""
+    """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed.
+
+    A release that is not installed here is measured by the Python of its own environment.
+    """
+    python = python_of(project.release, expected_packages(project), project.root)
     options = ["--device", device, "--profile", project.profile]
-    command = [sys.executable, "-m", "experiments.run", *sections, *options]
+    command = [python, "-m", "experiments.run", *sections, *options]
     status = subprocess.run(command, cwd=project.root, check=False).returncode
     if status:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")

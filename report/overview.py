@@ -23,6 +23,11 @@ NUMBER = re.compile(r"\d[\d.]*(e[+-]?\d+)?")
 LINE_HEIGHT = 0.155
 """Height of a line of the figure [in]."""
 DOT = {"marker": "o", "markersize": 4, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+MARKS = {
+    "the baseline's shake": DOT,
+    "another shake or duration": DOT | {"markerfacecolor": "none"},
+    "dropped": DOT | {"marker": "x", "color": INK, "markersize": 5},
+}
 
 
 @dataclass(frozen=True)
@@ -95,8 +100,7 @@ def _draw(lines: list[Line], baseline: Row, noise: Quantity | None) -> Drawing:
         axes.axvspan(
             max(slip - noise.value, 0.0), slip + noise.value, color=SERIES[1], alpha=0.3, linewidth=0, zorder=0.9
         )
-    for line, place in places.items():
-        _draw_line(axes, line, place, baseline)
+    _draw_dots(axes, places, baseline)
     axes.set_xscale("log")
     axes.set_ylim(len(lines) + len(sections), -0.2)
     axes.set_yticks(list(places.values()), [line.label for line in places], fontsize=7.5)
@@ -127,25 +131,25 @@ def _name_sections(axes: Axes, places: Mapping[str, int]) -> None:
         axes.axhline(place - 1.5, color=FAINT, linewidth=0.8)
 
 
-def _draw_line(axes: Axes, line: Line, place: int, baseline: Row) -> None:
-    there = [row for row in line.rows if row.slip_mm.value is not None]
-    for row in there:
-        axes.plot([row.slip_mm.value], [place], **_mark(row, baseline))
-    if lost := len(line.rows) - len(there):
-        side = axes.get_yaxis_transform()
-        axes.text(1.01, place, f"{lost} without result", transform=side, fontsize=7.5, va="center")
+def _draw_dots(axes: Axes, places: Mapping[Line, int], baseline: Row) -> None:
+    marks: dict[str, list[tuple[float, int]]] = {}
+    for line, place in places.items():
+        there = [row for row in line.rows if row.slip_mm.value is not None]
+        for row in there:
+            marks.setdefault(_mark(row, baseline), []).append((row.slip_mm.value, place))
+        if lost := len(line.rows) - len(there):
+            side = axes.get_yaxis_transform()
+            axes.text(1.01, place, f"{lost} without result", transform=side, fontsize=7.5, va="center")
+    for mark, dots in marks.items():
+        axes.plot(*zip(*dots, strict=True), **MARKS[mark])
 
 
-def _mark(row: Row, baseline: Row) -> dict[str, object]:
+def _mark(row: Row, baseline: Row) -> str:
     if "dropped" in row and row.dropped:
-        return DOT | {"marker": "x", "color": INK, "markersize": 5}
+        return "dropped"
     same = all(row[name].value == baseline[name].value for name in SHAKE if name in row and name in baseline)
-    return DOT if same else DOT | {"markerfacecolor": "none"}
+    return "the baseline's shake" if same else "another shake or duration"
 
 
 def _legend() -> list[Line2D]:
-    return [
-        Line2D([], [], **DOT, label="the baseline's shake"),
-        Line2D([], [], **DOT | {"markerfacecolor": "none"}, label="another shake or duration"),
-        Line2D([], [], **DOT | {"marker": "x", "color": INK, "markersize": 5}, label="dropped"),
-    ]
+    return [Line2D([], [], **style, label=mark) for mark, style in MARKS.items()]

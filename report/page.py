@@ -38,9 +38,14 @@ class Prose:
     body: str
     printed: list[Any]
 
-    def html(self) -> Markup:
-        """The text below the title, with its figures drawn."""
-        return _put_back(self.body, self.printed)
+    @property
+    def figures(self) -> list[PlacedFigure]:
+        return [thing for thing in self.printed if isinstance(thing, PlacedFigure)]
+
+    def html(self, drawn: Mapping[str, Markup]) -> Markup:
+        """The text below the title, with its figures, which are drawn already, by their names."""
+        printed = [drawn[thing.name] if isinstance(thing, PlacedFigure) else thing for thing in self.printed]
+        return _put_back(self.body, printed)
 
 
 class Templates:

@@ -64,14 +64,17 @@ class PlacedFigure:
     """Unique on the page."""
     figure: Figure
 
-    def __html__(self) -> Markup:
+    def drawn(self) -> Markup:
         absent = [source.reason for source in self.figure.sources if source.value is None]
         if len(absent) == len(self.figure.sources):
             return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(absent[0])
         there = [source.source for source in self.figure.sources if source.value is not None]
         files = dict.fromkeys(source.partition("#")[0] for source in there)
+        names = [file.rpartition("/")[2] for file in files]
         links = Markup(", ").join(
-            Markup('<a href="data/{}">{}</a>').format(file, file.rpartition("/")[2]) for file in files
+            # The same file of several releases is told apart by its folder.
+            Markup('<a href="data/{}">{}</a>').format(file, name if names.count(name) == 1 else file)
+            for file, name in zip(files, names, strict=True)
         )
         return Markup(
             '<figure id="{}"><div class="wide" tabindex="0">{}</div>'

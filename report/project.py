@@ -1,12 +1,14 @@
 """Which report is meant: the project's folder, a Newton release and a profile."""
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from report import ROOT
 from report.records import record_path, results_folder
 
 PROFILES = ("full", "quick")
+FOLDER = re.compile(r"newton-([0-9]+(?:\.[0-9]+)*)")
 
 
 @dataclass(frozen=True)
@@ -18,6 +20,12 @@ class Project:
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
     root: Path = ROOT
+    own_release: str | None = None
+    """The release that is meant where none is named; None: this one."""
+
+    @property
+    def is_own(self) -> bool:
+        return self.own_release in (None, self.release)
 
     @property
     def site(self) -> Path:
@@ -31,5 +39,24 @@ class Project:
     def templates(self) -> Path:
         return self.root / "templates"
 
+    @property
+    def releases(self) -> list[str]:
+        """The releases that have results, and this one, oldest first."""
+        found = {FOLDER.fullmatch(path.parent.name) for path in self.results.parent.glob("newton-*/*.json")}
+        return sorted({self.release, *(name[1] for name in found if name)}, key=_version)
+
+    def of(self, release: str) -> "Project":
+        """The report of another release."""
+        return replace(self, release=release, own_release=self.own_release or self.release)
+
     def record_path(self, section: str) -> Path:
         return record_path(section, self.release, self.profile, self.root)
+
+    def rerun(self, section: str) -> str:
+        """The command that measures a section."""
+        newton = "" if self.is_own else f" NEWTON={self.release}"
+        return f"make rerun SECTION={section}{newton}" + ("" if self.profile == "full" else f" PROFILE={self.profile}")
+
+
+def _version(release: str) -> tuple[int, ...]:
+    return tuple(map(int, release.split(".")))

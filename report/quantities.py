@@ -11,6 +11,18 @@ from report.format import format_number, unit_label
 VALUES_FILE = "values.json"
 
 
+@dataclass(frozen=True, order=True)
+class Origin:
+    """What a number was measured with, as far as others must share it to be compared with it."""
+
+    release: str
+    """Newton release."""
+    processor: str
+
+    def __str__(self) -> str:
+        return f"Newton {self.release} on {self.processor}"
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A measured number, shown with a pointer to the file that holds it."""
@@ -18,13 +30,18 @@ class Quantity:
     value: float | int | None
     unit: str
     source: str
-    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``."""
+    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``; empty for a number
+    that no file has a place for."""
     reason: str = ""
     """Why there is no number, where there is none."""
+    origins: frozenset[Origin] = frozenset()
+    """What it was measured with; none for what was not measured."""
 
     @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
+        if not self.source:
+            return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         if self._hint:
             attributes["title"] = self._hint
@@ -67,3 +84,14 @@ class Value(Quantity):
             "sources": list(self.sources),
         }
         return entry | ({"reason": self.reason} if self.reason else {})
+
+
+def mixed(*origins: frozenset[Origin]) -> str:
+    """Why what has these origins is not to be compared; empty when it may be.
+
+    Numbers of one origin may, and so may numbers that each compare the same ones already, as a change between two
+    releases does.
+    """
+    if len({origin for origin in origins if origin}) < 2:
+        return ""
+    return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"

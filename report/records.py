@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from report import ROOT, ReportError
-from report.identity import Identity
+from report.identity import MISSING, Identity
+from report.quantities import Origin
 
 SCHEMA = 1
 
@@ -20,6 +21,7 @@ UNITS = {
     "mm_per_cycle": "mm/cycle",
     "kg_m3": "kg/m³",
     "ms_per_s": "ms/s",
+    "mrad_s": "mrad/s",
     "mm_s": "mm/s",
     "n_m": "N/m",
     "per_s": "1/s",
@@ -58,6 +60,27 @@ class Record:
     """``date``, ``commit``, ``command`` and ``seconds``."""
     units: Mapping[str, str]
     rows: Sequence[Mapping[str, Any]]
+
+    @property
+    def processor(self) -> str:
+        """What the numbers were measured on."""
+        device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
+        return self.machine.get(device) or device.upper()
+
+    @property
+    def machine_text(self) -> str:
+        """The processor, and the driver that it runs with."""
+        driver = self.machine.get("driver")
+        return self.processor + (f" (driver {driver})" if driver else "")
+
+    @property
+    def origin(self) -> Origin:
+        return Origin(self.identity.packages.get("newton", MISSING), self.processor)
+
+    @property
+    def machine_for_speed(self) -> tuple[str | None, ...]:
+        """What must be the same for two times to be compared."""
+        return tuple(self.machine.get(part) for part in ("device", "gpu", "driver", "cpu", "cores"))
 
 
 def unit_of(column: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 import pandas as pd
 
 from report import ReportError
-from report.quantities import VALUES_FILE, Quantity, Value
+from report.quantities import VALUES_FILE, Origin, Quantity, Value, mixed
 from report.records import Record, RecordError
 from report.traces import load_trace, trace_path
 
@@ -26,6 +26,7 @@ class Trace:
     value: pd.DataFrame | None
     source: str
     reason: str = ""
+    origins: frozenset[Origin] = frozenset()
 
 
 class Row:
@@ -36,6 +37,7 @@ class Row:
         self._units = record.units
         self._place = f"{record.section}: {self._cells['case']}"
         self._source = f"{source}#/rows/{index}"
+        self._origins = frozenset({record.origin})
 
     def __getitem__(self, column: str) -> Any:
         if column not in self._cells:
@@ -44,7 +46,7 @@ class Row:
         if column not in self._units or isinstance(value, bool | str):
             return value
         reason = self._cells.get(f"{column}_reason", "")
-        return Quantity(value, self._units[column], f"{self._source}/{column}", reason)
+        return Quantity(value, self._units[column], f"{self._source}/{column}", reason, self._origins)
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -53,6 +55,10 @@ class Row:
 
     def __contains__(self, column: str) -> bool:
         return column in self._cells
+
+    @property
+    def columns(self) -> list[str]:
+        return list(self._cells)
 
 
 class Rows(dict):
@@ -72,6 +78,8 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
+    values_file: str = VALUES_FILE
+    """Where that file lies below the site's ``data/``."""
 
     @property
     def source(self) -> str:
@@ -97,7 +105,7 @@ class Results:
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
         try:
-            return Trace(load_trace(path), source)
+            return Trace(load_trace(path), source, origins=frozenset({self.record.origin}))
         except RecordError as error:
             return Trace(None, source, str(error))
 
@@ -108,21 +116,26 @@ class Results:
         function: Callable[..., float],
         *sources: Quantity | Trace,
         unit: str = "1",
+        across: bool = False,
     ) -> Value:
         """The value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
 
-        It does not exist when one of its sources doesn't, or when ``function`` has no finite result.
+        It does not exist when one of its sources doesn't, when ``function`` has no finite result, or when the sources
+        were measured with different releases or on different machines; ``across`` says that this is the point.
         """
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
-        value, reason = _evaluate(function, sources)
+        origins = [source.origins for source in sources]
+        refusal = "" if across else mixed(*origins)
+        value, reason = (None, refusal) if refusal else _evaluate(function, sources)
         self.derived[name] = Value(
             value=value,
             unit=unit,
-            source=f"{VALUES_FILE}#/{self.record.section}/{name}",
+            source=f"{self.values_file}#/{self.record.section}/{name}",
             reason=reason,
+            origins=frozenset().union(*origins),
             formula=formula,
-            sources=tuple(source.source for source in sources),
+            sources=tuple(source.source for source in sources if source.source),
         )
         return self.derived[name]
 

@@ -1,146 +1,150 @@
-"""The site: every section that has results, checked first, then drawn, then put in place as a whole."""
+"""The site: a page for every release that has results, each checked, then drawn, then all put in place as a whole."""
 
-import importlib.util
+import hashlib
 import json
 import os
 import shutil
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
-from typing import Any
 
+from markupsafe import Markup
+
+from report.assemble import Derived, Release, Report, assemble, derive_release, values_file_of
+from report.drawing import draw_all
 from report.format import format_time
-from report.overview import overview
-from report.page import Prose, Templates
-from report.parts import PlacedFigure, Section
+from report.identity import package_versions
+from report.page import Templates
 from report.project import Project
 from report.quantities import VALUES_FILE
-from report.results import Results, ResultsError
-from report.status import State, machine_name
 from report.traces import traces_of
 
-
-@dataclass(frozen=True)
-class Chapter:
-    """A section that is shown."""
-
-    state: State
-    results: Results
-    section: Section
-    names: Mapping[str, Any]
-    """What its template can name, and the summary through ``sections``."""
-    prose: Prose
-
-    @property
-    def name(self) -> str:
-        return self.state.section
-
-    @property
-    def machine(self) -> str:
-        return machine_name(self.results.record)
+INPUTS = ("experiments", "report", "templates", "assets", "results")
+"""Folders that a page is made from."""
+DIGEST_FILE = ".inputs"
+"""Beside a page: the digest of all that it was made from."""
 
 
 @dataclass(frozen=True)
-class Report:
-    """What the site shows, checked and ready to be drawn."""
+class Edition:
+    """The page of one release, as another one leads to it."""
 
-    project: Project
-    chapters: Sequence[Chapter]
-    left_out: Sequence[State]
-    """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
-    summary: Prose
-
-
-def assemble(project: Project, states: Sequence[State]) -> Report:
-    """Derive all that is shown and render every template, but draw nothing yet."""
-    templates = Templates(project.templates)
-    shown = [(state, _load_module(project, state.section)) for state in states if state.record]
-    left_out = [state for state in states if not state.record]
-    chapters: dict[str, Chapter] = {}
-    for state, module in sorted(shown, key=lambda pair: pair[1].order):
-        others = {name: chapter.results for name, chapter in chapters.items()}
-        results = Results(state.record, project.record_path(state.section), others)
-        try:
-            section = module.derive(results)
-            names = _names(results, section)
-            prose = templates.prose(f"sections/{state.section}.md.j2", state.section, names)
-        except ResultsError as error:
-            if state.name == "fresh":
-                raise
-            left_out.append(replace(state, record=None, notes=(str(error),)))
-        else:
-            chapters[state.section] = Chapter(state, results, section, names, prose)
-    sections = {name: chapter.names for name, chapter in chapters.items()}
-    figure = overview({name: chapter.results for name, chapter in chapters.items()})
-    placed = PlacedFigure("summary-overview", figure) if figure else None
-    summary = templates.prose("summary.md.j2", "summary", {"sections": sections, "overview": placed})
-    return Report(project, list(chapters.values()), left_out, summary)
+    release: str
+    address: str
+    """Where it lies, seen from the other one; empty for the page itself."""
+    shown: Sequence[str]
+    """Sections that it has."""
 
 
-def build(report: Report) -> None:
-    """Write the site; until it is whole, the one that was there stays."""
-    project = report.project
+def build(project: Project) -> Report:
+    """Write the site and return the report of ``project``; until it is whole, the site that was there stays.
+
+    Its page is the first of the site; those of other releases that have results lie in a folder each, and are written
+    only when something that they are made from has changed.
+    """
     fresh = project.root / f".site-{os.getpid()}"
+    names = [project.release, *(release for release in project.releases if release != project.release)]
+    derived = {name: derive_release(project.of(name), values_file_of(name))[0] for name in project.releases}
+    reports = [assemble(project, derived)]
+    reports += [assemble(project.of(name), derived, values_file_of(name)) for name in names[1:]]
     try:
-        _write(fresh, report)
+        _write_site(fresh, reports, derived)
         _replace(project.site, fresh)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
+    return reports[0]
 
 
-def _names(results: Results, section: Section) -> dict[str, Any]:
-    name = results.record.section
-    claims = {claim.name: claim.html(name) for claim in section.claims}
-    figures = {key: PlacedFigure(f"{name}-{key}", figure) for key, figure in section.figures.items()}
-    return {
-        "row": results.row,
-        "rows": results.rows,
-        "value": results.derived,
-        "claim": _finder(name, "claim", claims),
-        "table": _finder(name, "table", section.tables),
-        "figure": _finder(name, "figure", figures),
-        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
-    }
-
-
-def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:
-    def find(name: str) -> Any:
-        if name not in things:
-            raise ResultsError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
-        return things[name]
-
-    return find
-
-
-def _load_module(project: Project, section: str) -> ModuleType:
-    path = project.root / "report" / "sections" / f"{section}.py"
-    spec = importlib.util.spec_from_file_location(f"report.sections.{section}", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def _write(folder: Path, report: Report) -> None:
-    project, chapters = report.project, report.chapters
-    data = folder / "data" / project.results.name
-    data.mkdir(parents=True)
+def _write_site(folder: Path, reports: Sequence[Report], derived: Mapping[str, Release]) -> None:
+    site, digest = reports[0].project.site, _digest(reports[0].project)
+    places = {report.project.release: f"newton-{report.project.release}/" for report in reports}
+    places[reports[0].project.release] = ""
+    kept = [release for release, place in places.items() if place and _read_digest(site / place) == digest]
+    for release in kept:
+        shutil.copytree(site / places[release], folder / places[release])
+    to_write = [report for report in reports if report.project.release not in kept]
+    for report, drawn in zip(to_write, _draw(to_write), strict=True):
+        here = folder / places[report.project.release]
+        _write_page(here, report, _editions(reports, places, report), drawn)
+        _write_data(here / "data", report, derived)
+        (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
     (folder / ".gitkeep").touch()
-    html = Templates(project.templates).layout("base.html.j2", {"report": report, "format_time": format_time})
+
+
+def _editions(reports: Sequence[Report], places: Mapping[str, str], page: Report) -> list[Edition]:
+    """All releases as seen from one page, oldest first."""
+    up = "../" if places[page.project.release] else ""
+    shown = {report.project.release: [chapter.name for chapter in report.chapters] for report in reports}
+    addresses = {name: "" if name == page.project.release else f"{up}{places[name]}index.html" for name in shown}
+    return [Edition(name, addresses[name], shown[name]) for name in page.project.releases]
+
+
+def _draw(reports: Sequence[Report]) -> list[dict[str, Markup]]:
+    """The figures of each report by name."""
+    placed = [
+        (number, figure)
+        for number, report in enumerate(reports)
+        for prose in (report.summary, *(chapter.prose for chapter in report.chapters))
+        for figure in prose.figures
+    ]
+    drawn: list[dict[str, Markup]] = [{} for _ in reports]
+    for (number, figure), html in zip(placed, draw_all([figure for _, figure in placed]), strict=True):
+        drawn[number][figure.name] = html
+    return drawn
+
+
+def _write_page(folder: Path, report: Report, editions: Sequence[Edition], drawn: Mapping[str, Markup]) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    names = {"report": report, "editions": editions, "drawn": drawn, "format_time": format_time}
+    html = Templates(report.project.templates).layout("base.html.j2", names)
     (folder / "index.html").write_text(html, encoding="utf-8")
-    shutil.copyfile(project.root / "assets" / "style.css", folder / "style.css")
-    for chapter in chapters:
-        for path in (chapter.results.path, *traces_of(chapter.results.path)):
-            shutil.copyfile(path, data / path.name)
+    shutil.copyfile(report.project.root / "assets" / "style.css", folder / "style.css")
+    for chapter in report.chapters:
         for download in chapter.section.downloads:
             path = folder / "download" / download.name
             path.parent.mkdir(exist_ok=True)
             path.write_text(download.text, encoding="utf-8")
-    values = {
-        chapter.name: {name: value.entry for name, value in chapter.results.derived.items()} for chapter in chapters
-    }
+
+
+def _write_data(folder: Path, report: Report, derived: Mapping[str, Release]) -> None:
+    """All that a page names: its own results and values, and those of the other releases."""
+    for release, sections in derived.items():
+        own = release == report.project.release
+        for section in sections.values():
+            path = section.results.path
+            there = folder / path.parent.name
+            there.mkdir(parents=True, exist_ok=True)
+            for file in (path, *(traces_of(path) if own else ())):
+                shutil.copyfile(file, there / file.name)
+        if not own:
+            _write_values(folder / values_file_of(release), sections.values())
+    for name in {VALUES_FILE, report.values_file}:
+        _write_values(folder / name, report.chapters)
+
+
+def _write_values(path: Path, sections: Iterable[Derived]) -> None:
+    values = {section.name: section.values for section in sections}
+    path.parent.mkdir(parents=True, exist_ok=True)
     text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
-    (folder / "data" / VALUES_FILE).write_text(text + "\n", encoding="utf-8")
+    path.write_text(text + "\n", encoding="utf-8")
+
+
+def _digest(project: Project) -> str:
+    """Of all that the pages are made from."""
+    digest = hashlib.sha256(repr((project, package_versions())).encode())
+    for folder in INPUTS:
+        for path in sorted((project.root / folder).rglob("*")):
+            if path.is_file() and "__pycache__" not in path.parts:
+                content = path.read_bytes()
+                digest.update(f"{path.relative_to(project.root).as_posix()}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
+
+
+def _read_digest(folder: Path) -> str | None:
+    try:
+        return (folder / DIGEST_FILE).read_text(encoding="utf-8")
+    except OSError:
+        return None
 
 
 def _replace(site: Path, fresh: Path) -> None:

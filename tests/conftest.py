@@ -1,17 +1,17 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pandas as pd
 import pytest
 
 from report import ROOT
-from report.identity import identity_of
+from report.identity import identity_of, package_versions
 from report.project import Project
 from report.records import Record, units_of, write_record
-from report.site import assemble, build
+from report.site import build
 from report.status import state_of
 from report.traces import write_traces
 
@@ -83,6 +83,10 @@ class Toy:
         return self.project.record_path("toy")
 
     @property
+    def packages(self) -> dict[str, str]:
+        return {**package_versions(), "newton": self.project.release}
+
+    @property
     def page(self) -> str:
         return (self.project.site / "index.html").read_text(encoding="utf-8")
 
@@ -94,7 +98,7 @@ class Toy:
     def record(self, rows=ROWS, **changes) -> Record:
         fields = {
             "section": "toy",
-            "identity": identity_of("toy", self.project.profile, self.project.root),
+            "identity": identity_of("toy", self.project.profile, self.project.root, self.packages),
             "machine": {
                 "device": "cpu",
                 "gpu": None,
@@ -120,11 +124,12 @@ class Toy:
     def state(self):
         return state_of(self.project, "toy")
 
-    def assemble(self):
-        return assemble(self.project, [self.state()])
+    def of(self, release: str) -> "Toy":
+        """The same project with another Newton release."""
+        return replace(self, project=self.project.of(release))
 
     def build(self) -> None:
-        build(self.assemble())
+        build(self.project)
 
 
 @pytest.fixture

@@ -1,6 +1,7 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
 import os
+import resource
 import subprocess
 import sys
 import time
@@ -14,13 +15,11 @@ from report.check import check_site
 REPORT = """
 import sys
 from pathlib import Path
-from report.identity import installed_release, sections
+from report.identity import installed_release
 from report.project import Project
-from report.site import assemble, build
-from report.status import state_of
+from report.site import build
 
-project = Project(installed_release(), root=Path(sys.argv[1]))
-build(assemble(project, [state_of(project, section) for section in sections()]))
+build(Project(installed_release(), root=Path(sys.argv[1])))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
 """
 
@@ -38,6 +37,12 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
     )
 
 
+def processor_time() -> float:
+    """What the processes that were run have taken [s]; unlike the time on the wall, it is theirs alone."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -50,6 +55,12 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["report", "--profile", "slow"], "PROFILE=slow"),
         (["status", "--newton", "new"], "NEWTON=new"),
         (["status", "--newton", "99.0"], "NEWTON=99.0"),
+        (["report", "--newton", "99.0"], "NEWTON=99.0"),
+        (["rerun", "--section", "gap", "--newton", "99.0", "--device", "cpu"], "NEWTON=99.0"),
+        (["check", "--newton", "99.0"], "NEWTON=99.0"),
+        (["diff", "--a", "1.4.0"], "B="),
+        (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
+        (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
         (["publish", "--target", "ftp:x"], "TARGET="),
         (["publish"], "TARGET="),
     ],
@@ -77,8 +88,8 @@ def test_status_is_quick_and_does_not_import_the_simulator():
 def test_the_tracked_results_make_a_report_without_the_simulator(tmp_path):
     for name in ("experiments", "report", "templates", "assets", "results"):
         (tmp_path / name).symlink_to(ROOT / name)
-    start = time.perf_counter()
+    start = processor_time()
     done = run(str(tmp_path), code=("-c", REPORT))
     assert done.returncode == 0, done.stderr
-    assert time.perf_counter() - start < 10
+    assert processor_time() - start < 10
     assert check_site(tmp_path / "site") == []

@@ -1,7 +1,7 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
 from report.claims import FAILS, HOLDS, Outcome
-from report.quantities import VALUES_FILE, Quantity
+from report.quantities import Quantity
 from report.results import Results
 
 
@@ -15,7 +15,7 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     other = results.others.get(section)
     if other and name in other.derived:
         return other.derived[name]
-    return Quantity(None, unit, f"{VALUES_FILE}#/{section}/{name}", f"section {section} does not say")
+    return Quantity(None, unit, "", f"section {section} does not say")
 
 
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
@@ -23,7 +23,7 @@ def other_cell(results: Results, section: str, case: str, column: str, *, unit: 
     other = results.others.get(section)
     if other and case in other.row and column in other.row[case]:
         return other.row[case][column]
-    return Quantity(None, unit, f"{section}/{case}/{column}", f"section {section} does not say")
+    return Quantity(None, unit, "", f"section {section} does not say")
 
 
 def all_of(*outcomes: Outcome) -> Outcome:

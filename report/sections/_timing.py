@@ -15,7 +15,7 @@ def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     if row is not None:
         return row[column]
     unit = results.record.units.get(column, "1")
-    return Quantity(None, unit, f"{results.source}#/rows", f"{what} was not measured on this machine")
+    return Quantity(None, unit, "", f"{what} was not measured on this machine")
 
 
 def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:

@@ -40,12 +40,19 @@ def derive(results: Results) -> Section:
             _slide_accounts(results, runs["as-shipped"], gaps["as-shipped"]),
             _slide_accounts_when_stiff(results, runs["stiff-pads"], gaps),
             _missing_term(results),
+            _term_restored(results),
+            _rest_is_creep(results),
         ],
     )
 
 
 def _of_kind(results: Results, kind: str) -> list[Row]:
     return [row for row in results.rows if row.kind == kind]
+
+
+def _in_c(results: Results, kind: str) -> list[Row]:
+    """The runs of one kind through MuJoCo C, one for each of CASES."""
+    return [results.row[f"{case}-{kind}"] for case in CASES]
 
 
 def _gap(results: Results, run: Row) -> Value:
@@ -81,7 +88,7 @@ def _far_inside_cone(results: Results, run: Row) -> Claim:
         "sliding is {one}.",
         unknown="How much of the friction cone the grasp uses cannot be told.",
         numbers={"use": run.cone_use_max, "one": results.value("cone_limit", "by definition", lambda: 1.0)},
-        explanation="The cube does not slip because it is held too weakly, so more friction or more grip is no cure.",
+        explanation="The grasp is not too weak, so what the cube slips is not for want of friction or of grip.",
     )
 
 
@@ -111,8 +118,8 @@ def _no_friction_residual(results: Results) -> Claim:
         unknown="Whether the friction rows carry a position residual cannot be told.",
         numbers={"largest": largest, "normal": normal},
         explanation="A normal row knows how deep the cube is in the pad and pushes it back out. A friction row knows "
-        "only a velocity: the acceleration that it asks for is −b·v, with b = 2 / (dmax · timeconst). It slows a "
-        "sliding cube down, and once the cube has slid, nothing remembers where it was.",
+        "only a velocity: the acceleration that it asks for is −b·v, with b = 2 / (dmax · timeconst) of that row. It "
+        "slows a sliding cube down, and once the cube has slid, nothing remembers where it was.",
     )
 
 
@@ -156,7 +163,7 @@ def _slide_accounts_when_stiff(results: Results, run: Row, gaps: dict[str, Value
 
 
 def _missing_term(results: Results) -> Claim:
-    rows = _of_kind(results, "missing-term")
+    rows = _in_c(results, "missing-term")
     departures = [
         results.value(
             f"missing_term_departure_{row.case}",
@@ -197,19 +204,82 @@ def _missing_term(results: Results) -> Claim:
     )
 
 
+def _term_restored(results: Results) -> Claim:
+    """The intervention: the same runs, with the left-out acceleration in the contact rows."""
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
+    shares = [
+        results.value(
+            f"restored_share_{without.case.removesuffix('-missing-term')}",
+            "size of the slide of the friction rows with the term put back, of that without it",
+            lambda put_back, slide: 100 * abs(put_back / slide),
+            put_back.slide_mm,
+            without.slide_mm,
+            unit="%",
+        )
+        for without, put_back in zip(left_out, restored, strict=True)
+    ]
+    largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
+    bound = results.value("restored_share_bound", "chosen: no slide to speak of", lambda: 5.0, unit="%")
+    numbers = {"share": largest}
+    for name, without, put_back in zip(("", "_stiff"), left_out, restored, strict=True):
+        numbers |= {f"slide{name}": without.slide_mm, f"restored{name}": put_back.slide_mm}
+    return Claim(
+        "term_restored",
+        at_most(largest, bound),
+        holds="Put back into the contact rows, it ends the slide: {restored} in place of {slide} as shipped, "
+        "{restored_stiff} in place of {slide_stiff} with stiff pads. So it is the cause.",
+        fails="Put back into the contact rows, it does not end the slide: {restored} in place of {slide} as shipped, "
+        "{restored_stiff} in place of {slide_stiff} with stiff pads.",
+        unknown="Whether the slide ends when the term is put back cannot be told.",
+        numbers=numbers,
+    )
+
+
+def _rest_is_creep(results: Results) -> Claim:
+    """What the rows' slide leaves over is the motion that is there without any slide."""
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
+    rests = [
+        results.value(
+            f"rest_{without.case.removesuffix('-missing-term')}",
+            "size of: measured displacement less slide of the rows, less the displacement with the term put back",
+            lambda along, slide, creep: abs(along - slide - creep),
+            without.along_mm,
+            without.slide_mm,
+            put_back.along_mm,
+            unit="mm",
+        )
+        for without, put_back in zip(left_out, restored, strict=True)
+    ]
+    largest = results.value("rest", "larger of both", max, *rests, unit="mm")
+    bound = results.value("rest_bound", "chosen: all accounted for", lambda: 0.03, unit="mm")
+    shipped, stiff = restored
+    return Claim(
+        "rest_is_creep",
+        at_most(largest, bound),
+        holds="What the rows' slide and the measured displacement differ by is the motion that stays when nothing "
+        "slides: {creep} as shipped, {creep_stiff} with stiff pads. With it the account closes to within {rest}.",
+        fails="The rows' slide and the motion that stays when nothing slides, {creep} as shipped and {creep_stiff} "
+        "with stiff pads, do not add up to the measured displacement: {rest} are left over.",
+        unknown="Whether the rows' slide and the rest add up to the measured displacement cannot be told.",
+        numbers={"creep": shipped.along_mm, "creep_stiff": stiff.along_mm, "rest": largest},
+    )
+
+
 def _missing_table(results: Results) -> Table:
-    rows = _of_kind(results, "missing-term")
+    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     columns = {
-        "from the left-out term": [row.predicted_slide_mm for row in rows],
-        "from the friction rows": [row.slide_mm for row in rows],
-        "measured displacement": [row.along_mm for row in rows],
+        "from the left-out term": [row.predicted_slide_mm for row in left_out],
+        "from the friction rows": [row.slide_mm for row in left_out],
+        "measured displacement": [row.along_mm for row in left_out],
+        "friction rows, term put back": [row.slide_mm for row in restored],
+        "displacement, term put back": [row.along_mm for row in restored],
     }
-    index = pd.Index([row.case.removesuffix("-missing-term") for row in rows], name="case")
+    index = pd.Index([row.case.removesuffix("-missing-term") for row in left_out], name="case")
     return Table(
         pd.DataFrame(columns, index=index),
         "Slide along the main axis over two periods of the shake, in runs through MuJoCo C: J̇·q̇ / b at the loaded "
-        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; and how far the "
-        "cube has moved.",
+        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; how far the "
+        "cube has moved; and the last two again in a run whose contact rows ask for −b·v − J̇·q̇.",
     )
 
 

@@ -67,9 +67,9 @@ def _same_on_mujoco_c(results: Results) -> Claim:
     return Claim(
         "same_on_mujoco_c",
         at_least(gain, _gain_bound(results)),
-        holds="It helps through MuJoCo's C engine as well: {before} without it, {after} with it.",
-        fails="Through MuJoCo's C engine it does not help: {before} without it, {after} with it.",
-        unknown="Whether it helps through MuJoCo's C engine cannot be told.",
+        holds="Through MuJoCo's C engine the patch helps: {before} without it, {after} with it.",
+        fails="Through MuJoCo's C engine the patch does not help: {before} without it, {after} with it.",
+        unknown="Whether the patch helps through MuJoCo's C engine cannot be told.",
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm},
     )
 

@@ -63,6 +63,5 @@ def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> C
             "high": high.pad_mu,
         },
         explanation="A coefficient is a limit: it caps the tangential force that a contact may carry, and does nothing "
-        "while the force stays below. That less friction does not matter says that the contacts are below; the cube "
-        "slips all the same.",
+        "while the force stays below. That less friction does not matter says that the contacts are below.",
     )

@@ -153,8 +153,8 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         at_most(share, bound),
         holds="It takes the shake: with the arm held still the cube drifts along the same axis at {drift}, in size "
         "{share} of that, and creeps {slip} in all.",
-        fails="It does not take the shake: with the arm held still the cube drifts along the same axis at {drift}, in "
-        "size {share} of that, and moves {slip} in all.",
+        fails="Not all of that is the shake's doing: with the arm held still the cube drifts along the same axis at "
+        "{drift}, in size {share} of that, and moves {slip} in all.",
         unknown="Whether it takes the shake to move the cube cannot be told.",
         numbers={"drift": hold.drift_mm_s, "share": share, "slip": hold.slip_mm},
     )
@@ -206,7 +206,8 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
         at_least(gain, bound),
         holds="Stiffer and more strongly damped pads, and nothing else changed, bring the slip down to {slip}, {gain} "
         "times less.",
-        fails="Stiffer pads alone do not settle it: the slip is then {slip}, and as shipped it is {gain} times that.",
+        fails="With stiffer and more strongly damped pads, and nothing else changed, the slip is {slip}; as shipped it "
+        "is {gain} times that.",
         unknown="Whether stiffer pads hold the cube cannot be told.",
         numbers={"slip": stiff.slip_mm, "gain": gain},
     )

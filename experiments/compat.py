@@ -1,0 +1,60 @@
+"""Where Newton's releases differ, and which one changed what. All else here runs on 1.4.0 to 1.8.0 as it is.
+
+Two changes need nothing here: 1.8.0 reads the joints' damping from the URDF, and deprecates ``update_data_interval`` of
+``SolverMuJoCo``, which still works.
+"""
+
+import newton
+import warp as wp
+from newton.solvers import SolverMuJoCo
+
+KF_RELEASE = (1, 5)
+"""From this release on ``SolverMuJoCo`` reads ``ShapeConfig.kf``: with an elliptic cone it gives the friction rows of
+Newton's contacts a timeconst of their own, 2 / (kf w ((1 - dmax) / impratio + dmax)), where w is the sum of the bodies'
+``body_invweight0``. kf = 0 takes the friction away, and a negative one the timeconst. MuJoCo's own contacts have none
+in any release."""
+
+
+def release(version: str = newton.__version__) -> tuple[int, ...]:
+    """A release as numbers, up to what is no number: (1, 5, 0) for ``1.5.0`` and for ``1.5.0.dev1``."""
+    numbers = []
+    for part in version.split("."):
+        if not part.isdigit():
+            break
+        numbers.append(int(part))
+    return tuple(numbers)
+
+
+def kf_is_read() -> bool:
+    """Whether ``SolverMuJoCo`` of the installed release reads ``ShapeConfig.kf``."""
+    return release() >= KF_RELEASE
+
+
+def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = None, **options) -> SolverMuJoCo:
+    """A silent ``SolverMuJoCo``.
+
+    Args:
+        friction_timeconst_s: Timeconst [s] for the friction rows of Newton's contacts in place of the release's, or 0
+            to take it from them; None leaves them alone.
+    """
+    if friction_timeconst_s is None:
+        solver = SolverMuJoCo(model, **options)
+    else:
+        solver = _FrictionRowSolver(model, friction_timeconst_s, **options)
+    if not solver.use_mujoco_cpu:
+        # Kernels print a line at each overflow and, from 1.6.0 on, at each solve that uses up its iterations. The
+        # recorder keeps all that, and in a large batch the printing costs more than the physics.
+        solver.mjw_model.opt.warn_overflow = False
+    return solver
+
+
+class _FrictionRowSolver(SolverMuJoCo):
+    """A solver that writes one solreffriction into all of Newton's contacts."""
+
+    def __init__(self, model: newton.Model, friction_timeconst_s: float, **options):
+        self.solreffriction = wp.vec2(friction_timeconst_s, 1.0 if friction_timeconst_s else 0.0)
+        super().__init__(model, **options)
+
+    def _convert_contacts_to_mjwarp(self, *arguments) -> None:
+        super()._convert_contacts_to_mjwarp(*arguments)
+        self.mjw_data.contact.solreffriction.fill_(self.solreffriction)

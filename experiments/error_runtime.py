@@ -1,0 +1,282 @@
+"""Error against run time: what each numerical setting makes of the same shake, and how long it takes."""
+
+import gc
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from experiments import metrics
+from experiments.case import FIXED, Case, differences
+from experiments.error_settings import FRAME_COUNT, MODEL_FIELDS, PADS, Setting, native_of, reference_of, settings
+from experiments.measurement import Conditions, Measurement
+from experiments.reference import NativeShake, Start
+from experiments.scene import ROBOT_DOF_COUNT
+from experiments.simulation import Simulation, run
+from experiments.timing import elapsed_ms, frame_ms, put_in_state_of
+from experiments.trace import Trace
+
+REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
+"""Of the reference; a second one with half as many tells how far it has converged."""
+WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4)}
+REPEAT_COUNT = 20
+"""Frames that are timed, each by itself."""
+WARMUP_COUNT = 3
+"""Frames before those."""
+SETUP_FRAME_LIMIT = 600
+FRAMES_PER_S = 60
+ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
+TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
+FRONT_COLUMNS = ("on_front", "on_backend_front", "on_grasp_front", "on_grasp_backend_front")
+
+
+def measure(conditions: Conditions) -> Measurement:
+    profile = "quick" if conditions.quick else "full"
+    device = wp.get_device(conditions.device)
+    points = settings(profile, cpu_too=conditions.is_cuda)
+    finest = REFERENCE_SUBSTEPS[profile]
+    references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
+
+    pilot = pilot_at_shake(device)
+    shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
+    # Many worlds start where the pilot is now, so they are timed before it runs on.
+    worlds = [world_row(count, pilot, device) for count in WORLD_COUNTS[profile]]
+    starts = starts_of(pilot)
+    natives = {
+        point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
+    }
+    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:  # C runs on the CPU, beside the GPU
+        native_traces = pool.map(NativeShake.run, natives.values())
+        traces = run_shakes(shakes)
+        traces |= dict(zip(natives, native_traces, strict=True))
+
+    # Nothing else runs from here on: what is timed has the machine for itself. Each row takes its errors before its
+    # times, since on the CPU a trace is a view of what later frames write to.
+    rows = [point_row(point, shakes | natives, traces, finest) for point in points]
+    mark_fronts(rows)
+    rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
+    return Measurement([*rows, *worlds, one_core_row(starts["stiff"])])
+
+
+def pilot_at_shake(device: wp.Device) -> Simulation:
+    """A world for each of PADS, run to where the shake begins."""
+    pilot = Simulation([replace(case, frame_count=SETUP_FRAME_LIMIT) for case in PADS.values()], device)
+    for _ in range(SETUP_FRAME_LIMIT):
+        pilot.step()
+        wp.synchronize_device(device)
+        if pilot.task.phase.numpy().min() >= metrics.SHAKE:
+            return pilot
+    raise RuntimeError(f"the shake was not reached within {SETUP_FRAME_LIMIT} frames")
+
+
+def starts_of(pilot: Simulation) -> dict[str, Start]:
+    """The pilot's state, and the targets of the frames that follow: for these it is run on.
+
+    In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
+    """
+    data = pilot.solver.mjw_data
+    state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
+    targets = np.zeros((FRAME_COUNT + WARMUP_COUNT + REPEAT_COUNT, pilot.world_count, ROBOT_DOF_COUNT))
+    for frame in range(len(targets)):
+        pilot.step()
+        wp.synchronize_device(pilot.device)
+        targets[frame] = pilot.joint_target.numpy()[:, :ROBOT_DOF_COUNT]
+    return {
+        pads: Start(**{name: values[world] for name, values in state.items()}, targets=targets[:, world])
+        for world, pads in enumerate(PADS)
+    }
+
+
+class WarpShake:
+    """One setting as a simulation of one world, compiled, captured and at the start of the shake."""
+
+    def __init__(self, point: Setting, pilot: Simulation, device: wp.Device):
+        device = wp.get_device(point.case.device) if point.case.device else device
+        built: list[Simulation] = []
+        self.build_ms = elapsed_ms(device, lambda: built.append(Simulation([point.case], device)))
+        [self.simulation] = built
+        world = list(PADS).index(point.pads)
+        put_in_state_of(self.simulation, pilot, world)
+        self.first_frame_ms = elapsed_ms(device, self.simulation.step)
+        # The frame that was captured must not count.
+        put_in_state_of(self.simulation, pilot, world)
+        self.simulation.recorder.cursor.zero_()
+        wp.synchronize_device(device)
+
+    def frame_ms(self, repeat_count: int, warmup_count: int) -> np.ndarray:
+        return frame_ms(self.simulation, repeat_count)
+
+
+def run_shakes(shakes: dict[Setting, WarpShake]) -> dict[Setting, Trace]:
+    """Run all frames of all settings, those of one device side by side."""
+    traces = {}
+    for device in dict.fromkeys(shake.simulation.device.alias for shake in shakes.values()):
+        mine = {point: shake.simulation for point, shake in shakes.items() if shake.simulation.device.alias == device}
+        results = run(list(mine.values()), title=f"error_runtime on {device}")
+        traces |= {point: trace for point, [trace] in zip(mine, results, strict=True)}
+    return traces
+
+
+def point_row(
+    point: Setting,
+    shakes: dict[Setting, WarpShake | NativeShake],
+    traces: dict[Setting, Trace],
+    reference_substeps: int,
+) -> dict[str, object]:
+    """Errors and time of one setting, and how far it is from the same setting in C."""
+    shake, trace, native = shakes[point], traces[point], native_of(point)
+    row = describe(point, trace, shakes[native])
+    row |= errors(trace, traces[reference_of(point, reference_substeps)])
+    if not point.is_native:
+        row |= number("c_difference_mm", distance_mm(trace, traces[native]))
+        row["backend"] = "warp-cuda" if shake.simulation.device.is_cuda else "warp-cpu"
+        row |= {"build_s": 1e-3 * shake.build_ms, "capture_s": 1e-3 * shake.first_frame_ms}
+    if not row["valid"]:
+        return row | absent(TIME_COLUMNS, f"not timed: {row['invalid_reason']}")
+    return row | time_columns(shake)
+
+
+def reference_row(
+    point: Setting, natives: dict[Setting, NativeShake], traces: dict[Setting, Trace]
+) -> dict[str, object]:
+    """A converged solution; as its error counts how far it is from the solution with twice the step.
+
+    The integrator is of higher than first order, so more than half of the error goes when the step is halved, and what
+    is left is less than what has just gone.
+    """
+    row = describe(point, traces[point], natives[point])
+    row |= errors(traces[point], traces[reference_of(point, point.case.substeps // 2)])
+    return (
+        row
+        | absent(TIME_COLUMNS, "a reference runs beside others and is not timed")
+        | dict.fromkeys(FRONT_COLUMNS, False)
+    )
+
+
+def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, object]:
+    """What a setting is, and whether its run counts."""
+    case, reason = point.case, invalid_reason(point.case, trace)
+    return {
+        "case": case.name,
+        **differences(case),
+        "backend": "mujoco-c",
+        "pads": point.pads,
+        "method": point.method,
+        "knob": point.knob,
+        "substeps": case.substeps,
+        "substep_ms": 1e3 / FRAMES_PER_S / case.substeps,
+        "timeconst_ms": 1e3 * native.pad_timeconst_s,
+        "valid": reason is None,
+        "invalid_reason": reason,
+        **number("cone_use_max", float(np.nanmax(trace.column("cone_use")))),
+        "iteration_peak_count": trace.peak_iteration_count,
+        "frame_count": len(trace.phase),
+    }
+
+
+def invalid_reason(case: Case, trace: Trace) -> str | None:
+    """Why the time of a run does not count; None when it does."""
+    if trace.failure:
+        return str(trace.failure)
+    if metrics.is_dropped(trace):
+        return "the cube left the grasp"
+    if trace.peak_iteration_count >= case.iterations:
+        return f"the solver used all of its {case.iterations} iterations"
+    return None
+
+
+def errors(trace: Trace, reference: Trace) -> dict[str, object]:
+    """Grasp error and numerical error of a run."""
+    grasp = metrics.cycle_drift_mm(metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz)
+    return number("grasp_error_mm_per_cycle", grasp) | number("numerical_error_mm", distance_mm(trace, reference))
+
+
+def distance_mm(trace: Trace, other: Trace) -> float:
+    """How far apart two runs have the cube in the TCP frame, root mean square over the shake [mm]."""
+    paths = (metrics.relative_position(each.poses, metrics.CUBE, metrics.TCP) for each in (trace, other))
+    return metrics.distance_rms_mm(*paths)
+
+
+def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
+    """Wall time per simulated second, from frames in the shake that are timed one by one."""
+    return spread(shake.frame_ms(REPEAT_COUNT, WARMUP_COUNT))
+
+
+def spread(frames_ms: np.ndarray) -> dict[str, float | int]:
+    """Median and percentiles of the time of a frame, per simulated second."""
+    values = FRAMES_PER_S * np.percentile(frames_ms, (50, 5, 95))
+    return dict(zip(TIME_COLUMNS, map(float, values), strict=True)) | {"repeat_count": len(frames_ms)}
+
+
+def mark_fronts(rows: Sequence[dict[str, object]]) -> None:
+    """Say of each row whether no other one that counts has a smaller error in less time.
+
+    The numerical error compares settings of one model, so another cone or impratio is on no such front; the grasp error
+    compares everything. With ``backend`` in the column's name only settings of one backend compete.
+    """
+    own_model = [row for row in rows if not any(name in row for name in MODEL_FIELDS)]
+    mark_front(rows, own_model, "on_front", "numerical_error_mm", ("pads",))
+    mark_front(rows, own_model, "on_backend_front", "numerical_error_mm", ("pads", "backend"))
+    mark_front(rows, rows, "on_grasp_front", "grasp_error_mm_per_cycle", ())
+    mark_front(rows, rows, "on_grasp_backend_front", "grasp_error_mm_per_cycle", ("backend",))
+
+
+def mark_front(
+    rows: Sequence[dict[str, object]],
+    candidates: Sequence[dict[str, object]],
+    column: str,
+    error: str,
+    groups: Sequence[str],
+) -> None:
+    """Set ``column`` of each row: whether it is on the front of its group, rows that are alike in ``groups``."""
+    competing: dict[tuple, list[dict[str, object]]] = {}
+    for row in candidates:
+        if row["valid"] and row[error] is not None:
+            competing.setdefault(tuple(row[name] for name in groups), []).append(row)
+    for row in rows:
+        row[column] = False
+    for group in competing.values():
+        front = metrics.pareto_front(*(np.array([row[name] for row in group]) for name in (error, "ms_per_s")))
+        for row, best in zip(group, front, strict=True):
+            row[column] = bool(best)
+
+
+def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[str, object]:
+    """The fixed scene in many worlds at once, timed in the shake."""
+    gc.collect()  # frees the batch before
+    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=WARMUP_COUNT + REPEAT_COUNT)
+    simulation = Simulation([case] * world_count, device)
+    put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
+    times = frame_ms(simulation, REPEAT_COUNT)
+    traces = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
+    reason = next(filter(None, (invalid_reason(case, trace) for trace in traces)), None)
+    row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)
+    return row | (spread(times) if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+
+
+def one_core_row(start: Start) -> dict[str, object]:
+    """The fixed scene in C on one core."""
+    case = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
+    shake = NativeShake(case, start)
+    reason = invalid_reason(case, shake.run())
+    row = timed_only(case, reason, "mujoco-c", world_count=1)
+    return row | (time_columns(shake) if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+
+
+def timed_only(case: Case, invalid: str | None, backend: str, world_count: int) -> dict[str, object]:
+    row = {"case": case.name, **differences(case), "backend": backend, "method": "worlds", "worlds": world_count}
+    row |= {"valid": invalid is None, "invalid_reason": invalid}
+    row |= dict.fromkeys(FRONT_COLUMNS, False)
+    return row | absent(ERROR_COLUMNS, "only the time is measured here")
+
+
+def number(name: str, value: float) -> dict[str, object]:
+    """A column, with the reason where the number does not exist."""
+    return {name: float(value)} if np.isfinite(value) else absent((name,), "the positions are not finite")
+
+
+def absent(names: Sequence[str], reason: str) -> dict[str, object]:
+    return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}

@@ -1,0 +1,96 @@
+"""The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import mujoco
+import numpy as np
+import warp as wp
+from tqdm import tqdm
+
+from experiments import metrics
+from experiments.case import Case
+from experiments.measurement import SETUP_FRAME_COUNT
+from experiments.simulation import Simulation
+from experiments.trace import Trace
+
+TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
+"""The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
+
+
+def predicted_row(case: Case) -> dict[str, object]:
+    """How much slide the term would give that the engine's contact rows leave out, next to the slide that they show.
+
+    A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity and b = 2 / (dmax timeconst)
+    (MuJoCo documentation, "Computation", constraint model). The contact's real acceleration is J q̈ + J̇ q̇. Where the
+    cube stays with the pads that is near zero, which leaves v = J̇ q̇ / b. J̇ comes from MuJoCo's ``mj_jacDot`` in a run
+    through MuJoCo C.
+    """
+    simulation = _in_c(case)
+    bias = np.zeros(TWO_PERIODS_FRAME_COUNT)
+    for frame in tqdm(range(TWO_PERIODS_FRAME_COUNT), desc=f"{case.name}, missing term", unit="frame", delay=3.0):
+        simulation.step()
+        bias[frame] = mean_along_shake_m_s2(simulation)
+    trace = _trace(simulation)
+    timeconst_s = max(2.0 / case.pad_kd, 2.0 * simulation.substep_dt)
+    slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * timeconst_s
+    predicted_mm = 1e3 * float(slide_m_s.sum() * trace.frame_dt)
+    return {"case": f"{case.name}-missing-term", "kind": "missing-term", "predicted_slide_mm": predicted_mm} | _motion(
+        trace
+    )
+
+
+def restored_row(case: Case) -> dict[str, object]:
+    """The same run with the term put back: every contact row asks for -b v - J̇ q̇."""
+    simulation = _in_c(case)
+    simulation.solver._mujoco = SimpleNamespace(mj_step=_step_with_term)  # what Newton calls to step the engine
+    for _ in tqdm(range(TWO_PERIODS_FRAME_COUNT), desc=f"{case.name}, term restored", unit="frame", delay=3.0):
+        simulation.step()
+    return {"case": f"{case.name}-term-restored", "kind": "term-restored"} | _motion(_trace(simulation))
+
+
+def _in_c(case: Case) -> Simulation:
+    return Simulation([replace(case, backend="mujoco", frame_count=TWO_PERIODS_FRAME_COUNT)], wp.get_device("cpu"))
+
+
+def _trace(simulation: Simulation) -> Trace:
+    return simulation.recorder.traces(simulation.frame_dt, TWO_PERIODS_FRAME_COUNT, wall_s=0.0)[0]
+
+
+def _motion(trace: Trace) -> dict[str, float]:
+    moved = metrics.displacement(trace)
+    return {
+        "slide_mm": metrics.slide_mm(trace),
+        "along_mm": 1e3 * float(moved.along_m[-1]),
+        "slip_mm": metrics.slip_mm(moved),
+        "drift_mm_s": metrics.drift_mm_s(moved),
+    }
+
+
+def _step_with_term(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+    mujoco.mj_step1(engine, data)
+    for contact in data.contact:
+        if contact.efc_address >= 0:
+            missing = contact.frame.reshape(3, 3) @ velocity_product_m_s2(engine, data, contact)
+            data.efc_aref[contact.efc_address : contact.efc_address + 3] -= missing
+    mujoco.mj_step2(engine, data)
+
+
+def velocity_product_m_s2(engine: mujoco.MjModel, data: mujoco.MjData, contact: mujoco.MjContact) -> np.ndarray:
+    """J̇ q̇ of a contact's second geom against its first, in the world [m/s²], shape [3]."""
+    of_geom = np.zeros((2, 3, engine.nv))
+    for jacobian, geom in zip(of_geom, contact.geom, strict=True):
+        mujoco.mj_jacDot(engine, data, jacobian, None, contact.pos, engine.geom_bodyid[geom])
+    return (of_geom[1] - of_geom[0]) @ data.qvel
+
+
+def mean_along_shake_m_s2(simulation: Simulation) -> float:
+    """J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
+    engine, data = simulation.solver.mj_model, simulation.solver.mj_data
+    cube = simulation.recorder.cube_geom
+    found = []
+    for contact in data.contact:
+        if contact.efc_address >= 0 and data.efc_force[contact.efc_address] > 0.0 and cube in contact.geom:
+            sign = 1.0 if contact.geom[1] == cube else -1.0
+            found.append(sign * metrics.MAIN_AXIS @ velocity_product_m_s2(engine, data, contact))
+    return float(np.mean(found)) if found else 0.0

@@ -1,0 +1,118 @@
+"""The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
+
+import time
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+import warp as wp
+
+from experiments import metrics
+from experiments.case import Case
+from experiments.scene import FINGERS, ROBOT_DOF_COUNT, TRACKED_BODIES
+from experiments.simulation import Simulation
+from experiments.task import FRAME_RATE
+from experiments.trace import FRAME_COLUMNS, Failure, Trace
+
+BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
+"""Bodies that a trace of the native loop keeps."""
+BAD_STATE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
+"""Warnings after which MuJoCo has put the state back to the beginning."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where every run of the shake starts, in the solver's coordinates, and what the joints are told from there on."""
+
+    qpos: np.ndarray
+    qvel: np.ndarray
+    qacc_warmstart: np.ndarray
+    targets: np.ndarray
+    """Joint position targets of each frame, shape [frames, 9]."""
+
+
+class NativeShake:
+    """One case in MuJoCo's C engine on one core, in the model that Newton makes for it.
+
+    A frame sets the joint targets and calls ``mj_step`` once for all its substeps. Unlike through Newton, the state is
+    never passed through float32. Other threads run while ``mj_step`` does.
+    """
+
+    def __init__(self, case: Case, start: Start):
+        solver = Simulation([replace(case, backend="mujoco")], wp.get_device("cpu")).solver
+        self.case, self.start = case, start
+        self.model, self.data = solver.mj_model, solver.mj_data
+        self.model.opt.timestep = 1.0 / FRAME_RATE / case.substeps
+        self.bodies = [body_id(self.model, name) for name in BODIES]
+        self.pad_body = body_id(self.model, FINGERS[0])
+        self.frame_index = 0
+        self.data.qpos[:], self.data.qvel[:] = start.qpos, start.qvel
+        self.data.qacc_warmstart[:] = start.qacc_warmstart
+
+    def frame(self) -> None:
+        """Run the next frame."""
+        self.data.ctrl[:ROBOT_DOF_COUNT] = self.start.targets[self.frame_index]
+        mujoco.mj_step(self.model, self.data, self.case.substeps)
+        self.frame_index += 1
+
+    def run(self) -> Trace:
+        """The next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last substep."""
+        frame_count = self.case.frame_count
+        poses = np.zeros((frame_count, len(BODIES), 7))
+        contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
+        failure, peak_iteration = None, 0
+        for frame in range(frame_count):
+            self.frame()
+            poses[frame] = self._poses()
+            contacts[frame, FRAME_COLUMNS.index("cone_use")] = self._cone_use()
+            peak_iteration = max(peak_iteration, int(self.data.solver_niter.max()))
+            if failure is None and any(self.data.warning[kind].number for kind in BAD_STATE):
+                failure = Failure("non-finite", frame, "MuJoCo found its state unusable and reset it")
+        return Trace(
+            frame_dt=1.0 / FRAME_RATE,
+            phase=np.full(frame_count, metrics.SHAKE),
+            poses=poses,
+            contacts=contacts,
+            failure=failure,
+            peak_iteration_count=peak_iteration,
+        )
+
+    def frame_ms(self, repeat_count: int, warmup_count: int = 3) -> np.ndarray:
+        """Wall time [ms] of each of ``repeat_count`` frames; shape [repeat_count]."""
+        for _ in range(warmup_count):
+            self.frame()
+        times = []
+        for _ in range(repeat_count):
+            start = time.perf_counter()
+            self.frame()
+            times.append(1e3 * (time.perf_counter() - start))
+        return np.array(times)
+
+    @property
+    def pad_timeconst_s(self) -> float:
+        """Time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
+        pads = np.flatnonzero((self.model.geom_bodyid == self.pad_body) & (self.model.geom_contype > 0))
+        return float(self.model.geom_solref[pads[0], 0])
+
+    def _poses(self) -> np.ndarray:
+        # A step ends with new joint positions; the bodies are still where they were before it.
+        mujoco.mj_kinematics(self.model, self.data)
+        return np.hstack([self.data.xpos[self.bodies], np.roll(self.data.xquat[self.bodies], -1, axis=1)])
+
+    def _cone_use(self) -> float:
+        """Largest tangential force over friction times normal force of a contact (1 = sliding)."""
+        force, largest = np.zeros(6), 0.0
+        for index in range(self.data.ncon):
+            mujoco.mj_contactForce(self.model, self.data, index, force)
+            if force[0] > 0.0:
+                friction = self.data.contact[index].friction[0]
+                largest = max(largest, float(np.hypot(force[1], force[2]) / (friction * force[0])))
+        return largest
+
+
+def body_id(model: mujoco.MjModel, name: str) -> int:
+    """Index of the body whose name is that of a newton body, or ends with it; KeyError if there is none."""
+    for index in range(model.nbody):
+        if model.body(index).name == name or model.body(index).name.endswith(f"_{name}"):
+            return index
+    raise KeyError(f"the MuJoCo model has no body {name}")

@@ -1,0 +1,272 @@
+"""Comparison of two releases: which values moved beyond the noise, and which claims flipped."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from statistics import fmean
+from typing import Any
+
+from report.assemble import Derived, Release, derive_release, values_file_of
+from report.claims import Claim
+from report.project import Project
+from report.quantities import Quantity
+from report.records import REASON, Record
+from report.results import Row
+
+NOISE = "noise"
+"""The section whose rows are runs of one and the same case, as ``of`` says."""
+KEYS = ("case", "kind", "device", "worlds")
+"""Columns that tell the rows of one section apart, where they are there."""
+CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
+"""What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
+ROUNDING_SHARE = 1e-3
+"""Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
+EDGES = ("_p5", "_p95")
+"""Ends of columns that say how far a number spreads, and are the noise of that number."""
+UNCOMPARED = ("wall_s", "failure_frame")
+"""The time of a whole batch says nothing of one case, and the frame in which a run breaks down is chance."""
+SPEED_UNITS, SPEED_COLUMNS = ("ms", "ms/s", "1/s"), ("realtime_factor",)
+LESS_IS_BETTER = ("slip_mm", "drift_mm_s", "wander_mm", "frame_ms", "mjw_step_ms", "dropped", "bytes_per_world")
+MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s", "test_passed")
+
+Key = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Move:
+    """A value that two releases have differently, by more than runs of one release differ."""
+
+    section: str
+    key: Key
+    column: str
+    before: Any
+    after: Any
+    """Each a Quantity, a text, or yes and no."""
+    noise: float | None
+    """None for what is no number."""
+    is_chosen: bool
+    """Whether that noise was not measured."""
+
+    @property
+    def verdict(self) -> str:
+        """``better`` or ``worse``, where one can say so."""
+        return verdict(self.column, _plain(self.before), _plain(self.after))
+
+    @property
+    def text(self) -> str:
+        name = " ".join(str(part) for part in self.key if part is not None)
+        noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
+        return f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}  {self.verdict}".rstrip()
+
+
+@dataclass(frozen=True)
+class Flip:
+    """A claim whose outcome two releases have differently."""
+
+    section: str
+    before: Claim
+    after: Claim
+
+    @property
+    def text(self) -> str:
+        outcomes = f"{self.before.outcome.name} → {self.after.outcome.name}"
+        return f"{self.section}.{self.before.name}: {outcomes}\n  {self.before.text}\n  {self.after.text}"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """All that differs between two releases."""
+
+    releases: tuple[str, str]
+    moves: list[Move]
+    flips: list[Flip]
+    notes: list[str]
+    """What could not be compared, and why."""
+
+    @property
+    def text(self) -> str:
+        lines = [f"newton {self.releases[0]} → newton {self.releases[1]}"]
+        lines += [f"not compared: {note}" for note in self.notes]
+        sections = dict.fromkeys(move.section for move in self.moves)
+        for section in sections:
+            lines += ["", section, *(f"  {move.text}" for move in self.moves if move.section == section)]
+        lines += ["", f"values that moved beyond the noise: {len(self.moves)}; claims that flipped: {len(self.flips)}"]
+        return "\n".join([*lines, *(flip.text for flip in self.flips)])
+
+
+def compare_projects(before: Project, after: Project) -> Comparison:
+    """Compare the results of two releases."""
+    sides = [derive_release(project, values_file_of(project.release))[0] for project in (before, after)]
+    return compare(*sides, (before.release, after.release))
+
+
+def compare(before: Release, after: Release, releases: tuple[str, str]) -> Comparison:
+    floors = noise_floors([before, after])
+    moves, notes = [], []
+    for section in dict.fromkeys([*before, *after]):
+        if section not in before or section not in after:
+            notes.append(f"{section}: newton {releases[section in before]} has no results of it that could be used")
+            continue
+        sides = before[section].results.record, after[section].results.record
+        if sides[0].machine_for_speed != sides[1].machine_for_speed:
+            notes.append(
+                f"speed of {section}: it was measured on {' and on '.join(side.machine_text for side in sides)}"
+            )
+        if section != NOISE:
+            moves += _moves(before[section], after[section], floors)
+    return Comparison(releases, moves, flips(before, after), notes)
+
+
+def flips(before: Release, after: Release) -> list[Flip]:
+    """Claims that one release upholds and the other doesn't.
+
+    One that can't be told any more, or can be told now, is among them unless that is for want of a section.
+    """
+    whole = set(before) == set(after)
+    found = []
+    for section in before:
+        if section in after:
+            old, new = ({claim.name: claim for claim in side[section].section.claims} for side in (before, after))
+            found += [Flip(section, old[name], new[name]) for name in old if name in new]
+    return [flip for flip in found if is_flip(flip.before, flip.after, whole=whole)]
+
+
+def is_flip(before: Claim, after: Claim, *, whole: bool) -> bool:
+    """Whether a claim's outcome changed; ``whole`` says that no section is missing that it may need."""
+    told = "unknown" not in (before.outcome.name, after.outcome.name)
+    return before.outcome.name != after.outcome.name and (told or whole)
+
+
+def verdict(column: str, before: Any, after: Any) -> str:
+    """Whether going from one value to the other is better or worse; empty where the column does not say."""
+    if None in (before, after) or column not in LESS_IS_BETTER + MORE_IS_BETTER:
+        return ""
+    grows = abs(after) > abs(before)
+    return "better" if grows == (column in MORE_IS_BETTER) else "worse"
+
+
+def is_beyond(noise: float, before: float, after: float) -> bool:
+    """Whether two values differ by more than noise, and by more than rounding.
+
+    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
+    would then be a change.
+    """
+    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
+
+
+@dataclass(frozen=True)
+class Floor:
+    """How far apart runs of one case come out in one column."""
+
+    spread: float
+    magnitude: float
+    """The largest mean of such runs; larger values are taken to be noisier in proportion."""
+
+    def at(self, *values: float) -> float:
+        """The noise of such values."""
+        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
+        return self.spread * max(1.0, scale)
+
+
+def noise_floors(releases: Iterable[Release]) -> dict[str, Floor]:
+    """The noise of every column that the section on noise has, the largest of the releases."""
+    floors: dict[str, Floor] = {}
+    for release in releases:
+        for column, floor in _floors_of(release[NOISE].results.record).items() if NOISE in release else ():
+            if column not in floors or floor.spread > floors[column].spread:
+                floors[column] = floor
+    return floors
+
+
+def _floors_of(record: Record) -> dict[str, Floor]:
+    runs: dict[str, list[Mapping[str, Any]]] = {}
+    for row in record.rows:
+        runs.setdefault(row["of"], []).append(row)
+    floors = {}
+    for column in record.units:
+        cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
+        cells = [cell for cell in cells if len(cell) > 1]
+        if cells:
+            spread = max(max(cell) - min(cell) for cell in cells)
+            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
+    return floors
+
+
+def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iterator[Move]:
+    old, new = _rows_by_key(before), _rows_by_key(after)
+    records = before.results.record, after.results.record
+    ranges = _ranges(records)
+    is_same_machine = records[0].machine_for_speed == records[1].machine_for_speed
+    for key in old:
+        if key not in new:
+            continue
+        rows = old[key], new[key]
+        lost = any(_is_lost(row) for row in rows)
+        for column in rows[0].columns:
+            if column not in rows[1] or column in (*KEYS, *UNCOMPARED) or column.endswith((REASON, *EDGES)):
+                continue
+            cells = rows[0][column], rows[1][column]
+            if not all(isinstance(cell, Quantity) for cell in cells):
+                if cells[0] != cells[1]:
+                    yield Move(before.name, key, column, *cells, None, False)
+                continue
+            if lost or (_is_speed(column, cells[0].unit) and not is_same_machine):
+                continue
+            values = [cell.value for cell in cells]
+            if None in values:
+                if values != [None, None]:
+                    yield Move(before.name, key, column, *cells, None, False)
+                continue
+            noise, is_chosen = _noise(column, rows, values, floors, ranges)
+            if is_beyond(noise, *values):
+                yield Move(before.name, key, column, *cells, noise, is_chosen)
+
+
+def _noise(
+    column: str, rows: tuple[Row, Row], values: list[float], floors: Mapping[str, Floor], ranges: Mapping[str, float]
+) -> tuple[float, bool]:
+    """The noise of a value, and whether it is a chosen one."""
+    edges = [column + edge for edge in EDGES]
+    if all(edge in row and row[edge].value is not None for row in rows for edge in edges):
+        return max(row[edges[1]].value - row[edges[0]].value for row in rows), False
+    if column in floors:
+        return floors[column].at(*values), False
+    return max(CHOSEN_SHARE * max(map(abs, values)), CHOSEN_RANGE * ranges[column]), True
+
+
+def _ranges(records: Iterable[Record]) -> dict[str, float]:
+    """The largest size of each column's numbers."""
+    ranges: dict[str, float] = {}
+    for record in records:
+        for row in record.rows:
+            for column in record.units:
+                value = row.get(column)
+                if isinstance(value, int | float):
+                    ranges[column] = max(ranges.get(column, 0.0), abs(value))
+    return ranges
+
+
+def _rows_by_key(derived: Derived) -> dict[Key, Row]:
+    """Rows by what tells them apart; those that nothing tells apart are left out."""
+    keys = [tuple(row.get(name) for name in KEYS) for row in derived.results.record.rows]
+    counts = Counter(keys)
+    return {key: row for key, row in zip(keys, derived.results.rows, strict=True) if counts[key] == 1}
+
+
+def _is_lost(row: Row) -> bool:
+    """Whether the cube was dropped or the run broke down, which makes its numbers chance."""
+    return any(name in row and bool(row[name]) for name in ("dropped", "failure"))
+
+
+def _is_speed(column: str, unit: str) -> bool:
+    return unit in SPEED_UNITS or column in SPEED_COLUMNS
+
+
+def _plain(cell: Any) -> Any:
+    return cell.value if isinstance(cell, Quantity) else cell
+
+
+def _said(cell: Any) -> str:
+    if isinstance(cell, Quantity):
+        return f"{cell} ({cell.reason})" if cell.value is None else str(cell)
+    return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))

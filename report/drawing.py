@@ -1,0 +1,33 @@
+"""Drawing: all figures of a build at once, on every processor that there is."""
+
+import multiprocessing
+import os
+import sys
+from collections.abc import Sequence
+
+from markupsafe import Markup
+
+from report.parts import PlacedFigure
+
+_figures: Sequence[PlacedFigure] = ()
+"""What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
+
+
+def draw_all(figures: Sequence[PlacedFigure]) -> list[Markup]:
+    """Each figure as HTML, in their order."""
+    global _figures
+    workers = min(_processor_count(), len(figures))
+    if workers < 2:
+        return [figure.drawn() for figure in figures]
+    _figures = figures
+    with multiprocessing.get_context("fork").Pool(workers) as pool:
+        return pool.map(_draw, range(len(figures)), chunksize=1)
+
+
+def _draw(index: int) -> Markup:
+    return _figures[index].drawn()
+
+
+def _processor_count() -> int:
+    """The processors that may be used; one where a fork is not safe, or not there."""
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else 1

@@ -1,0 +1,129 @@
+"""What releases have side by side: cells, changes, marks, and the claims that they answer differently."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from markupsafe import Markup
+
+from report.assemble import Derived, Release
+from report.claims import Claim
+from report.compare import is_beyond, verdict
+from report.quantities import Quantity, Value
+from report.results import Results
+
+Releases = Mapping[str, Release]
+"""The sections of every release that has results, oldest first."""
+
+
+@dataclass(frozen=True)
+class Headline:
+    """A number that says much in one line."""
+
+    label: str
+    section: str
+    case: str
+    column: str
+    unit: str
+
+
+def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
+    """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""
+    derived = releases[release].get(headline.section)
+    if derived and headline.case in derived.results.row and headline.column in derived.results.row[headline.case]:
+        return derived.results.row[headline.case][headline.column]
+    reason = f"{headline.section} has not been measured so with Newton {release}"
+    return Quantity(None, headline.unit, "", reason)
+
+
+def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
+    """The largest noise floor of that name that a release has."""
+    floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
+    formula = "largest of the releases' noise floors"
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True)
+
+
+def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
+    return results.value(
+        name, "later release less earlier one", lambda a, b: b - a, before, after, unit=before.unit, across=True
+    )
+
+
+def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
+    """A number, and whether it is better or worse than the earlier one.
+
+    Nothing is said of what was not measured on the same processor.
+    """
+    told = difference is not None and None not in (difference.value, noise.value)
+    if not told or not is_beyond(noise.value, before.value, after.value):
+        return Markup("{}").format(after)
+    if len({origin.processor for origin in difference.origins}) > 1:
+        return Markup('{} <span class="moved">other machine</span>').format(after)
+    word = verdict(column, before.value, after.value) or "moved"
+    return Markup('{} <span class="moved {}">{}</span>').format(after, word, word)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A claim that releases answer differently, and what each says."""
+
+    section: str
+    name: str
+    said: Sequence[tuple[Sequence[str], Claim]]
+    """Neighbouring releases that agree, and the claim as the first of them words it."""
+
+
+def turns(releases: Releases) -> list[Turn]:
+    """The claims that are upheld in one release and not in another.
+
+    Where a release lacks a section that another one has, what it can't tell says nothing.
+    """
+    whole = len({frozenset(release) for release in releases.values()}) == 1
+    found = []
+    for section, name in dict.fromkeys(pair for release in releases.values() for pair in _claims(release)):
+        answers = [(release, _claims(sections).get((section, name))) for release, sections in releases.items()]
+        answers = [(release, claim) for release, claim in answers if claim and (whole or _is_told(claim))]
+        said = []
+        for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
+            members = list(group)
+            said.append(([release for release, _ in members], members[0][1]))
+        if len(said) > 1:
+            found.append(Turn(section, name, said))
+    return found
+
+
+def _claims(release: Release) -> dict[tuple[str, str], Claim]:
+    derived: list[Derived] = list(release.values())
+    return {(each.name, claim.name): claim for each in derived for claim in each.section.claims}
+
+
+def _is_told(claim: Claim) -> bool:
+    return claim.outcome.name != "unknown"
+
+
+@dataclass(frozen=True)
+class TurnList:
+    """The turns in words; printed, each is a heading with a line for every answer."""
+
+    turns: Sequence[Turn]
+    shown: Sequence[str]
+    """Sections of the page, to link to."""
+
+    def __html__(self) -> Markup:
+        items = Markup("\n").join(
+            Markup("<dt>{}</dt>\n{}").format(
+                self._heading(turn),
+                Markup("\n").join(
+                    Markup('<dd><b>{}</b> <span class="outcome">{}</span> {}</dd>').format(
+                        ", ".join(names), claim.outcome.name, claim.sentence
+                    )
+                    for names, claim in turn.said
+                ),
+            )
+            for turn in self.turns
+        )
+        return Markup('<figure class="turns"><dl>\n{}\n</dl></figure>').format(items)
+
+    def _heading(self, turn: Turn) -> Markup:
+        name = f"{turn.section}: {turn.name.replace('_', ' ')}"
+        return Markup('<a href="#{}">{}</a>').format(turn.section, name) if turn.section in self.shown else name

@@ -1,0 +1,258 @@
+"""Several releases: judged, shown and compared without any of them being installed."""
+
+import shutil
+from argparse import Namespace
+from dataclasses import replace
+
+import pytest
+from conftest import MODULE, ROWS, Toy
+
+import build
+from report import ROOT
+from report.assemble import assemble
+from report.check import check_site
+from report.claims import at_most, greater
+from report.compare import Floor, compare_projects, is_beyond
+from report.environment import requirements
+from report.identity import MISSING
+from report.project import Project
+from report.quantities import Origin, Quantity, mixed
+from report.records import load_record, write_record
+from report.results import Results
+from report.status import status_matrix
+
+SOFT, STIFF = ROWS
+BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)
+"""A release in which the stiff case gains nothing."""
+
+
+@pytest.fixture
+def newer(toy) -> Toy:
+    newer = toy.of("1.8.0")
+    newer.measure(BETTER)
+    return newer
+
+
+def test_a_release_is_judged_without_being_installed(toy, newer):
+    assert newer.state().name == "fresh"
+    write_record(newer.record_path, newer.record(BETTER, identity=toy.record().identity))
+    assert newer.state().notes == ("packages: newton 1.4.0 → 1.8.0",)
+
+
+def test_the_newest_record_of_a_release_says_which_packages_belong_to_it(toy):
+    newer = toy.of("99.0")  # one that is installed nowhere
+    newer.measure()
+    newer.write("report/sections/other.py", "order = 2\n")
+    newer.write("experiments/other.py", "")
+    shutil.copy(newer.record_path, newer.project.record_path("other"))
+    identity = replace(newer.record().identity, packages={**newer.packages, "warp-lang": "9.9"})
+    later = {**newer.record().measured, "date": "2026-06-07T00:00:00+00:00"}
+    write_record(newer.project.record_path("other"), newer.record(identity=identity, section="other", measured=later))
+    assert newer.state().summary == "stale: packages"
+    assert newer.state().notes[0].endswith("→ 9.9")
+
+
+def test_the_matrix_has_a_column_for_each_release(toy, newer):
+    assert status_matrix(toy.project).splitlines()[1].split() == ["toy", "fresh", "fresh"]
+    toy.of("1.5.0").project.results.mkdir()
+    newer.write("assets/robot.urdf", "<robot name='other'/>")
+    matrix = status_matrix(toy.project).splitlines()
+    assert matrix[0].split() == ["section", "newton", "1.4.0", "newton", "1.8.0"]
+    assert matrix[1].split() == ["toy", "stale:", "config", "stale:", "config"]
+
+
+def test_every_release_has_a_page_and_every_section_leads_to_the_others(toy, newer):
+    toy.build()
+    site = toy.project.site
+    other = (site / "newton-1.8.0/index.html").read_text()
+    assert 'href="newton-1.8.0/index.html#toy"' in toy.page
+    assert 'href="../index.html#toy"' in other
+    assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
+    assert 'data-claim="toy.helps" data-outcome="fails"' in other
+    assert 'data-src="newton-1.8.0/toy.json#/rows/1/slip_mm"' in other
+    assert "make rerun SECTION=toy NEWTON=1.8.0" in other and "NEWTON" not in toy.page
+    assert (site / "data/newton-1.8.0/toy.json").is_file()
+    assert check_site(site) == []
+
+
+def test_an_explanation_does_not_outlive_its_claim(toy, newer):
+    toy.build()
+    assert "Because it is stiff." in toy.page
+    assert "Because it is stiff." not in (toy.project.site / "newton-1.8.0/index.html").read_text()
+
+
+def test_the_release_asked_for_is_the_first_page(toy, newer):
+    newer.build()
+    assert "<b>Newton 1.8.0</b>" in newer.page.replace(' aria-current="page"', "")
+    assert 'href="newton-1.4.0/index.html"' in newer.page
+    assert check_site(toy.project.site) == []
+
+
+def test_a_page_is_written_again_only_when_something_changed(toy, newer):
+    toy.build()
+    page = toy.project.site / "newton-1.8.0/index.html"
+    page.write_text(page.read_text() + "<!-- kept -->")
+    toy.build()
+    assert "<!-- kept -->" in page.read_text()
+    newer.measure(ROWS)
+    toy.build()
+    assert "<!-- kept -->" not in page.read_text()
+
+
+def test_the_check_follows_links_to_other_pages(toy, newer):
+    toy.build()
+    page = toy.project.site / "newton-1.8.0/index.html"
+    page.write_text(page.read_text().replace('id="toy"', 'id="other"').replace('href="#toy"', 'href="#other"'))
+    assert check_site(toy.project.site) == ["index.html: newton-1.8.0/index.html#toy leads nowhere"]
+
+
+def test_an_older_record_that_derive_breaks_on_is_left_out(toy):
+    toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
+    with pytest.raises(IndexError):
+        toy.build()
+    toy.write("experiments/scene.py", "def slip():\n    return 2\n")
+    toy.build()
+    assert "<b>toy</b> is left out" in toy.page and "IndexError" in toy.page
+
+
+def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
+    arguments = Namespace(a="1.4.0", b="1.8.0")
+    assert build.diff(toy.project, arguments) == 1
+    said = capsys.readouterr().out
+    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in said and "better" in said
+    assert "stiff" not in said.partition("claims that flipped")[0]
+    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in said
+    newer.measure(ROWS)
+    assert build.diff(toy.project, arguments) == 0
+
+
+def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, newer):
+    newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
+    moves = compare_projects(toy.project, newer.project).moves
+    assert [(move.column, move.verdict) for move in moves] == [("dropped", "worse")]
+
+
+def test_what_counts_as_moved():
+    assert not is_beyond(0.01, 1.0, 1.009) and is_beyond(0.01, 1.0, 1.02)
+    assert not is_beyond(0.0, 6.0, 6.005), "rounding"
+    assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
+    assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
+
+
+def test_speed_is_compared_on_one_machine_only(toy, newer):
+    rows = [{**SOFT, "frame_ms": 10.0}, {**STIFF, "frame_ms": 5.0}]
+    toy.measure(rows)
+    newer.measure([{**row, "frame_ms": row["frame_ms"] / 2} for row in rows])
+    assert [move.column for move in compare_projects(toy.project, newer.project).moves] == ["frame_ms"] * 2
+    record = load_record(newer.record_path)
+    write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
+    found = compare_projects(toy.project, newer.project)
+    assert found.moves == []
+    assert found.notes == ["speed of toy: it was measured on A processor and on Another"]
+
+
+def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):
+    results, other = (Results(load_record(each.record_path), each.record_path) for each in (toy, newer))
+    slips = results.row["soft"].slip_mm, other.row["soft"].slip_mm
+    refused = results.value("gain", "one over the other", lambda a, b: a / b, *slips)
+    assert refused.value is None
+    assert refused.reason == "it would compare Newton 1.4.0 on A processor with Newton 1.8.0 on A processor"
+    asked = results.value("change", "one less the other", lambda a, b: b - a, *slips, across=True)
+    assert asked.value == pytest.approx(0.4 - 6.3617)
+    noise = results.value("noise", "chosen", lambda: 0.1, unit="mm")
+    assert greater(*slips, noise=noise).reason == refused.reason
+    assert at_most(asked, noise).name == "holds"
+
+
+def test_machines_mix_as_little_as_releases():
+    here, there = (frozenset({Origin("1.4.0", processor)}) for processor in ("GPU", "CPU"))
+    assert mixed(here, here, frozenset()) == ""
+    assert "CPU" in mixed(here, there)
+    assert Quantity(1.0, "mm", "").bare.striptags() == "n/a", "a number without a place is not shown"
+
+
+def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages():
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    packages = {"newton": "1.8.0", "warp-lang": "1.19.0", "mujoco-warp": MISSING, "mujoco": MISSING}
+    found = requirements(project, packages)
+    assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
+    assert any(name.startswith("pandas") for name in found)
+    assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)
+
+
+UPGRADE_ROWS = {
+    "1.4.0": {"as-shipped": (6.36, 0.0), "as-shipped-friction-timeconst-on": (0.32, 0.002)},
+    "1.8.0": {"as-shipped": (0.32, 6e-5), "as-shipped-friction-timeconst-off": (6.35, 0.0)},
+}
+
+
+def measure_upgrade(toy: Toy, release: str, slips: dict[str, tuple[float, float]]) -> Project:
+    rows = [
+        {"case": case, "kind": "run", "slip_mm": slip, "timeconst_s": 0.02, "friction_timeconst_s": friction}
+        for case, (slip, friction) in slips.items()
+    ]
+    rows.append({"case": "option-cone", "kind": "option", "name": "cone", "value": "elliptic"})
+    project = toy.of(release).project
+    write_record(project.record_path("upgrade"), toy.of(release).record(rows, section="upgrade"))
+    return project
+
+
+@pytest.fixture
+def upgraded(toy) -> Toy:
+    """The real section on releases, beside one that stands for the noise."""
+    for name in ("report/sections/upgrade.py", "templates/sections/upgrade.md.j2"):
+        toy.write(name, (ROOT / name).read_text(encoding="utf-8"))
+    toy.write("experiments/upgrade.py", EXPERIMENT_OF_RELEASES)
+    floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
+    toy.write(
+        "report/sections/noise.py",
+        "from report.parts import Section\n\norder = 0\n\n\ndef derive(results):\n"
+        f"    {floor.format('slip', 'mm')}\n    {floor.format('drift', 'mm/s')}\n    return Section()\n",
+    )
+    toy.write("templates/sections/noise.md.j2", "# Noise\n")
+    toy.write("experiments/noise.py", EXPERIMENT_OF_RELEASES)
+    rows = [{"case": "a", "of": "as-shipped", "slip_mm": 1.0}]
+    write_record(toy.project.record_path("noise"), toy.record(rows, section="noise"))
+    return toy
+
+
+EXPERIMENT_OF_RELEASES = "from experiments.scene import slip\n"
+
+
+def outcomes(project: Project) -> dict[str, str]:
+    chapters = {chapter.name: chapter for chapter in assemble(project).chapters}
+    return {claim.name: claim.outcome.name for claim in chapters["upgrade"].section.claims}
+
+
+def test_the_cause_is_what_brings_the_old_number_back(upgraded):
+    for release, slips in UPGRADE_ROWS.items():
+        upgraded.of(release).measure() if release != "1.4.0" else None
+        measure_upgrade(upgraded, release, slips)
+    found = outcomes(upgraded.project)
+    assert found["slip_is_the_same"] == "fails"
+    assert found["friction_timeconst_is_new"] == "holds"
+    assert found["taking_it_away_brings_it_back"] == found["giving_it_does_the_same"] == found["cause"] == "holds"
+    assert found["release_has_a_switch"] == found["in_one_step"] == "unknown"
+    upgraded.build()
+    assert check_site(upgraded.project.site) == []
+    worse = {**UPGRADE_ROWS["1.8.0"], "as-shipped-friction-timeconst-off": (0.9, 0.0)}
+    measure_upgrade(upgraded, "1.8.0", worse)
+    assert outcomes(upgraded.project)["cause"] == "fails"
+
+
+def test_claims_that_turned_are_said_in_both_ways(upgraded):
+    for release, slips in UPGRADE_ROWS.items():
+        measure_upgrade(upgraded, release, slips)
+    upgraded.of("1.8.0").measure(BETTER)
+    upgraded.build()
+    turned = upgraded.page.partition('class="turns"')[2]
+    assert "toy: helps" in turned and "It helps" in turned and "It does not." in turned
+    assert 'data-src="newton-1.8.0/values.json' not in turned.partition("</dl>")[0]
+    assert check_site(upgraded.project.site) == []
+
+
+def test_one_release_alone_tells_nothing(upgraded):
+    measure_upgrade(upgraded, "1.4.0", UPGRADE_ROWS["1.4.0"])
+    assert set(outcomes(upgraded.project).values()) == {"unknown"}
+    upgraded.build()
+    assert check_site(upgraded.project.site) == []
