@@ -139,7 +139,7 @@ class Simulation:
         if self.part_beside is not None:
             self._wait(self.stream_beside, self.stream)
             with wp.ScopedStream(self.stream_beside):
-                self.part_beside()  # before the physics: a device that has a long graph queued starts no other beside it
+                self.part_beside()  # first: a device that has the long graph queued starts no other beside it
         physics()
         if self.part_beside is not None:
             self._wait(self.stream, self.stream_beside)
