@@ -252,14 +252,15 @@ class Recorder:
         return result
 
     def _contact_count(self) -> tuple[wp.array, int]:
-        """Where the generator of the contacts counts them, and how many there is room for.
+        """Where the generator of the contacts counts them, and the most that is sure to be all of them.
 
-        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer.
+        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer. That one
+        may have lost some as soon as it is full: the narrow phase then stops, and counts no further.
         """
         data = self.solver.mjw_data
         if self.contacts_in is None:
             return data.nacon, data.naconmax
-        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max, data.naconmax)
+        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max - 1, data.naconmax)
 
     @property
     def _elliptic(self) -> bool:

@@ -105,6 +105,8 @@ class Simulation:
         if not case.refsafe:
             for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
                 option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+        if not solver.update_data_interval:
+            solver.reset(self.state)  # the engine starts all worlds as the first
         return solver
 
     def queue_targets(self) -> None:
@@ -166,11 +168,12 @@ class Simulation:
 def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
     """Run all frames of all simulations side by side and return the traces of each one's worlds.
 
-    On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap.
+    On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap. For
+    the same reason the frames of a shorter simulation are spread over all of the longest.
 
     Args:
         title: What the progress bar says.
-        contact_frames: Frames after which all live contacts are kept.
+        contact_frames: Frames of the longest after which all live contacts are kept.
     """
     for simulation in simulations:
         simulation.step()  # compiles and captures, so the clock starts after it
@@ -179,7 +182,7 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
     frame_count = max(simulation.case.frame_count for simulation in simulations)
     for frame in tqdm(range(frame_count), desc=title, unit="frame", delay=3.0, miniters=PROGRESS_FRAMES):
         for simulation in simulations:
-            if 0 < frame < simulation.case.frame_count:
+            if is_due(frame, simulation.case.frame_count, frame_count):
                 simulation.step()
         if frame in contact_frames:
             _synchronize(simulations)
@@ -193,6 +196,14 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
         simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s)
         for simulation in simulations
     ]
+
+
+def is_due(frame: int, count: int, longest: int) -> bool:
+    """Whether frame ``frame`` of the longest simulation is one for a simulation of ``count`` frames too.
+
+    The first frame of all is not: it is run before.
+    """
+    return frame * count // longest > max(0, frame - 1) * count // longest
 
 
 def simulate(

@@ -8,11 +8,14 @@ import warp as wp
 
 from experiments import metrics
 from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
+from experiments.compat import kf_is_read
 from experiments.simulation import Simulation, simulate
 from experiments.trace import Failure
 
 SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
 """Slip of the calibration runs and how close a run must come."""
+SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
+"""The same with Newton's contacts, in releases that read kf."""
 
 
 def slip_mm(trace) -> float:
@@ -42,7 +45,7 @@ def batch() -> dict[str, tuple[Case, object]]:
 
 @pytest.mark.parametrize("name", ["as-shipped", "stiff-pads"])
 def test_calibration_on_the_cpu_device(batch, name):
-    expected, tolerance = SLIP_MM[name]
+    expected, tolerance = (SLIP_WITH_KF_MM if kf_is_read() else SLIP_MM)[name]
     assert slip_mm(batch[name][1]) == pytest.approx(expected, abs=tolerance)
 
 
@@ -63,16 +66,18 @@ def test_a_world_of_a_batch_is_the_case_alone(batch, name):
 
 
 @pytest.mark.parametrize(
-    ("change", "buffer"),
+    ("change", "buffer", "frames"),
     [
-        ({"contact_max": 8}, "contact"),
-        ({"contact_max": 8, "contacts": "mujoco"}, "contact"),
-        ({"constraint_max": 12}, "constraint"),
+        ({"contact_max": 8}, "contact", {0}),
+        ({"contact_max": 10}, "contact", {0}),
+        ({"contact_max": 14, "contacts": "mujoco"}, "contact", {33, 34}),
+        ({"constraint_max": 12}, "constraint", {0}),
     ],
 )
-def test_an_overflow_is_marked_with_its_frame(change, buffer):
-    [trace] = simulate([replace(AS_SHIPPED, frame_count=3, **change)], device="cpu")
-    assert trace.failure == Failure("overflow", 0, f"the {buffer} buffer overflowed")
+def test_an_overflow_is_marked_with_its_frame(change, buffer, frames):
+    """With MuJoCo's contacts there are 12 to begin with, which its engine makes room for, and 15 from frame 34 on."""
+    [trace] = simulate([replace(AS_SHIPPED, frame_count=max(frames) + 2, **change)], device="cpu")
+    assert trace.failure in [Failure("overflow", frame, f"the {buffer} buffer overflowed") for frame in frames]
 
 
 def test_a_world_that_turns_non_finite_is_marked_and_alone_in_it():

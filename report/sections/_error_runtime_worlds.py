@@ -1,0 +1,100 @@
+"""One core of C against many worlds in Warp."""
+
+import numpy as np
+
+from report.claims import FAILS, HOLDS, Claim, Outcome
+from report.parts import Figure
+from report.quantities import Value
+from report.results import Row
+from report.sections._error_runtime import ENGINES, Points
+from report.sections._error_runtime_figures import draw_worlds
+
+
+def derive_worlds(points: Points) -> tuple[Figure, Claim]:
+    """The figure of speed against the number of worlds, and from how many worlds on Warp beats one core."""
+    results, rows = points.results, points.worlds
+    one_core = results.value(
+        "one_core_rate",
+        "simulated seconds of one world per second, MuJoCo C on one core",
+        lambda time: 1e3 / time,
+        points.cell("one-core", "ms_per_s"),
+        unit="world-s/s",
+    )
+    rates = [_rate(points, row) for row in rows]
+    crossover = results.value(
+        "crossover_worlds",
+        "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones",
+        lambda core, *cells: _crossing(core, cells[::2], cells[1::2]),
+        one_core,
+        *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
+    )
+    engine = ENGINES[rows[0].backend] if rows else "Warp"
+    figure = Figure(
+        draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
+        caption="Simulated seconds of all worlds together per second, of the fixed scene with the substeps as shipped.",
+        alt="; ".join(f"{row.worlds} worlds: {rate}" for row, rate in zip(rows, rates, strict=True)),
+        sources=[*rates, one_core],
+    )
+    return figure, _crossover_claim(points, engine, one_core, rates, crossover)
+
+
+def _rate(points: Points, row: Row) -> Value:
+    return points.results.value(
+        f"rate_{row.case}",
+        "simulated seconds of all worlds together per second",
+        lambda worlds, time: 1e3 * worlds / time,
+        row.worlds,
+        row.ms_per_s,
+        unit="world-s/s",
+    )
+
+
+def _crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
+    """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
+    above = [rate >= level for rate in rates]
+    if True not in above or above[0]:
+        return float("nan")
+    after = above.index(True)
+    pair = slice(after - 1, after + 1)
+    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair])))))
+
+
+def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[Value], crossover: Value) -> Claim:
+    first, last = rates[0], rates[-1]
+    advantage = points.results.value(
+        "one_core_advantage",
+        "speed of C on one core over that of Warp with one world",
+        lambda a, b: a / b,
+        one_core,
+        first,
+    )
+    gain = points.results.value(
+        "worlds_gain",
+        "speed of Warp with the most worlds over that of C on one core",
+        lambda a, b: a / b,
+        last,
+        one_core,
+    )
+    if None in (one_core.value, first.value, last.value):
+        absent = next(value for value in (one_core, first, last) if value.value is None)
+        outcome = Outcome("unknown", absent.reason)
+    else:
+        outcome = HOLDS if crossover.value is not None else FAILS
+    never = first.value is not None and one_core.value is not None and first.value < one_core.value
+    return Claim(
+        "crossover",
+        outcome,
+        holds="With one world MuJoCo C on one core is {advantage} times as fast as {engine}. From {crossover} worlds "
+        "on {engine} does more, with {most} worlds {gain} times as much as one core of C.",
+        fails="With up to {most} worlds one core of C stays ahead of {engine}, which reaches {gain} times its speed."
+        if never
+        else "{engine} is ahead of one core of C from the first world on, with {most} worlds {gain} times.",
+        unknown="From how many worlds on {engine} is ahead of one core of C cannot be told.",
+        numbers={
+            "advantage": advantage,
+            "engine": engine,
+            "crossover": crossover,
+            "most": points.worlds[-1].worlds if points.worlds else "",
+            "gain": gain,
+        },
+    )

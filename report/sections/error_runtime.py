@@ -1,0 +1,146 @@
+"""Error against run time: the cheapest setting for an error, and what the expensive knobs buy."""
+
+from collections.abc import Sequence
+
+import pandas as pd
+from markupsafe import Markup
+
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity
+from report.results import Results, Row
+from report.sections._error_runtime import ENGINES, LABELS, PADS, Points, order_of, points_of
+from report.sections._error_runtime_claims import accuracy_claims, knob_claims, model_claims
+from report.sections._error_runtime_figures import STYLES, draw_grasp, draw_numerical
+from report.sections._error_runtime_worlds import derive_worlds
+
+order = 155
+
+PARAMETERS = (
+    "iterations",
+    "ls_iterations",
+    "solver",
+    "cone",
+    "impratio",
+    "integrator",
+    "contacts",
+    "collide_count",
+)
+"""Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
+
+
+def derive(results: Results) -> Section:
+    points = points_of(results)
+    orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in STYLES}
+    worlds_figure, worlds_claim = derive_worlds(points)
+    return Section(
+        tables={
+            "front": _front_table(_front(points, "on_front"), "Pareto front of numerical error and run time."),
+            "warp_front": _front_table(
+                [row for row in _front(points, "on_backend_front") if row.backend == points.warp],
+                f"The same front of {ENGINES[points.warp]} alone, for those who need it.",
+            ),
+            "knobs": _knob_table(points),
+            "failures": _failure_table(points),
+        },
+        figures={
+            "numerical": Figure(
+                draw=lambda: draw_numerical(points, orders),
+                caption="Distance from the converged solution of the same model against run time of one world. Faint: "
+                "another setting of the same engine is closer in less time. Open: MuJoCo raises the contacts' "
+                "timeconst to two substeps, so it is another model. Shaded: as far as Warp's single precision is from "
+                "C. On the left edge: closer than the axis shows, as the reference itself. On the upper edge: failed, "
+                "not timed. Orders of convergence: pads as shipped | stiff.",
+                alt="; ".join(
+                    f"{row.case}: {row.numerical_error_mm} in {row.ms_per_s}" for row in _front(points, "on_front")
+                ),
+                sources=[row.numerical_error_mm for row in points.settings],
+            ),
+            "grasp": Figure(
+                draw=lambda: draw_grasp(points),
+                caption="Drift per cycle of the shake against run time of one world. Upright lines: what each model "
+                "converges to. Faint and open as above.",
+                alt="; ".join(
+                    f"{row.case}: {row.grasp_error_mm_per_cycle} in {row.ms_per_s}"
+                    for row in points.settings
+                    if row.on_grasp_front
+                ),
+                sources=[row.grasp_error_mm_per_cycle for row in points.settings],
+            ),
+            "worlds": worlds_figure,
+        },
+        claims=[*accuracy_claims(points, orders), *knob_claims(points), *model_claims(points), worlds_claim],
+    )
+
+
+def _front(points: Points, column: str) -> list[Row]:
+    """Points that nothing of their pads beats in numerical error and run time, by time."""
+    rows = [row for row in points.settings if row[column]]
+    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
+
+
+def _front_table(rows: Sequence[Row], caption: str) -> Table:
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        "engine": [ENGINES[row.backend] for row in rows],
+        "settings": [_settings(row) for row in rows],
+        "numerical error": [row.numerical_error_mm for row in rows],
+        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
+        "time": [row.ms_per_s for row in rows],
+        "from": [row.ms_per_s_p5 for row in rows],
+        "to": [row.ms_per_s_p95 for row in rows],
+    }
+    return Table(
+        _numbered(columns), f"{caption} What is not named is as shipped; from and to are 5th and 95th percentile."
+    )
+
+
+def _settings(row: Row) -> Markup:
+    """What to set, as the parameters are called in the scene."""
+    parts = [Markup("substeps={}").format(row.substeps)]
+    parts += [Markup("{}={}").format(name, row[name]) for name in PARAMETERS if name in row]
+    return Markup("<code>{}</code>").format(Markup(", ").join(parts))
+
+
+def _numbered(columns: dict[str, Sequence[object]]) -> pd.DataFrame:
+    count = len(next(iter(columns.values())))
+    return pd.DataFrame(
+        columns, index=pd.Index([str(number) for number in range(1, count + 1)], name="#"), dtype=object
+    )
+
+
+def _knob_table(points: Points) -> Table:
+    """Each knob beside the setting as shipped from which it is turned."""
+    rows = []
+    for pads in PADS:
+        base = points.results.row.get(f"{pads}/newton/substeps-16")
+        rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        "changed": [_changed(row) for row in rows],
+        "numerical error": [row.numerical_error_mm for row in rows],
+        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
+        "time": [row.ms_per_s for row in rows],
+        "most iterations": [row.iteration_peak_count for row in rows],
+    }
+    return Table(_numbered(columns), "One knob at a time, in Warp with Newton's contacts and the substeps as shipped.")
+
+
+def _changed(row: Row) -> Markup | str:
+    return "nothing" if row.knob == "substeps" else Markup("<code>{}={}</code>").format(row.knob, row[row.knob])
+
+
+def _failure_table(points: Points) -> Table:
+    rows = [row for row in points.settings if not row.valid]
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        "method": [LABELS[row.method] for row in rows],
+        "settings": [_settings(row) for row in rows],
+        "why it does not count": [row.invalid_reason for row in rows],
+        "numerical error": [_shown(row.numerical_error_mm) for row in rows],
+    }
+    return Table(_numbered(columns), "Runs that do not count, and why.")
+
+
+def _shown(error: Quantity) -> Quantity | str:
+    """An error of metres says no more than that the cube is gone."""
+    return error if error.value is not None and error.value < 1e3 else "gone"

@@ -1,0 +1,240 @@
+"""The limits by hand, what passes, the search of the largest step, and the extreme cases on the real engine."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments import metrics, stability_families
+from experiments.case import AS_SHIPPED, FIXED
+from experiments.classify import classify
+from experiments.scene import CUBE_IN_HAND
+from experiments.simulation import is_due, simulate
+from experiments.stability import bracket, worst
+from experiments.stability_families import BASE, PADS, Probe, closed_m
+from experiments.stability_limits import (
+    demand_m_s2,
+    exit_bound_m_s,
+    explicit_margin,
+    explicit_step_s,
+    friction_load,
+    is_clamped,
+    solref,
+    target_demand_m_s2,
+)
+from experiments.trace import FRAME_COLUMNS, Trace
+
+STIFF = replace(BASE, **PADS["stiff"])
+
+
+def test_solref_of_the_pads_as_shipped():
+    assert solref(2.5e3, 100.0) == pytest.approx((0.02, 1.0))
+
+
+def test_the_clamp_takes_timeconsts_below_two_steps():
+    # Two steps of 1/960 s are 2.083 ms, which is 2 / 960.
+    assert is_clamped(replace(BASE, pad_kd=961.0))
+    assert not is_clamped(replace(BASE, pad_kd=959.0))
+    assert not is_clamped(replace(BASE, pad_kd=961.0, refsafe=False))
+    assert not is_clamped(replace(BASE, pad_kd=961.0, pad_direct=True))
+
+
+def test_explicit_bound():
+    # dt = 0.01: 1e-4 * 1e4 + 0.02 * 100 = 3.
+    assert explicit_margin(1e4, 100.0, 0.01) == pytest.approx(0.75)
+    # Critical damping: r² + 4 r = 4 with r = dt / timeconst = √8 - 2.
+    assert explicit_step_s(1.0, 2.0) == pytest.approx(8.0**0.5 - 2.0)
+    assert explicit_margin(1e4, 100.0, explicit_step_s(1e4, 100.0)) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("factor", [0.99, 1.01])
+def test_explicit_bound_is_that_of_the_step_it_speaks_of(factor):
+    ke, kd = 1e4, 50.0
+    step = factor * explicit_step_s(ke, kd)
+    matrix = np.array([[1.0 - step**2 * ke, step - step**2 * kd], [-step * ke, 1.0 - step * kd]])
+    assert (np.abs(np.linalg.eigvals(matrix)).max() < 1.0) == (factor < 1.0)
+
+
+def test_friction_limit():
+    still = replace(BASE, shake_amplitude_m=0.0)
+    assert target_demand_m_s2(still) == pytest.approx(9.81)
+    # 32 g at 9.81 m/s² on two pads that press with 1.57 N together, μ = 0.1: twice what friction can carry.
+    assert friction_load(replace(still, pad_mu=0.1), 9.81, 1.5696) == pytest.approx(2.0, rel=1e-4)
+
+
+def test_demand_leaves_out_what_the_pads_carry_by_pressing():
+    time = np.arange(121) / 60.0
+    poses = np.zeros((121, 6, 7))
+    poses[:, :, 3] = 1.0  # half a turn about x: the tool points down
+    poses[:, metrics.TCP, 0] = 0.5 * 3.0 * time**2
+    poses[:, metrics.TCP, 1] = 0.5 * 50.0 * time**2
+    trace = Trace(1.0 / 60.0, np.full(121, metrics.SHAKE), poses, np.zeros((121, len(FRAME_COLUMNS))))
+    assert demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
+
+
+def test_exit_bound():
+    # As shipped k = 1 / (0.95 * 0.02)², so a millimetre leaves at 1e-3 / 0.019 m/s.
+    assert exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(1e-3 / 0.019)
+    # Two steps of 1/60 s are longer than the timeconst.
+    slow = replace(BASE, start_overlap_m=1e-3, substeps=1)
+    assert exit_bound_m_s(slow) == pytest.approx(1e-3 / (0.95 / 30.0))
+
+
+def test_a_finger_presses_with_the_force_that_was_asked_for():
+    assert closed_m(0.04, 12.008) == pytest.approx(AS_SHIPPED.finger_closed_m)
+
+
+@pytest.mark.parametrize(
+    ("stable", "expected"),
+    [
+        ({1: False, 2: False, 4: True, 8: True}, (2, 4)),
+        ({1: True, 2: True}, (0, 1)),
+        ({1: False, 2: False}, None),
+        ({1: True, 2: False, 4: True}, (2, 4)),
+        ({1: True, 2: True, 4: False}, None),
+    ],
+)
+def test_bracket(stable, expected):
+    assert bracket(stable) == expected
+
+
+@pytest.mark.parametrize(("count", "longest"), [(7, 7), (3, 7), (1, 7), (7, 8)])
+def test_a_shorter_run_is_spread_over_a_longer_and_ends_with_it(count, longest):
+    due = [frame for frame in range(longest) if is_due(frame, count, longest)]
+    assert len(due) == count - 1  # the first frame is run before
+    assert max(np.diff(due), default=0) <= -(-longest // count)
+
+
+def test_the_worst_repeat_is_shown():
+    runs = [{"class": "creeping", "creep_mm_s": 1.0}, {"class": "dropped", "creep_mm_s": None}]
+    runs += [{"class": "creeping", "creep_mm_s": 2.0}]
+    row = worst(Probe("steps", BASE, {"substeps": 16}), runs)
+    assert (row["class"], row["classes"], row["repeat_count"]) == ("dropped", "dropped, creeping, creeping", 3)
+    row = worst(Probe("steps", BASE, {"substeps": 16}), runs[::2])
+    assert row["creep_mm_s"] == 2.0
+
+
+def row(kind: str, **columns) -> dict:
+    return {"class": kind, "finite": kind != "non-finite", "drift_mm_s": None, "case": ""} | columns
+
+
+def test_passing_steps():
+    drifts = {1: 2.1, 2: 2.0, 4: 0.5, 8: 0.49, 128: 1.0}
+    rows = [row("creeping", pads="stiff", substeps=count, drift_mm_s=drift) for count, drift in drifts.items()]
+    rows.append(row("dropped", pads="stiff", substeps=16))
+    assert stability_families.passing_steps(rows) == [False, True, True, False, True, False]
+
+
+def test_passing_critical():
+    depths = (1.0, 1.0, 2.1, 0.4)
+    rows = [row("creeping", clamped=True, substeps=16, penetration_mm=depth) for depth in depths]
+    rows += [row("dropped", clamped=False, substeps=16), row("non-finite", clamped=False, substeps=16)]
+    assert stability_families.passing_critical(rows) == [True, True, False, False, True, False]
+
+
+def test_passing_kd_100():
+    # With a step of 1/960 s the bound is at ke = 4 * 960² - 2 * 960 * 100 = 3.49e6.
+    cells = {1e6: "creeping", 1.1e6: "dropped", 3e6: "dropped", 9e6: "exploded", 8e6: "creeping", 1e1: "dropped"}
+    rows = [row(kind, pad_ke=ke, pad_kd=100.0, substeps=16) for ke, kind in cells.items()]
+    rows.append(row("creeping", pad_ke=1.1e6, pad_kd=100.0, substeps=128))
+    assert stability_families.passing_kd_100(rows) == [True, False, None, True, False, None, True]
+
+
+def test_passing_clamp():
+    kinds = {"off": ("creeping", "exploded"), "direct": ("creeping", "holding")}
+    rows = [row(kind, clamp=clamp) for clamp, both in kinds.items() for kind in both]
+    assert stability_families.passing_clamp(rows) == [True, True, False, False]
+
+
+def test_passing_load():
+    cells = [(0.89, "creeping"), (0.89, "dropped"), (1.0, "dropped"), (1.11, "dropped"), (1.11, "creeping")]
+    rows = [row(kind, load=load) for load, kind in cells] + [row("exploded", load=None)]
+    assert stability_families.passing_load(rows) == [True, False, None, True, False, False]
+
+
+def test_passing_buffers():
+    rows = [
+        row("creeping", case="buffers-ample", failure=None),
+        row("overflow", case="buffers-contact-8", failure="the contact buffer overflowed in frame 0"),
+        row("overflow", case="buffers-constraint-12", failure="the contact buffer overflowed in frame 0"),
+        row("creeping", case="buffers-contact-8", failure=None),
+    ]
+    assert stability_families.passing_buffers(rows) == [True, True, False, False]
+
+
+@pytest.fixture(scope="module")
+def extremes() -> dict[str, tuple]:
+    """Very different cases as worlds of one batch, half a second of shake each."""
+    changes = {
+        "stiff": {},
+        "frictionless": {"pad_mu": 0.0},
+        "direct": {"pad_direct": True, "pad_ke": 960.0**2, "pad_kd": 2.0 * 960.0},
+        "unstable": {"pad_direct": True, "pad_ke": 1e8, "pad_kd": 2e4},
+        "upward": {"gravity_m_s2": -9.81},
+        "freed": {"gravity_m_s2": 0.0, "finger_shake_m": 0.035},
+        "large": {"cube_edge_m": 0.08, "finger_closed_m": closed_m(0.08, 12.0)},
+        "shifted": {"cube_offset_m": 5e-4},
+    }
+    cases = [replace(STIFF, name=name, frame_count=122, **change) for name, change in changes.items()]
+    traces = simulate(cases, device="cpu")
+    assert {trace.world_count for trace in traces} == {len(cases)}
+    return {case.name: (case, trace) for case, trace in zip(cases, traces, strict=True)}
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("stiff", "creeping"),
+        ("frictionless", "dropped"),
+        ("direct", "exploded"),
+        ("unstable", "non-finite"),
+        ("upward", "creeping"),
+        ("large", "creeping"),
+    ],
+)
+def test_how_extreme_cases_end(extremes, name, expected):
+    assert classify(*extremes[name], 1e-4) == expected
+
+
+def test_worlds_that_fail_do_not_harm_the_others(extremes):
+    case, together = extremes["stiff"]
+    [alone] = simulate([case], device="cpu")
+    np.testing.assert_allclose(alone.poses, together.poses, atol=2e-6)
+
+
+def test_a_cube_starts_in_the_hand_with_the_grip_that_was_asked_for(extremes):
+    _, trace = extremes["stiff"]
+    np.testing.assert_allclose(trace.poses[0, metrics.CUBE, :3], CUBE_IN_HAND, atol=2e-4)
+    assert trace.column("normal_force_n")[2:9] == pytest.approx(24.0, abs=0.2)
+    _, shifted = extremes["shifted"]
+    assert shifted.poses[5, metrics.CUBE, 0] - trace.poses[5, metrics.CUBE, 0] == pytest.approx(5e-4, abs=1e-5)
+
+
+def test_a_large_cube_is_as_heavy_as_it_is_large(extremes):
+    _, trace = extremes["large"]
+    fingers = trace.poses[60, 3:5, :3]
+    assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
+    # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
+    assert trace.column("tangential_force_n")[60] == pytest.approx(0.256 * 9.81, rel=0.02)
+
+
+def test_opened_fingers_let_go(extremes):
+    _, trace = extremes["freed"]
+    assert trace.column("loaded_count")[-1] == 0.0
+
+
+def test_with_the_clamp_off_a_contact_is_the_same_as_a_direct_one():
+    rate = 960.0
+    case = replace(STIFF, pad_ke=rate**2, pad_kd=2.0 * rate, frame_count=60)
+    off, direct, clamped = simulate([replace(case, refsafe=False), replace(case, pad_direct=True), case], device="cpu")
+    height = [trace.poses[-1, metrics.CUBE, 2] for trace in (off, direct, clamped)]
+    assert height[0] == pytest.approx(height[1], abs=1e-4)
+    assert abs(height[0] - height[2]) > 1e-2
+
+
+def test_the_shake_from_the_hand_is_that_from_the_ground():
+    hand, ground = simulate([replace(FIXED, cube_in_hand=True, frame_count=152), replace(FIXED, frame_count=272)])
+    moved = [metrics.displacement(trace) for trace in (hand, ground)]
+    count = min(len(one.time_s) for one in moved)
+    difference = moved[0].vector_m[:count] - moved[1].vector_m[:count]
+    assert np.abs(difference).max() < 1e-5
