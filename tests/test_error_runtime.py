@@ -8,7 +8,7 @@ import pytest
 import warp as wp
 
 from experiments import error_runtime, metrics
-from experiments.case import AS_SHIPPED
+from experiments.case import AS_SHIPPED, FIXED
 from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
 from experiments.reference import NativeShake
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
@@ -140,3 +140,12 @@ def test_the_model_in_c_has_the_timeconst_of_the_pads(shakes):
         pads: NativeShake(replace(base, backend="mujoco"), starts[pads]).pad_timeconst_s for pads, base in PADS.items()
     }
     assert timeconst == pytest.approx({"as-shipped": 0.02, "stiff": 0.002})
+
+
+def test_merged_links_are_where_they_were(shakes):
+    _, starts = shakes
+    start = starts["stiff"]
+    own, merged = (
+        NativeShake(replace(case, backend="mujoco", frame_count=2), start).run() for case in (PADS["stiff"], FIXED)
+    )
+    np.testing.assert_allclose(merged.poses, own.poses, atol=1e-5)
