@@ -28,14 +28,16 @@ OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
 FLOOR_FAMILY = "steps"
 """The family whose repeats say what creep cannot be told from none; it has all of them also when quick."""
 SINGLE_FAMILIES = ("buffers", "long")
-TRIED_FAMILIES = ("ke-critical", "ke-kd-100", "clamp")
+TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
 BISECTION_ROUNDS = {"full": 3, "quick": 1}
-GRIP_FRAMES = slice(2, 9)
-"""Frames of the hold in which the grip force is measured, before a cube that slides has left the pads."""
-PENETRATION_FRAMES = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
-"""The end of the hold."""
+HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
+"""Frames in which the grip at rest is measured."""
+GONE_M = 0.005
+"""A cube that has moved farther in the hand by the end of the hold is sliding out."""
 EXIT_FRAMES = 15
+GROWTH_LARGEST = 1.1
+"""Creep per cycle at the end of the long run over that at its beginning, at most."""
 FREED_FRAMES = 30
 """Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
 PASSING: dict[str, Callable[[Sequence[Mapping]], list[bool | None]]] = {
@@ -70,7 +72,7 @@ def measure(conditions: Conditions) -> Measurement:
     )
     rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
     [(long, long_trace)] = traces[-1]
-    rows[-1] |= long_columns(long_trace, long)
+    rows[-1] |= long_columns(long_trace, long, rows[-1]["class"])
     for family, passing in PASSING.items():
         members = [row for row in rows if row["family"] == family]
         for row, passes in zip(members, passing(members), strict=True):
@@ -133,14 +135,15 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
         "" if kind in STABLE and reached else f"the run ended as {kind}",
         drift_mm_s=lambda: metrics.drift_mm_s(moved),
         creep_mm_s=lambda: creep_mm_s(case, trace),
-        penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[PENETRATION_FRAMES])),
+        penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[HOLD_END])),
         cone_use=lambda: float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
     )
     row |= numbers(
         "" if finite else "the run ended as non-finite",
         excess_speed_mm_s=lambda: 1e3 * float(excess_speed_m_s(case, trace).max()),
+        hand_sink_mm=lambda: 1e3 * hand_sink_m(trace),
     )
-    grip = float(np.median(trace.column("normal_force_n")[GRIP_FRAMES])) if finite and reached else 0.0
+    grip = grip_force_n(trace) if finite and reached and case.cube_in_hand else 0.0
     row |= numbers(
         "" if grip > 0.0 else "no grip force was measured",
         grip_force_n=lambda: grip,
@@ -155,7 +158,7 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
     if case.finger_shake_m is not None:
         row |= numbers("" if finite else "the run ended as non-finite", energy_growth=lambda: energy_growth(trace))
     peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
-    return row | peaks | {"step_s": step_s(case)}
+    return row | peaks | {"step_ms": 1e3 * step_s(case)}
 
 
 def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
@@ -183,6 +186,21 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
     return float(np.sqrt((velocity**2).sum(axis=1) + 2.0 * case.gravity_m_s2 * np.maximum(0.0, height)).max())
 
 
+def grip_force_n(trace: Trace) -> float:
+    """Sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube is then
+    sliding out already."""
+    place = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
+    is_gone = np.linalg.norm(place[-1] - place[0]) > GONE_M
+    force = trace.column("normal_force_n")
+    return float(force[0] if is_gone else np.median(force[HOLD_END]))
+
+
+def hand_sink_m(trace: Trace) -> float:
+    """How far the hand comes down [m] in the time of the hold, in which it should not move."""
+    height = trace.poses[:HOLD_FRAME_COUNT, metrics.TCP, 2].astype(np.float64)
+    return float(height[0] - height[-1])
+
+
 def energy_growth(trace: Trace) -> float:
     """Kinetic energy of a freed cube at the end over that when the fingers have opened."""
     position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
@@ -190,16 +208,24 @@ def energy_growth(trace: Trace) -> float:
     return float(energy[-FREED_FRAMES:].mean() / energy[FREED_FRAMES : 2 * FREED_FRAMES].mean())
 
 
-def long_columns(trace: Trace, case: Case) -> dict[str, object]:
-    """How far the cube creeps per cycle in the first and in the last tenth of the long run, and whether that grows."""
+def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
+    """How far the cube creeps per cycle in the first and in the last tenth of the long run, and whether that grows.
+
+    The first two cycles, in which the cube settles, are left out.
+    """
     moved = metrics.displacement(trace)
-    columns = {"slip_mm": metrics.slip_mm(moved), "shake_duration_s": float(moved.time_s[-1])}
     # The shake repeats every second cycle of its main axis.
-    increments = metrics.cycle_increments_mm(moved, 0.5 * case.shake_frequency_hz) / 2.0
+    increments = metrics.cycle_increments_mm(moved, 0.5 * case.shake_frequency_hz)[1:] / 2.0
     tenth = max(1, len(increments) // 10)
     first, last = (float(np.abs(part.mean())) for part in (increments[:tenth], increments[-tenth:]))
-    columns |= {"increment_first_mm_per_cycle": first, "increment_last_mm_per_cycle": last}
-    return columns | {"passes": bool(last <= 1.1 * first)}
+    columns = numbers(
+        "" if kind in STABLE else f"the run ended as {kind}",
+        slip_mm=lambda: metrics.slip_mm(moved),
+        increment_first_mm_per_cycle=lambda: first,
+        increment_last_mm_per_cycle=lambda: last,
+    )
+    passes = kind in STABLE and last <= GROWTH_LARGEST * first
+    return columns | {"shake_duration_s": float(moved.time_s[-1]), "passes": bool(passes)}
 
 
 def long_table(trace: Trace) -> dict[str, np.ndarray]:
@@ -261,10 +287,10 @@ def largest_step_row(family: str, ke: float, found: Mapping[int, Mapping]) -> di
     fails_at = ends[0] if ends else least
     row |= numbers(
         "" if ends else f"it holds at none of the steps: {row['class']} at the smallest",
-        largest_step_s=lambda: 1.0 / FRAME_RATE / least,
+        largest_step_ms=lambda: 1e3 / FRAME_RATE / least,
         substeps_least=lambda: least,
     )
     return row | numbers(
         "" if fails_at else "no step that was tried fails",
-        failing_step_s=lambda: 1.0 / FRAME_RATE / fails_at,
+        failing_step_ms=lambda: 1e3 / FRAME_RATE / fails_at,
     )

@@ -1,0 +1,243 @@
+"""Claims of section stability about loads, sizes, masses, bad starts, long runs and small buffers."""
+
+from markupsafe import Markup
+
+from report.claims import Claim, Outcome, at_most
+from report.quantities import Value
+from report.results import Results
+from report.sections._stability import CLASSES, absent, count, extreme, family, family_claim, is_stable, unless
+
+
+def crossover(results: Results, name: str, start: str) -> Claim:
+    rows = [row for row in family(results, name) if row.load.value is not None]
+    kept = extreme(results, f"{name}_kept", "largest load that holds", max, [r.load for r in rows if is_stable(r)])
+    lost = extreme(
+        results, f"{name}_lost", "least load that drops", min, [r.load for r in rows if r["class"] == "dropped"]
+    )
+    return family_claim(
+        results,
+        f"{name}_crossover",
+        family(results, name),
+        holds=start + ", the cube is lost where Coulomb friction says so: the runs hold up to {kept} of the limit that "
+        "follows from the grip force measured in the same run, and drop from {lost} of it on.",
+        fails=start
+        + ", the cube is not always lost where Coulomb friction says so. Runs hold up to {kept} of the limit "
+        "that follows from the grip force measured in the same run and drop from {lost} on; {failed_count} of "
+        "{count} are on the wrong side by more than a tenth, or have no measured grip force: {failed}.",
+        numbers={"kept": kept, "lost": lost},
+    )
+
+
+def friction(results: Results) -> Claim:
+    rows = family(results, "friction")
+    kept = extreme(results, "friction_kept", "least μ that holds", min, [row.pad_mu for row in rows if is_stable(row)])
+    most = extreme(
+        results, "friction_most", "largest μ that holds", max, [row.pad_mu for row in rows if is_stable(row)]
+    )
+    return family_claim(
+        results,
+        "friction_extremes",
+        rows,
+        holds="No friction coefficient breaks the solver: without friction the cube falls, and from μ {kept} to "
+        "{most} it is held.",
+        fails="Extreme friction coefficients are not all harmless: {failed}.",
+        numbers={"kept": kept, "most": most},
+    )
+
+
+def mass(results: Results) -> Claim:
+    rows = family(results, "mass")
+    held = [row for row in rows if is_stable(row)]
+    light = extreme(results, "mass_least", "least mass that is held", min, [row.cube_mass_kg for row in held])
+    heavy = extreme(results, "mass_most", "largest mass that is held", max, [row.cube_mass_kg for row in held])
+    low = extreme(results, "mass_drift_least", "least drift of them", min, [row.drift_mm_s for row in held])
+    high = extreme(results, "mass_drift_most", "largest drift of them", max, [row.drift_mm_s for row in held])
+    sink = extreme(
+        results, "mass_sink", "largest sink of the hand", max, [unless(row, "hand_sink_mm", "mm") for row in rows]
+    )
+    return family_claim(
+        results,
+        "masses",
+        rows,
+        holds="With the grip scaled to the mass all {count} masses give finite runs; cubes from {light} to {heavy} "
+        "are held, with drifts from {low} to {high}. The heaviest pulls the hand down by {sink} before the shake.",
+        fails="Not all masses give finite runs: {failed}.",
+        numbers={"light": light, "heavy": heavy, "low": low, "high": high, "sink": sink},
+    )
+
+
+def size(results: Results, bound: Value) -> Claim:
+    rows = family(results, "size")
+    passing = {
+        grip: [row.cube_edge_mm for row in rows if row.grip == grip and row.passes] for grip in ("as-shipped", "scaled")
+    }
+    shipped = extreme(results, "size_shipped", "least edge that passes, grip as shipped", min, passing["as-shipped"])
+    scaled = extreme(results, "size_scaled", "least edge that passes, grip scaled", min, passing["scaled"])
+    return family_claim(
+        results,
+        "sizes",
+        rows,
+        holds="Stiff pads sink less than {bound} of the edge into every cube, from the smallest to the largest, "
+        "with either grip.",
+        fails="Stiff pads are not stiff to small cubes. In {failed_count} of {count} runs they sink deeper than "
+        "{bound} of the edge, or the cube is lost; with the grip as shipped that passes from an edge of {shipped} "
+        "on, with a grip that goes with the mass from {scaled} on.",
+        numbers={"bound": bound, "shipped": shipped, "scaled": scaled},
+    )
+
+
+def overlap(results: Results) -> Claim:
+    rows = family(results, "overlap")
+    shares = [
+        results.value(
+            f"exit_share_{row.case}",
+            "exit speed over that of an undamped spring",
+            lambda speed, bound: 100 * speed / bound,
+            row.exit_speed_mm_s,
+            row.exit_bound_mm_s,
+            unit="%",
+        )
+        for row in rows
+    ]
+    most = extreme(results, "exit_share_most", "largest share", max, shares)
+    fastest = extreme(results, "exit_fastest", "largest exit speed", max, [row.exit_speed_mm_s for row in rows])
+    deepest = extreme(results, "overlap_deepest", "deepest start", max, [row.overlap_mm for row in rows])
+    return family_claim(
+        results,
+        "overlaps",
+        rows,
+        holds="A cube that starts up to {deepest} deep in the ground or in both pads is not shot out: it leaves at "
+        "{most} at most of the speed of an undamped spring, {fastest} at the fastest, and is held afterwards.",
+        fails="A cube that starts in the ground or in the pads is not always let out gently: {failed}. The fastest "
+        "leaves at {fastest}, at most {most} of the speed of an undamped spring.",
+        numbers={"deepest": deepest, "most": most, "fastest": fastest},
+    )
+
+
+def gravity(results: Results) -> Claim:
+    rows = [row for row in family(results, "gravity") if not row.freed]
+    lost = [row for row in rows if not is_stable(row)]
+    sink = extreme(
+        results,
+        "gravity_sink",
+        "sink of the hand where the cube is lost",
+        max,
+        [unless(row, "hand_sink_mm", "mm") for row in lost],
+    )
+    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
+    return family_claim(
+        results,
+        "gravities",
+        rows,
+        holds="Gravity of none, upward or tenfold leaves every run finite"
+        + (
+            "; the cube is not held at {lost}, where the hand itself comes down by {sink} in the hold." if lost else "."
+        ),
+        fails="Not every gravity leaves the run finite: {failed}.",
+        numbers={"lost": text, "sink": sink},
+    )
+
+
+def freed(results: Results) -> Claim:
+    rows = [row for row in family(results, "gravity") if row.freed]
+    growth = extreme(
+        results,
+        "energy_growth_most",
+        "largest ratio of the energies",
+        max,
+        [unless(row, "energy_growth", "1") for row in rows],
+    )
+    return family_claim(
+        results,
+        "freed_cube",
+        rows,
+        holds="With no gravity a cube that the fingers let go gains no energy: its kinetic energy at the end is "
+        "{growth} times that when they had opened, at most.",
+        fails="With no gravity a cube that the fingers let go gains energy, up to {growth} times: {failed}.",
+        numbers={"growth": growth},
+    )
+
+
+def long(results: Results) -> Claim:
+    rows = family(results, "long")
+    row = rows[0] if rows else None
+    columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
+    columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
+    numbers = {name: unless(row, column, "1") if row else "" for name, column in columns.items()}
+    ends = row["class"] if row else ""
+    return family_claim(
+        results,
+        "long_run",
+        rows,
+        holds="Shaken for {duration} with stiff pads the cube ends as " + ends + ", {slip} from where it was, and its "
+        "creep does not grow: {first} in the first tenth, {last} in the last.",
+        fails="Shaken for {duration} with stiff pads the creep grows, from {first} in the first tenth to "
+        "{last} "
+        "in the last, or the cube is lost (" + ends + ").",
+        numbers=numbers,
+    )
+
+
+def buffers(results: Results) -> Claim:
+    rows = family(results, "buffers")
+    ample = [row for row in rows if row.case == "buffers-ample"]
+    peaks = {"contacts": absent("1", ""), "constraints": absent("1", "")}
+    if ample:
+        peaks = {"contacts": ample[0].peak_contact_count, "constraints": ample[0].peak_constraint_count}
+    return family_claim(
+        results,
+        "buffers",
+        rows,
+        holds="Buffers that are too small are named as the cause: the grasp needs {contacts} contacts and "
+        "{constraints} constraint rows, and every run with less is reported as an overflow of the buffer that was "
+        "too small.",
+        fails="Buffers that are too small are not always named as the cause: {failed}.",
+        numbers=peaks,
+    )
+
+
+def neighbours(results: Results) -> Claim:
+    alone, batch = results.row.get("buffers-ample"), results.row.get("steps-stiff-16")
+    beside = [row for row in family(results, "clamp") if row.clamp == "direct" and not is_stable(row)]
+    failing = count(results, "neighbours_failing", "cases without clamp that fail in the same batch", beside)
+    if not alone or not batch:
+        difference = floor = absent("mm/s", "it was not measured")
+    else:
+        difference = results.value(
+            "neighbour_difference",
+            "difference in creep of the same case alone and among worlds that fail",
+            lambda a, b: abs(a - b),
+            alone.creep_mm_s,
+            batch.creep_mm_s,
+            unit="mm/s",
+        )
+        floor = batch.creep_floor_mm_s
+    return Claim(
+        "neighbours_unharmed",
+        at_most(difference, floor),
+        holds="Worlds that fail do not harm those beside them: the same case creeps alike alone and in a batch with "
+        "the failing ones, within {difference}.",
+        fails="The same case creeps differently alone and in a batch with worlds that fail, by {difference}; "
+        "repeats differ by {floor}.",
+        unknown="Whether worlds that fail harm those beside them cannot be told.",
+        numbers={"difference": difference, "floor": floor, "failing": failing},
+    )
+
+
+def repeats_agree(results: Results) -> Claim:
+    rows = [row for row in results.rows if row.repeat_count.value > 1]
+    split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
+    split_count = count(results, "split_count", "cases whose repeats end in different classes", split)
+    none = results.value("split_bound", "chosen: none", lambda: 0)
+    repeats = extreme(results, "repeats_least", "least number of repeats", min, [row.repeat_count for row in rows])
+    total = count(results, "repeated_count", "cases with repeats", rows)
+    return Claim(
+        "repeats_agree",
+        at_most(split_count, none) if rows else Outcome("unknown", "no case was repeated"),
+        holds="Of {total} cases that were run {repeats} times with the start shifted a little, none ended in "
+        "different classes.",
+        fails="Of {total} cases that were run {repeats} times with the start shifted a little, {split} ended in "
+        "different classes; the worst is shown.",
+        unknown="Whether repeats end alike cannot be told.",
+        numbers={"total": total, "repeats": repeats, "split": split_count},
+    )

@@ -1,0 +1,174 @@
+"""Claims of section stability about steps and stiffness."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from report.claims import Claim, Outcome, at_most
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+from report.sections._common import all_of
+from report.sections._stability import count, extreme, family, family_claim, is_stable
+
+SHIPPED_SUBSTEPS = 16
+SHIPPED_KE, STIFF_KE = 2.5e3, 2.5e5
+
+
+def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
+    """From which ke on every step holds with damping ratio 1, and up to which ke the default kd does as shipped."""
+    kes = sorted({row.pad_ke.value for row in critical})
+    unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
+    safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
+    least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
+    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_KE)
+    margin = results.value("safe_margin", "ke of the stiff pads over that ke", lambda a, b: a / b, stiff, least)
+    largest_step = extreme(
+        results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
+    )
+    at_shipped = [row for row in default_kd if row.substeps.value == SHIPPED_SUBSTEPS]
+    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > SHIPPED_KE]
+    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=np.inf)]
+    limit = extreme(
+        results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
+    )
+    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: SHIPPED_KE)
+    default_margin = results.value("kd_100_margin", "that ke over the shipped one", lambda a, b: a / b, limit, shipped)
+    bound = results.value("safe_margin_bound", "chosen: room to spare", lambda: 10.0)
+    enough = results.value("safe_margin_missing", "bound over margin", lambda a, b: a / b, bound, margin)
+    one = results.value("safe_margin_one", "no more than the bound", lambda: 1.0)
+    outcome = at_most(enough, one) if kes else Outcome("unknown", "the grid was not measured")
+    return Claim(
+        "safe_settings",
+        outcome,
+        holds="Raise kd with ke, kd = 2√ke, and leave the clamp on: from ke {least} up, every run keeps the cube, "
+        "at every step up to {step}. The stiff pads, ke {stiff}, are {margin} times above where that begins. With "
+        "kd left at its default the shipped step stands ke up to {limit}, {default_margin} times that of the pads "
+        "as shipped.",
+        fails="With kd = 2√ke every run keeps the cube from ke {least} up, and the stiff pads, ke {stiff}, are only "
+        "{margin} times above that; {bound} times was aimed for. With kd left at its default the shipped step "
+        "stands ke up to {limit}.",
+        unknown="Which settings are safe cannot be told.",
+        numbers={
+            "least": least,
+            "step": largest_step,
+            "stiff": stiff,
+            "margin": margin,
+            "limit": limit,
+            "default_margin": default_margin,
+            "bound": bound,
+        },
+    )
+
+
+def steps(results: Results) -> Claim:
+    rows = family(results, "steps")
+    stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
+    passing = [row for row in rows if row.passes and row.pads == "stiff"]
+    step = extreme(
+        results, "stiff_step", "largest step at which stiff pads pass", max, [row.step_ms for row in passing]
+    )
+    return family_claim(
+        results,
+        "steps",
+        rows,
+        holds="At each of {count} combinations of step and pads the cube stays in the grasp, and its drift is "
+        "within a factor of two of that with the smallest step.",
+        fails="The step ladder does not pass throughout: of {count} runs {stable} keep the cube, but in "
+        "{failed_count} the drift is more than a factor of two from that with the smallest step, or the cube is "
+        "lost: {failed}. Stiff pads pass up to a step of {step}.",
+        numbers={"stable": stable, "step": step},
+    )
+
+
+def plateau(results: Results, rows: Sequence[Row]) -> Claim:
+    clamped = [row for row in rows if row.clamped]
+    return family_claim(
+        results,
+        "clamp_plateau",
+        clamped,
+        holds="Where the clamp is at work, in {count} runs, ke makes no difference: all with the same step sink "
+        "equally deep into the cube, within a factor of two of their median.",
+        fails="The clamp does not make all its runs alike: of {count} runs {failed_count} are lost or sink more "
+        "than a factor of two more or less deep than the median with the same step: {failed}.",
+        explanation="That is the plateau that the clamp predicts: with a timeconst of two steps at the least the "
+        "reference stiffness cannot exceed 1 / (4 dt²).",
+    )
+
+
+def boundary(results: Results, rows: Sequence[Row]) -> Claim:
+    return family_claim(
+        results,
+        "explicit_boundary",
+        rows,
+        holds="With kd at its default, theory says where it ends: all {count} runs that are farther than a factor "
+        "of two from dt² ke + 2 dt kd = 4 end on the side that the bound puts them.",
+        fails="With kd at its default, the bound dt² ke + 2 dt kd = 4 is off by more than a factor of two in "
+        "{failed_count} of the {count} runs that are farther from it: {failed}.",
+        explanation="It is the bound of a semi-implicit Euler step for a spring and a damper on a unit mass, which "
+        "is what ke and kd are here.",
+    )
+
+
+def clamp(results: Results) -> Claim:
+    rows = family(results, "clamp")
+    failing = [row.timeconst_steps for row in rows if not is_stable(row)]
+    holding = [row.timeconst_steps for row in rows if is_stable(row)]
+    first = extreme(results, "clamp_fails_at", "largest timeconst over dt that fails", max, failing)
+    last = extreme(results, "clamp_holds_at", "least timeconst over dt that holds", min, holding)
+    predicted = results.value(
+        "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", lambda: 1 / (8**0.5 - 2)
+    )
+    return family_claim(
+        results,
+        "clamp_off",
+        rows,
+        holds="Without the clamp stiff contacts do fail, as expected: with the clamp off as well as with a direct, "
+        "negative solref the cube stays down to a timeconst of {last} steps and is lost from {first} steps on. The "
+        "explicit bound puts the limit at {predicted}.",
+        fails="Without the clamp a failure was expected and not found in all ways: {failed}.",
+        numbers={"first": first, "last": last, "predicted": predicted},
+    )
+
+
+def largest_step(results: Results, rows: Sequence[Row]) -> Claim:
+    ratios = [step_ratio(results, row) for row in rows if row.of == "ke-kd-100"]
+    there = [ratio for ratio in ratios if ratio.value is not None]
+    low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, there)
+    high = extreme(results, "step_ratio_most", "largest of these ratios", max, there)
+    two = results.value("step_ratio_bound", "given: within a factor of two", lambda: 2.0)
+    inverse = results.value("step_ratio_inverse", "one over the least ratio", lambda ratio: 1 / ratio, low)
+    return Claim(
+        "largest_step",
+        all_of(at_most(high, two), at_most(inverse, two)),
+        holds="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
+        "times what the explicit bound predicts, whatever ke.",
+        fails="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
+        "times what the explicit bound predicts: theory and measurement disagree by more than a factor of two.",
+        unknown="How the largest step that holds compares with theory cannot be told.",
+        numbers={"low": low, "high": high},
+    )
+
+
+def predicted_step(results: Results, row: Row) -> Value:
+    name = f"predicted_step_{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
+    return results.derived.get(name) or results.value(
+        name,
+        "step at which dt² ke + 2 dt kd is 4",
+        lambda ke, kd: 1e3 * ((kd**2 + 4 * ke) ** 0.5 - kd) / ke,
+        row.pad_ke,
+        row.pad_kd,
+        unit="ms",
+    )
+
+
+def step_ratio(results: Results, row: Row) -> Quantity:
+    """Where it begins to fail over where it should, if a step was seen to hold and a larger one to fail."""
+    name = f"step_ratio_{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
+    return results.derived.get(name) or results.value(
+        name,
+        "geometric mean of the largest step that holds and the least that fails, over the predicted",
+        lambda found, failing, predicted: (found * failing) ** 0.5 / predicted,
+        row.largest_step_ms,
+        row.failing_step_ms,
+        predicted_step(results, row),
+    )
