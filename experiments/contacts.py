@@ -14,6 +14,7 @@ from experiments.simulation import Simulation
 from experiments.trace import ContactRows
 
 ROW_NAMES = ("normal", "friction 1", "friction 2")
+MISSING_TERM = ("predicted_slide_mm", "slide_mm", "along_mm")
 MISSING_TERM_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 """The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
 
@@ -58,15 +59,15 @@ def missing_term_row(case: Case) -> dict[str, object]:
         simulation.step()
         bias[frame] = velocity_product_m_s2(simulation)
     [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
+    row = {"case": case.name, "kind": "missing-term"}
+    if trace.failure or trace.phase[-1] != metrics.SHAKE:
+        reason = str(trace.failure or "the shake was never reached")
+        return row | dict.fromkeys(MISSING_TERM) | {f"{name}_reason": reason for name in MISSING_TERM}
     timeconst_s = max(2.0 / case.pad_kd, 2.0 * simulation.substep_dt)
     slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * timeconst_s
-    return {
-        "case": case.name,
-        "kind": "missing-term",
-        "predicted_slide_mm": 1e3 * float(slide_m_s.sum() * trace.frame_dt),
-        "slide_mm": metrics.slide_mm(trace),
-        "along_mm": 1e3 * float(metrics.displacement(trace).along_m[-1]),
-    }
+    along_m = metrics.displacement(trace).along_m[-1]
+    numbers = 1e3 * float(slide_m_s.sum() * trace.frame_dt), metrics.slide_mm(trace), 1e3 * float(along_m)
+    return row | dict(zip(MISSING_TERM, numbers, strict=True))
 
 
 def velocity_product_m_s2(simulation: Simulation) -> float:
