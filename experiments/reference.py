@@ -12,7 +12,7 @@ from experiments.case import Case
 from experiments.scene import FINGERS, ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
-from experiments.timing import FRAMES_PER_LOOK, WARMUP_COUNT
+from experiments.timing import WARMUP_COUNT
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
 
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
@@ -82,16 +82,15 @@ class NativeShake:
         )
 
     def frame_ms(self, repeat_count: int) -> np.ndarray:
-        """Wall time [ms] of a frame, each the mean of as many as ``timing.frame_ms`` takes; shape [repeat_count]."""
+        """Wall time [ms] of each of ``repeat_count`` frames, timed as ``timing.frame_ms`` does."""
         for _ in range(WARMUP_COUNT):
             self.frame()
         times = []
         for _ in range(repeat_count):
             start = time.perf_counter()
-            for _ in range(FRAMES_PER_LOOK):
-                self.frame()
+            self.frame()
             times.append(1e3 * (time.perf_counter() - start))
-        return np.array(times) / FRAMES_PER_LOOK
+        return np.array(times)
 
     @property
     def pad_timeconst_s(self) -> float:
