@@ -12,6 +12,7 @@ from experiments.case import AS_SHIPPED, FIXED
 from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
 from experiments.reference import NativeShake
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
+from report.sections._error_runtime_worlds import crossing
 
 FRAME_DT = 1.0 / 60.0
 
@@ -69,6 +70,17 @@ def test_fronts_compare_what_can_be_compared():
     assert on("on_backend_front") == {"good", "other pads", "other backend"}
     assert on("on_grasp_front") == {"good", "other model"}
     assert on("on_grasp_backend_front") == {"good", "other model", "other backend"}
+
+
+@pytest.mark.parametrize(
+    ("level", "worlds"),
+    [(49.9, 5), (20.0, 2), (1e3, None), (5.0, None)],
+    ids=["between two", "at one", "never", "from the start"],
+)
+def test_the_crossover_is_where_the_speed_is_first_reached(level, worlds):
+    # Of a straight line in logarithms from (4, 40) to (16, 160), 50 is reached at 5 worlds.
+    found = crossing(level, (1, 2, 4, 16), (10.0, 20.0, 40.0, 160.0))
+    assert (None if np.isnan(found) else found) == worlds
 
 
 def trace(**changes) -> Trace:
