@@ -16,16 +16,15 @@ from experiments.measurement import Conditions, Measurement
 from experiments.reference import NativeShake, Start
 from experiments.scene import ROBOT_DOF_COUNT
 from experiments.simulation import Simulation, run
-from experiments.timing import elapsed_ms, frame_ms, put_in_state_of
+from experiments.timing import WARMUP_COUNT, elapsed_ms, frame_ms, put_in_state_of
 from experiments.trace import Trace
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Of the reference; a second one with half as many tells how far it has converged."""
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4)}
-REPEAT_COUNT = 20
+REPEAT_COUNT = 40
 """Frames that are timed, each by itself."""
-WARMUP_COUNT = 3
-"""Frames before those."""
+TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
 SETUP_FRAME_LIMIT = 600
 FRAMES_PER_S = 60
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
@@ -79,7 +78,7 @@ def starts_of(pilot: Simulation) -> dict[str, Start]:
     """
     data = pilot.solver.mjw_data
     state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
-    targets = np.zeros((FRAME_COUNT + WARMUP_COUNT + REPEAT_COUNT, pilot.world_count, ROBOT_DOF_COUNT))
+    targets = np.zeros((FRAME_COUNT + TIMED_FRAME_COUNT, pilot.world_count, ROBOT_DOF_COUNT))
     for frame in range(len(targets)):
         pilot.step()
         wp.synchronize_device(pilot.device)
@@ -106,7 +105,7 @@ class WarpShake:
         self.simulation.recorder.cursor.zero_()
         wp.synchronize_device(device)
 
-    def frame_ms(self, repeat_count: int, warmup_count: int) -> np.ndarray:
+    def frame_ms(self, repeat_count: int) -> np.ndarray:
         return frame_ms(self.simulation, repeat_count)
 
 
@@ -201,8 +200,8 @@ def distance_mm(trace: Trace, other: Trace) -> float:
 
 
 def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
-    """Wall time per simulated second, from frames in the shake that are timed one by one."""
-    return spread(shake.frame_ms(REPEAT_COUNT, WARMUP_COUNT))
+    """Wall time per simulated second, from frames in the shake."""
+    return spread(shake.frame_ms(REPEAT_COUNT))
 
 
 def spread(frames_ms: np.ndarray) -> dict[str, float | int]:
@@ -247,7 +246,7 @@ def mark_front(
 def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[str, object]:
     """The fixed scene in many worlds at once, timed in the shake."""
     gc.collect()  # frees the batch before
-    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=WARMUP_COUNT + REPEAT_COUNT)
+    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=TIMED_FRAME_COUNT)
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
     times = frame_ms(simulation, REPEAT_COUNT)

@@ -25,7 +25,7 @@ WITHOUT = {
 }
 """What is left out, by name, and the parameters that do it."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
-REPEAT_COUNT = {"cuda": 10, "cpu": 5}
+REPEAT_COUNT = {"cuda": 30, "cpu": 10}
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 

@@ -14,6 +14,7 @@ from experiments.measurement import SETUP_FRAME_COUNT
 from experiments.simulation import Simulation
 from experiments.trace import Trace
 
+MOTION = ("slide_mm", "along_mm", "slip_mm", "drift_mm_s")
 TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 """The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
 
@@ -34,10 +35,8 @@ def predicted_row(case: Case) -> dict[str, object]:
     trace = _trace(simulation)
     timeconst_s = max(2.0 / case.pad_kd, 2.0 * simulation.substep_dt)
     slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * timeconst_s
-    predicted_mm = 1e3 * float(slide_m_s.sum() * trace.frame_dt)
-    return {"case": f"{case.name}-missing-term", "kind": "missing-term", "predicted_slide_mm": predicted_mm} | _motion(
-        trace
-    )
+    row = {"case": f"{case.name}-missing-term", "kind": "missing-term", **_motion(trace)}
+    return row | {"predicted_slide_mm": 1e3 * float(slide_m_s.sum() * trace.frame_dt)}
 
 
 def restored_row(case: Case) -> dict[str, object]:
@@ -57,7 +56,10 @@ def _trace(simulation: Simulation) -> Trace:
     return simulation.recorder.traces(simulation.frame_dt, TWO_PERIODS_FRAME_COUNT, wall_s=0.0)[0]
 
 
-def _motion(trace: Trace) -> dict[str, float]:
+def _motion(trace: Trace) -> dict[str, object]:
+    if trace.failure or trace.phase[-1] != metrics.SHAKE:
+        reason = str(trace.failure or "the shake was never reached")
+        return dict.fromkeys(MOTION) | {f"{name}_reason": reason for name in MOTION}
     moved = metrics.displacement(trace)
     return {
         "slide_mm": metrics.slide_mm(trace),

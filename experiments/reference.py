@@ -12,6 +12,7 @@ from experiments.case import Case
 from experiments.scene import FINGERS, ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
+from experiments.timing import WARMUP_COUNT
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
 
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
@@ -39,12 +40,15 @@ class NativeShake:
     """
 
     def __init__(self, case: Case, start: Start):
-        solver = Simulation([replace(case, backend="mujoco")], wp.get_device("cpu")).solver
+        simulation = Simulation([replace(case, backend="mujoco")], wp.get_device("cpu"))
+        solver, links = simulation.solver, simulation.scene.links
+        of_newton = solver.mjc_body_to_newton.numpy()[0].tolist()
         self.case, self.start = case, start
         self.model, self.data = solver.mj_model, solver.mj_data
         self.model.opt.timestep = 1.0 / FRAME_RATE / case.substeps
-        self.bodies = [body_id(self.model, name) for name in BODIES]
-        self.pad_body = body_id(self.model, FINGERS[0])
+        self.bodies = [of_newton.index(links[name].body) for name in BODIES]
+        self.offsets = np.array([links[name].pose for name in BODIES], dtype=float)
+        self.pad_body = of_newton.index(links[FINGERS[0]].body)
         self.frame_index = 0
         self.data.qpos[:], self.data.qvel[:] = start.qpos, start.qvel
         self.data.qacc_warmstart[:] = start.qacc_warmstart
@@ -77,9 +81,9 @@ class NativeShake:
             peak_iteration_count=peak_iteration,
         )
 
-    def frame_ms(self, repeat_count: int, warmup_count: int = 3) -> np.ndarray:
-        """Wall time [ms] of each of ``repeat_count`` frames; shape [repeat_count]."""
-        for _ in range(warmup_count):
+    def frame_ms(self, repeat_count: int) -> np.ndarray:
+        """Wall time [ms] of each of ``repeat_count`` frames, timed as ``timing.frame_ms`` does."""
+        for _ in range(WARMUP_COUNT):
             self.frame()
         times = []
         for _ in range(repeat_count):
@@ -95,9 +99,15 @@ class NativeShake:
         return float(self.model.geom_solref[pads[0], 0])
 
     def _poses(self) -> np.ndarray:
+        """Poses of BODIES, in float64; shape [bodies, 7]."""
         # A step ends with new joint positions; the bodies are still where they were before it.
         mujoco.mj_kinematics(self.model, self.data)
-        return np.hstack([self.data.xpos[self.bodies], np.roll(self.data.xquat[self.bodies], -1, axis=1)])
+        poses, quaternion = np.zeros((len(self.bodies), 7)), np.zeros(4)
+        for pose, body, offset in zip(poses, self.bodies, self.offsets, strict=True):
+            pose[:3] = self.data.xpos[body] + self.data.xmat[body].reshape(3, 3) @ offset[:3]
+            mujoco.mju_mulQuat(quaternion, self.data.xquat[body], np.roll(offset[3:], 1))
+            pose[3:] = np.roll(quaternion, -1)
+        return poses
 
     def _cone_use(self) -> float:
         """Largest tangential force over friction times normal force of a contact (1 = sliding)."""
@@ -108,11 +118,3 @@ class NativeShake:
                 friction = self.data.contact[index].friction[0]
                 largest = max(largest, float(np.hypot(force[1], force[2]) / (friction * force[0])))
         return largest
-
-
-def body_id(model: mujoco.MjModel, name: str) -> int:
-    """Index of the body whose name is that of a newton body, or ends with it; KeyError if there is none."""
-    for index in range(model.nbody):
-        if model.body(index).name == name or model.body(index).name.endswith(f"_{name}"):
-            return index
-    raise KeyError(f"the MuJoCo model has no body {name}")

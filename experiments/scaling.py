@@ -12,7 +12,7 @@ from experiments.simulation import Simulation
 from experiments.timing import buffer_bytes_per_world, engine_ms, frame_ms, in_the_shake, put_in_state_of
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
-REPEAT_COUNT = 20
+REPEAT_COUNT = 40
 
 
 def measure(conditions: Conditions) -> Measurement:

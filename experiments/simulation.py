@@ -138,10 +138,10 @@ class Simulation:
         command()
         if self.part_beside is not None:
             self._wait(self.stream_beside, self.stream)
-        physics()  # first, so that the device need not wait for the other to be launched
-        if self.part_beside is not None:
             with wp.ScopedStream(self.stream_beside):
-                self.part_beside()
+                self.part_beside()  # first: a device that has the long graph queued starts no other beside it
+        physics()
+        if self.part_beside is not None:
             self._wait(self.stream, self.stream_beside)
 
     def step(self) -> None:

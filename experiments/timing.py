@@ -19,8 +19,6 @@ ENGINE_ARRAYS = "qpos qvel qacc_warmstart".split()
 SHAKE_FRAME_COUNT = 30
 """Frames of shake before the frames that are timed."""
 WARMUP_COUNT = 3
-FRAMES_PER_LOOK = 5
-"""Frames between two looks at the clock."""
 
 
 def in_the_shake(case: Case, device: wp.Device) -> Simulation:
@@ -45,18 +43,10 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
 
 
 def frame_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
-    """Wall time [ms] of a frame as the simulation runs them, shape [repeat_count].
-
-    Each is the mean of FRAMES_PER_LOOK frames, queued without a wait between them, as a user would run them.
-    """
-
-    def frames() -> None:
-        for _ in range(FRAMES_PER_LOOK):
-            simulation.step()
-
+    """Wall time [ms] of each of ``repeat_count`` frames as the simulation runs them, from start to finished work."""
     for _ in range(WARMUP_COUNT):
         simulation.step()
-    return np.array([elapsed_ms(simulation.device, frames) for _ in range(repeat_count)]) / FRAMES_PER_LOOK
+    return np.array([elapsed_ms(simulation.device, simulation.step) for _ in range(repeat_count)])
 
 
 def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:

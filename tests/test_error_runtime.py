@@ -8,10 +8,11 @@ import pytest
 import warp as wp
 
 from experiments import error_runtime, metrics
-from experiments.case import AS_SHIPPED
+from experiments.case import AS_SHIPPED, FIXED
 from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
 from experiments.reference import NativeShake
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
+from report.sections._error_runtime_worlds import crossing
 
 FRAME_DT = 1.0 / 60.0
 
@@ -69,6 +70,17 @@ def test_fronts_compare_what_can_be_compared():
     assert on("on_backend_front") == {"good", "other pads", "other backend"}
     assert on("on_grasp_front") == {"good", "other model"}
     assert on("on_grasp_backend_front") == {"good", "other model", "other backend"}
+
+
+@pytest.mark.parametrize(
+    ("level", "worlds"),
+    [(49.9, 5), (20.0, 2), (1e3, None), (5.0, None)],
+    ids=["between two", "at one", "never", "from the start"],
+)
+def test_the_crossover_is_where_the_speed_is_first_reached(level, worlds):
+    # Of a straight line in logarithms from (4, 40) to (16, 160), 50 is reached at 5 worlds.
+    found = crossing(level, (1, 2, 4, 16), (10.0, 20.0, 40.0, 160.0))
+    assert (None if np.isnan(found) else found) == worlds
 
 
 def trace(**changes) -> Trace:
@@ -140,3 +152,12 @@ def test_the_model_in_c_has_the_timeconst_of_the_pads(shakes):
         pads: NativeShake(replace(base, backend="mujoco"), starts[pads]).pad_timeconst_s for pads, base in PADS.items()
     }
     assert timeconst == pytest.approx({"as-shipped": 0.02, "stiff": 0.002})
+
+
+def test_merged_links_are_where_they_were(shakes):
+    _, starts = shakes
+    start = starts["stiff"]
+    own, merged = (
+        NativeShake(replace(case, backend="mujoco", frame_count=2), start).run() for case in (PADS["stiff"], FIXED)
+    )
+    np.testing.assert_allclose(merged.poses, own.poses, atol=1e-5)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from markupsafe import Markup
 
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -22,7 +23,9 @@ LABELS = {
 }
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 MODEL_KNOBS = ("cone", "impratio")
+SHIPPED = "as-shipped/newton/substeps-16"
 SHIPPED_SUBSTEPS = 16
+ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
 
 
 @dataclass(frozen=True)
@@ -40,7 +43,7 @@ class Points:
     @property
     def warp(self) -> str:
         """The backend that Warp was measured with first of all: the GPU where there is one."""
-        return self.results.row["as-shipped/newton/substeps-16"].backend
+        return self.results.row[SHIPPED].backend
 
     def ladder(self, pads: str, method: str) -> list[Row]:
         """A method's points, coarsest first."""
@@ -117,3 +120,34 @@ def order_of(points: Points, pads: str, method: str) -> Value:
         slope,
         *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
     )
+
+
+def front_of(points: Points, column: str) -> list[Row]:
+    """Rows on a front of numerical error and run time, by pads and rising time."""
+    rows = [row for row in points.settings if row[column]]
+    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
+
+
+def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
+    """A front without those rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
+    kept: list[Row] = []
+    for row in front:
+        before = [other[ERROR].value for other in kept if other["pads"] == row["pads"]]
+        floor = 0.0 if row.backend == "mujoco-c" else points.floors[row["pads"]].value or 0.0
+        if not before or row[ERROR].value < before[-1] - floor:
+            kept.append(row)
+    return kept
+
+
+def named(rows: Sequence[Row]) -> Markup:
+    """Which settings, in words, without saying of the pads."""
+    by_method: dict[str, dict[str, Markup]] = {}
+    for row in rows:
+        value = row[row.knob]
+        text = Markup("<code>{}={}</code>").format(row.knob, value)
+        by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {value}", text)
+    phrases = (
+        Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
+        for method, knobs in by_method.items()
+    )
+    return Markup("; ").join(phrases)

@@ -24,7 +24,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     crossover = results.value(
         "crossover_worlds",
         "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones",
-        lambda core, *cells: _crossing(core, cells[::2], cells[1::2]),
+        lambda core, *cells: crossing(core, cells[::2], cells[1::2]),
         one_core,
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
@@ -49,14 +49,14 @@ def _rate(points: Points, row: Row) -> Value:
     )
 
 
-def _crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
+def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
     """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
     above = [rate >= level for rate in rates]
     if True not in above or above[0]:
         return float("nan")
     after = above.index(True)
     pair = slice(after - 1, after + 1)
-    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair])))))
+    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))) - 1e-9))
 
 
 def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[Value], crossover: Value) -> Claim:

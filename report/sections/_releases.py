@@ -7,7 +7,7 @@ from itertools import groupby
 from markupsafe import Markup
 
 from report.assemble import Derived, Release
-from report.claims import Claim
+from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -127,3 +127,49 @@ class TurnList:
     def _heading(self, turn: Turn) -> Markup:
         name = f"{turn.section}: {turn.name.replace('_', ' ')}"
         return Markup('<a href="#{}">{}</a>').format(turn.section, name) if turn.section in self.shown else name
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The oldest and the newest release that has results, between which changes are told."""
+
+    releases: Releases
+
+    @property
+    def old(self) -> str:
+        return next(iter(self.releases))
+
+    @property
+    def new(self) -> str:
+        return next(reversed(self.releases))
+
+    @property
+    def one(self) -> Outcome | None:
+        """Why nothing can be told, when both are the same."""
+        return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
+
+    def cells(self, headline: Headline) -> tuple[Quantity, Quantity]:
+        return cell(self.releases, self.old, headline), cell(self.releases, self.new, headline)
+
+    def live(self, case: str, column: str, unit: str) -> tuple[Quantity, Quantity]:
+        """What this section measured in the two."""
+        return self.cells(Headline("", "upgrade", case, column, unit))
+
+
+def within(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
+    """Whether a change is no more than noise and rounding."""
+    for quantity in (moved, noise):
+        if quantity.value is None:
+            return Outcome("unknown", quantity.reason)
+    processors = sorted({origin.processor for origin in moved.origins})
+    if len(processors) > 1:
+        return Outcome("unknown", f"one was measured on {processors[0]}, the other on {processors[1]}")
+    return FAILS if is_beyond(noise.value, before.value, after.value) else HOLDS
+
+
+def machines_differ(releases: Releases, section: str) -> Outcome | None:
+    """Unknown, when the oldest and the newest release were not measured on one and the same machine."""
+    records = [release[section].results.record for release in releases.values() if section in release]
+    if records and records[0].machine_for_speed != records[-1].machine_for_speed:
+        return Outcome("unknown", f"measured on {records[0].machine_text} and on {records[-1].machine_text}")
+    return None

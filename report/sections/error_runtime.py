@@ -8,9 +8,10 @@ from markupsafe import Markup
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
-from report.sections._error_runtime import ENGINES, LABELS, PADS, Points, order_of, points_of
-from report.sections._error_runtime_claims import accuracy_claims, knob_claims, model_claims
+from report.sections._error_runtime import ENGINES, LABELS, PADS, Points, distinct, front_of, order_of, points_of
+from report.sections._error_runtime_claims import accuracy_claims
 from report.sections._error_runtime_figures import STYLES, draw_grasp, draw_numerical
+from report.sections._error_runtime_knobs import knob_claims, model_claims
 from report.sections._error_runtime_worlds import derive_worlds
 
 order = 155
@@ -31,12 +32,14 @@ PARAMETERS = (
 def derive(results: Results) -> Section:
     points = points_of(results)
     orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in STYLES}
+    front = front_of(points, "on_front")
+    warp_front = [row for row in front_of(points, "on_backend_front") if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
     return Section(
         tables={
-            "front": _front_table(_front(points, "on_front"), "Pareto front of numerical error and run time."),
+            "front": _front_table(distinct(points, front), "Pareto front of numerical error and run time."),
             "warp_front": _front_table(
-                [row for row in _front(points, "on_backend_front") if row.backend == points.warp],
+                distinct(points, warp_front),
                 f"The same front of {ENGINES[points.warp]} alone, for those who need it.",
             ),
             "knobs": _knob_table(points),
@@ -50,9 +53,7 @@ def derive(results: Results) -> Section:
                 "timeconst to two substeps, so it is another model. Shaded: as far as Warp's single precision is from "
                 "C. On the left edge: closer than the axis shows, as the reference itself. On the upper edge: failed, "
                 "not timed. Orders of convergence: pads as shipped | stiff.",
-                alt="; ".join(
-                    f"{row.case}: {row.numerical_error_mm} in {row.ms_per_s}" for row in _front(points, "on_front")
-                ),
+                alt="; ".join(f"{row.case}: {row.numerical_error_mm} in {row.ms_per_s}" for row in front),
                 sources=[row.numerical_error_mm for row in points.settings],
             ),
             "grasp": Figure(
@@ -72,12 +73,6 @@ def derive(results: Results) -> Section:
     )
 
 
-def _front(points: Points, column: str) -> list[Row]:
-    """Points that nothing of their pads beats in numerical error and run time, by time."""
-    rows = [row for row in points.settings if row[column]]
-    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
-
-
 def _front_table(rows: Sequence[Row], caption: str) -> Table:
     columns = {
         "pads": [row["pads"] for row in rows],
@@ -90,7 +85,9 @@ def _front_table(rows: Sequence[Row], caption: str) -> Table:
         "to": [row.ms_per_s_p95 for row in rows],
     }
     return Table(
-        _numbered(columns), f"{caption} What is not named is as shipped; from and to are 5th and 95th percentile."
+        _numbered(columns),
+        f"{caption} What is not named is as shipped; from and to are 5th and 95th percentile. Left out is what "
+        "gains less than Warp is away from C.",
     )
 
 

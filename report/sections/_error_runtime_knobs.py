@@ -1,0 +1,245 @@
+"""What the points say of the knobs, and of what only the model changes."""
+
+from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater
+from report.quantities import Quantity
+from report.results import Row
+from report.sections._error_runtime import (
+    ERROR,
+    GRASP,
+    PADS,
+    SHIPPED,
+    SHIPPED_SUBSTEPS,
+    TIME,
+    Points,
+    is_clamped,
+    named,
+)
+from report.sections._timing import ratio
+
+
+def knob_claims(points: Points) -> list[Claim]:
+    return [
+        _more_substeps(points),
+        _solver_effort(points),
+        _contact_source(points),
+        _too_little(points),
+        _pyramid(points),
+    ]
+
+
+def model_claims(points: Points) -> list[Claim]:
+    return [_pads_decide(points), _coarse_steps_flatter(points), _impratio(points), _cone_not_left(points)]
+
+
+def _more_substeps(points: Points) -> Claim:
+    most = points.ladder("as-shipped", "newton")[-1]
+    error, before = most[ERROR], points.cell(SHIPPED, ERROR)
+    gain = ratio(
+        points.results, "substeps_gain", "numerical error as shipped over that with most substeps", before, error
+    )
+    cost = ratio(
+        points.results, "substeps_cost", "run time over that as shipped", most[TIME], points.cell(SHIPPED, TIME)
+    )
+    return Claim(
+        "more_substeps",
+        greater(before, error, noise=points.floors["as-shipped"]),
+        holds="More substeps buy what they cost: {count} instead of {shipped} take {cost} times as long and bring the "
+        "numerical error down {gain} times, to {error}.",
+        fails="More substeps buy nothing: {count} instead of {shipped} take {cost} times as long and leave the "
+        "numerical error at {error}.",
+        unknown="What more substeps than {shipped} buy cannot be told.",
+        numbers={
+            "count": most.substeps,
+            "shipped": points.cell(SHIPPED, "substeps"),
+            "cost": cost,
+            "gain": gain,
+            "error": error,
+        },
+    )
+
+
+def _solver_effort(points: Points) -> Claim:
+    """More or other solver effort than shipped, with contacts as shipped or anew in each substep."""
+    rows = [
+        row
+        for row in points.settings
+        if row["pads"] == "as-shipped" and row.valid and (_is_solver_knob(row) or _is_refresh(row))
+    ]
+    change = points.results.value(
+        "effort_change",
+        "largest change of the numerical error by iterations, line search or contacts in each substep, either way",
+        lambda base, *error: max(abs(each - base) for each in error),
+        points.cell(SHIPPED, ERROR),
+        *(row[ERROR] for row in rows),
+        unit="mm",
+    )
+    return Claim(
+        "solver_effort",
+        at_most(change, points.floors["as-shipped"]),
+        holds="More solver iterations, fewer line search iterations and contacts made anew in each substep buy "
+        "nothing, as long as the run counts: they change the numerical error by at most {change}, and Warp itself is "
+        "{floor} from C.",
+        fails="Iterations, line search or contacts made anew in each substep make a difference: they change the "
+        "numerical error by up to {change}, more than Warp is from C ({floor}).",
+        unknown="What more solver effort buys cannot be told.",
+        numbers={"change": change, "floor": points.floors["as-shipped"]},
+    )
+
+
+def _is_solver_knob(row: Row) -> bool:
+    return row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")
+
+
+def _is_refresh(row: Row) -> bool:
+    return row.method == "newton-each-substep" and row.substeps.value == SHIPPED_SUBSTEPS
+
+
+def _contact_source(points: Points) -> Claim:
+    """Whether the contacts of MuJoCo Warp keep as close to C as Newton's do, over all substeps."""
+    worst = {}
+    for method in ("newton", "mujoco"):
+        rows = [row for row in points.ladder("as-shipped", method) if row.valid and not is_clamped(row)]
+        worst[method] = points.results.value(
+            f"c_difference_{method}",
+            f"largest distance from C with the same steps, {method} contacts, timeconst as authored",
+            lambda *distance: max(distance),
+            *(row.c_difference_mm for row in rows),
+            unit="mm",
+        )
+    return Claim(
+        "contact_source",
+        greater(worst["mujoco"], worst["newton"], noise=points.floors["as-shipped"]),
+        holds="Contacts from Newton keep Warp closer to C than MuJoCo Warp's own: over all substeps at most {newton} "
+        "away against {mujoco}.",
+        fails="MuJoCo Warp's own contacts keep it closer to C than Newton's do: over all substeps at most {mujoco} "
+        "away against {newton}.",
+        unknown="Whose contacts keep Warp closer to C cannot be told: {newton} with Newton's, {mujoco} with its own.",
+        numbers=worst,
+    )
+
+
+def _too_little(points: Points) -> Claim:
+    """Which settings fail."""
+    failed = [row for row in points.settings if not row.valid]
+    lost = [row for row in failed if row[ERROR].value is None or "iterations" not in row.invalid_reason]
+    return Claim(
+        "too_little",
+        HOLDS if lost else FAILS,
+        holds="Too little of the solver loses the cube or the run: {lost}.",
+        fails="No setting tried loses the cube or the run.",
+        unknown="Which settings fail cannot be told.",
+        numbers={"lost": named(lost)},
+    )
+
+
+def _pyramid(points: Points) -> Claim:
+    case = "as-shipped/newton/cone-pyramidal"
+    time, before = points.cell(case, TIME), points.cell(SHIPPED, TIME)
+    spread = points.results.value(
+        "elliptic_spread",
+        "range from the 5th to the 95th percentile of the run time with the elliptic cone",
+        lambda low, high: high - low,
+        points.cell(SHIPPED, f"{TIME}_p5"),
+        points.cell(SHIPPED, f"{TIME}_p95"),
+        unit="ms/s",
+    )
+    return Claim(
+        "pyramid",
+        greater(before, time, noise=spread),
+        holds="The pyramidal cone is cheaper in Warp, {time} against {before}, at a grasp error of {grasp} against "
+        "{grasp_before} with the elliptic one.",
+        fails="The pyramidal cone is not cheaper in Warp: {time} against {before} with the elliptic one.",
+        unknown="Whether the pyramidal cone is cheaper in Warp cannot be told: {time} against {before}.",
+        numbers={
+            "time": time,
+            "before": before,
+            "grasp": points.cell(case, GRASP),
+            "grasp_before": points.cell(SHIPPED, GRASP),
+        },
+    )
+
+
+def _pads_decide(points: Points) -> Claim:
+    """Whether the converged grasp errors are further apart than settings move the one as shipped."""
+    soft, stiff = (_reference_cell(points, pads) for pads in PADS)
+    gain = ratio(points.results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
+    bound = points.results.value("pads_bound", "chosen: an order of magnitude, nearly", lambda: 5.0)
+    return Claim(
+        "pads_decide",
+        at_least(gain, bound),
+        holds="What the grasp loses in a cycle is a matter of the model and not of its solution: solved to the end, "
+        "the scene as shipped still drifts by {soft}, with stiff pads by {stiff}.",
+        fails="Solved to the end, the scene as shipped drifts by {soft} and with stiff pads by {stiff}: the pads make "
+        "less than {bound} times the difference.",
+        unknown="What the model converges to cannot be told.",
+        numbers={"soft": soft, "stiff": stiff, "bound": bound},
+    )
+
+
+def _reference_cell(points: Points, pads: str) -> Quantity:
+    row = points.reference(pads)
+    return row[GRASP] if row else points.cell(f"{pads}/reference", GRASP)
+
+
+def _coarse_steps_flatter(points: Points) -> Claim:
+    coarse, converged = points.cell("stiff/newton/substeps-16", GRASP), _reference_cell(points, "stiff")
+    return Claim(
+        "coarse_steps_flatter",
+        greater(converged, coarse, noise=points.floors["stiff"]),
+        holds="A small grasp error can itself be an error: stiff pads with the substeps as shipped show {coarse}, "
+        "their converged solution {converged}.",
+        fails="With stiff pads the grasp error with the substeps as shipped, {coarse}, is no smaller than that of the "
+        "converged solution, {converged}.",
+        unknown="Whether coarse steps flatter the grasp with stiff pads cannot be told: {coarse} as shipped, "
+        "{converged} converged.",
+        numbers={"coarse": coarse, "converged": converged},
+    )
+
+
+def _impratio(points: Points) -> Claim:
+    """With the pads whose grasp is worth saving; where these were not measured, with those as shipped."""
+    pads = "stiff" if "stiff/newton/impratio-1" in points.results.row else "as-shipped"
+    low, shipped = f"{pads}/newton/impratio-1", f"{pads}/newton/substeps-16"
+    grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
+    return Claim(
+        "impratio",
+        greater(grasp, before, noise=points.floors[pads]),
+        holds="The impratio of the scene does buy grasp: with {pads} the cube drifts by {before}, with an impratio of "
+        "{low} by {grasp}, at {time} of run time against {time_before}.",
+        fails="The impratio of the scene does not buy grasp: with {pads} the cube drifts by {before}, with an "
+        "impratio of {low} by {grasp}.",
+        unknown="What impratio buys cannot be told.",
+        numbers={
+            "pads": PADS[pads],
+            "low": points.cell(low, "impratio"),
+            "grasp": grasp,
+            "before": before,
+            "time": points.cell(low, TIME),
+            "time_before": points.cell(shipped, TIME),
+        },
+    )
+
+
+def _cone_not_left(points: Points) -> Claim:
+    """The margin of the friction cone with the shipped substeps and finer, and who came to its edge."""
+    fine = [row for row in points.settings if row.valid and row.substeps.value >= SHIPPED_SUBSTEPS]
+    at_edge = [row for row in points.settings if row.valid and (row.cone_use_max.value or 0.0) >= 1.0]
+    margin = points.results.value(
+        "cone_margin",
+        "one less the largest share of the friction cone that a contact used, shipped substeps and finer, in percent",
+        lambda *use: 100 * (1 - max(use)),
+        *(row.cone_use_max for row in fine),
+        unit="%",
+    )
+    bound = points.results.value("cone_bound", "chosen: a clear margin", lambda: 10.0, unit="%")
+    return Claim(
+        "cone_not_left",
+        at_least(margin, bound),
+        holds="No contact slides: with the shipped substeps and finer at least {margin} of the friction cone is left "
+        "in "
+        "every frame of every run that counts." + (" All of it is used by {edge}." if at_edge else ""),
+        fails="Some contact comes near sliding: with the shipped substeps and finer as little as {margin} of the "
+        "friction cone is left.",
+        unknown="How near the contacts come to sliding cannot be told.",
+        numbers={"margin": margin, "edge": named(at_edge)},
+    )
