@@ -31,7 +31,7 @@ MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
 def variants(few: bool) -> list[Case]:
-    """The cases; ``few`` for a CPU, where one that keeps the large buffers takes a quarter of a second a frame."""
+    """The cases; ``few`` where one that keeps the large buffers takes long to build or to run."""
     names = ("buffers",) if few else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
@@ -43,7 +43,7 @@ def measure(conditions: Conditions) -> Measurement:
         trajectories = run_to_end(conditions, kind)
         pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            for case in variants(few=kind == "cpu"):
+            for case in variants(few=kind == "cpu" or world_count > 1):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
                 row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])

@@ -9,7 +9,7 @@ import warp as wp
 
 from experiments import metrics
 from experiments.case import Case
-from experiments.scene import FINGERS, ROBOT_DOF_COUNT, TRACKED_BODIES
+from experiments.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
 from experiments.timing import WARMUP_COUNT
@@ -48,7 +48,7 @@ class NativeShake:
         self.model.opt.timestep = 1.0 / FRAME_RATE / case.substeps
         self.bodies = [of_newton.index(links[name].body) for name in BODIES]
         self.offsets = np.array([links[name].pose for name in BODIES], dtype=float)
-        self.pad_body = of_newton.index(links[FINGERS[0]].body)
+        self.pad = solver.mjc_geom_to_newton_shape.numpy()[0].tolist().index(simulation.scene.pads[0])
         self.frame_index = 0
         self.data.qpos[:], self.data.qvel[:] = start.qpos, start.qvel
         self.data.qacc_warmstart[:] = start.qacc_warmstart
@@ -95,8 +95,7 @@ class NativeShake:
     @property
     def pad_timeconst_s(self) -> float:
         """Time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
-        pads = np.flatnonzero((self.model.geom_bodyid == self.pad_body) & (self.model.geom_contype > 0))
-        return float(self.model.geom_solref[pads[0], 0])
+        return float(self.model.geom_solref[self.pad, 0])
 
     def _poses(self) -> np.ndarray:
         """Poses of BODIES, in float64; shape [bodies, 7]."""

@@ -126,9 +126,8 @@ def commit() -> str | None:
     Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
     """
     git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
-    return subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or os.environ.get(
-        "GIT_COMMIT"
-    )
+    told = os.environ.get("GIT_COMMIT")
+    return told or subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or None
 
 
 def command(section: str, device: wp.Device, profile: str) -> str:
