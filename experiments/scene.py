@@ -226,7 +226,7 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
         write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
 
     gravity = model.gravity.numpy()
-    gravity[:, 2] = -column("gravity_m_s2")
+    gravity[: len(cases), 2] = -column("gravity_m_s2")
     model.gravity.assign(gravity)
     _scale_cube(scene, worlds, cube_body)
     _place_cube(scene, worlds, cube_body)
