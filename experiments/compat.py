@@ -1,7 +1,8 @@
 """Where Newton's releases differ, and which one changed what. All else here runs on 1.4.0 to 1.8.0 as it is.
 
-What needs nothing here: 1.5.0 ends ``Model.gravity`` with a row for what is in no world; 1.8.0 reads the joints' damping
-from the URDF, and deprecates ``update_data_interval`` of ``SolverMuJoCo``, which still works.
+What needs nothing here: 1.5.0 ends ``Model.gravity`` with a row for what is in no world, and gives a geom that collides
+either a contype or a conaffinity, not always both; 1.8.0 reads the joints' damping from the URDF, and deprecates
+``update_data_interval`` of ``SolverMuJoCo``, which still works.
 """
 
 import newton
@@ -13,6 +14,8 @@ KF_RELEASE = (1, 5)
 Newton's contacts a timeconst of their own, 2 / (kf w ((1 - dmax) / impratio + dmax)), where w is the sum of the bodies'
 ``body_invweight0``. kf = 0 takes the friction away, and a negative one the timeconst. MuJoCo's own contacts have none
 in any release."""
+KF_OFF = -1.0
+"""What a kf must be for friction rows without a timeconst of their own."""
 
 
 def release(version: str = newton.__version__) -> tuple[int, ...]:

@@ -95,7 +95,8 @@ class NativeShake:
     @property
     def pad_timeconst_s(self) -> float:
         """Time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
-        pads = np.flatnonzero((self.model.geom_bodyid == self.pad_body) & (self.model.geom_contype > 0))
+        colliding = (self.model.geom_contype | self.model.geom_conaffinity) != 0
+        pads = np.flatnonzero((self.model.geom_bodyid == self.pad_body) & colliding)
         return float(self.model.geom_solref[pads[0], 0])
 
     def _poses(self) -> np.ndarray:

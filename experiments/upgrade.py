@@ -28,7 +28,7 @@ RUNS = (
 )
 """Runs of every release. The last two take a timeconst of its own from the friction rows, or give them one."""
 KF_RUNS = (
-    *(replace(case, name=f"{case.name}-kf-off", pad_kf=-1.0) for case in (AS_SHIPPED, STIFF_PADS, HOLD)),
+    *(replace(case, name=f"{case.name}-kf-off", pad_kf=compat.KF_OFF) for case in (AS_SHIPPED, STIFF_PADS, HOLD)),
     *(replace(AS_SHIPPED, name=f"as-shipped-kf-{kf:g}", pad_kf=kf) for kf in (3.0, 10.0, 30.0, 100.0)),
 )
 """The same through what a user can set, where the release reads it."""
