@@ -225,9 +225,7 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
         write(model.mujoco.solref, pads, -np.stack([column("pad_ke"), column("pad_kd")], axis=1))
         write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
 
-    gravity = model.gravity.numpy()
-    gravity[: len(cases), 2] = -column("gravity_m_s2")
-    model.gravity.assign(gravity)
+    model.set_gravity(np.outer(-column("gravity_m_s2"), (0.0, 0.0, 1.0)))
     _scale_cube(scene, worlds, cube_body)
     _place_cube(scene, worlds, cube_body)
 

@@ -26,7 +26,7 @@ from experiments.trace import Trace
 OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
 """Starts of the repeats: the cube's shift in the hand."""
 FLOOR_FAMILY = "steps"
-"""The family whose repeats say what creep cannot be told from none; it has all of them also when quick."""
+"""The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
 SINGLE_FAMILIES = ("buffers", "long")
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
@@ -116,7 +116,8 @@ def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
     """The starts of a run's repeats; what is as certain as an overflow, or as long as the long run, has one."""
     if run.family in SINGLE_FAMILIES:
         return (0.0,)
-    return OFFSETS_M["quick" if conditions.quick and run.family != FLOOR_FAMILY else "full"]
+    offsets = OFFSETS_M["quick" if conditions.quick else "full"]
+    return OFFSETS_M["full"][:2] if run.family == FLOOR_FAMILY and conditions.quick else offsets
 
 
 def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:

@@ -1,7 +1,6 @@
 """What the parts of section stability share: its rows by family, the classes, and claims about a family."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 from markupsafe import Markup
@@ -68,7 +67,7 @@ def family_claim(
         outcome or at_most(failed_count, none),
         holds=holds,
         fails=fails,
-        unknown="What becomes of them cannot be told.",
+        unknown=f"Whether the runs for {name.replace('_', ' ')} end as they should cannot be told.",
         numbers=own | dict(numbers or {}),
         explanation=explanation,
     )
@@ -87,7 +86,3 @@ def absent(unit: str, reason: str) -> Quantity:
 def unless(row: Row, column: str, unit: str) -> Quantity:
     """A cell of a row that older records may not have."""
     return row[column] if column in row else absent(unit, "it was not measured")
-
-
-def with_reason(cell: Quantity, reason: str) -> Quantity:
-    return replace(cell, value=None, reason=reason)

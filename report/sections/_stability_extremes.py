@@ -14,10 +14,12 @@ def crossover(results: Results, name: str, start: str) -> Claim:
     lost = extreme(
         results, f"{name}_lost", "least load that drops", min, [r.load for r in rows if r["class"] == "dropped"]
     )
+    absent_side = next((side.reason for side in (kept, lost) if side.value is None), None)
     return family_claim(
         results,
         f"{name}_crossover",
         family(results, name),
+        outcome=Outcome("unknown", "not both sides of the limit were reached") if absent_side else None,
         holds=start + ", the cube is lost where Coulomb friction says so: the runs hold up to {kept} of the limit that "
         "follows from the grip force measured in the same run, and drop from {lost} of it on.",
         fails=start

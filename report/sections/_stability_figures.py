@@ -35,7 +35,7 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     axes[-1, 0].set_xlabel("pad ke")
     handles = [Patch(facecolor=colour, edgecolor=DARK, linewidth=0.4) for colour in COLOURS]
     marks = [
-        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=INK, markersize=6 if mark else 11) for mark in MARKS
+        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=DARK, markersize=6 if mark else 11) for mark in MARKS
     ]
     drawing.legend(
         [*zip(handles, marks, strict=True), Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
