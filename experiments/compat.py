@@ -1,7 +1,8 @@
 """Where Newton's releases differ, and which one changed what. All else here runs on 1.4.0 to 1.8.0 as it is.
 
-Two changes need nothing here: 1.8.0 reads the joints' damping from the URDF, and deprecates ``update_data_interval`` of
-``SolverMuJoCo``, which still works.
+What needs nothing here: 1.5.0 adds a row to ``Model.gravity`` for what is in no world, which ``set_gravity`` knows, and
+gives a geom that collides a contype or a conaffinity, not always both; 1.8.0 reads the joints' damping from the URDF,
+and deprecates ``update_data_interval`` of ``SolverMuJoCo``, which still works.
 """
 
 import newton

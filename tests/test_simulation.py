@@ -70,12 +70,12 @@ def test_a_world_of_a_batch_is_the_case_alone(batch, name):
     [
         ({"contact_max": 8}, "contact", {0}),
         ({"contact_max": 10}, "contact", {0}),
-        ({"contact_max": 14, "contacts": "mujoco"}, "contact", {33, 34}),
+        ({"contact_max": 16, "contacts": "mujoco"}, "contact", {36, 37}),
         ({"constraint_max": 12}, "constraint", {0}),
     ],
 )
 def test_an_overflow_is_marked_with_its_frame(change, buffer, frames):
-    """With MuJoCo's contacts there are 12 to begin with, which its engine makes room for, and 15 from frame 34 on."""
+    """With MuJoCo's contacts there are 12 to begin with, which its engine makes room for, and 17 from frame 37 on."""
     [trace] = simulate([replace(AS_SHIPPED, frame_count=max(frames) + 2, **change)], device="cpu")
     assert trace.failure in [Failure("overflow", frame, f"the {buffer} buffer overflowed") for frame in frames]
 

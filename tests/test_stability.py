@@ -168,7 +168,7 @@ def extremes() -> dict[str, tuple]:
     changes = {
         "stiff": {},
         "frictionless": {"pad_mu": 0.0},
-        "direct": {"pad_direct": True, "pad_ke": 960.0**2, "pad_kd": 2.0 * 960.0},
+        "direct": {"pad_direct": True, "pad_ke": 960.0**2, "pad_kd": 2.0 * 960.0, "pad_kf": -1.0},
         "unstable": {"pad_direct": True, "pad_ke": 1e8, "pad_kd": 2e4},
         "upward": {"gravity_m_s2": -9.81},
         "freed": {"gravity_m_s2": 0.0, "finger_shake_m": 0.035},
@@ -225,7 +225,8 @@ def test_opened_fingers_let_go(extremes):
 
 def test_with_the_clamp_off_a_contact_is_the_same_as_a_direct_one():
     rate = 960.0
-    case = replace(STIFF, pad_ke=rate**2, pad_kd=2.0 * rate, frame_count=60)
+    # With the clamp off, the friction rows' own timeconst that newer releases give would be unstable.
+    case = replace(STIFF, pad_ke=rate**2, pad_kd=2.0 * rate, friction_timeconst_override_s=0.0, frame_count=60)
     off, direct, clamped = simulate([replace(case, refsafe=False), replace(case, pad_direct=True), case], device="cpu")
     height = [trace.poses[-1, metrics.CUBE, 2] for trace in (off, direct, clamped)]
     assert height[0] == pytest.approx(height[1], abs=1e-4)
