@@ -156,6 +156,7 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
     claims = {claim.name: claim.html(name) for claim in section.claims}
     figures = {key: PlacedFigure(f"{name}-{key}", figure) for key, figure in section.figures.items()}
     return {
+        "release": results.record.identity.packages["newton"],
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,

@@ -75,8 +75,11 @@ def _baseline(chapters: Mapping[str, Results]) -> Row | None:
 
 
 def _lines(section: str, results: Results) -> Iterator[Line]:
-    """The section's rows that have a slip, those of one case or of one long series together."""
-    rows = [row for row in results.rows if "slip_mm" in row]
+    """The section's runs that have a slip, those of one case or of one long series together.
+
+    A row that does not say whether the run failed is no run of the whole task, but a look at a part of one.
+    """
+    rows = [row for row in results.rows if "slip_mm" in row and "failure" in row]
     stems: dict[str, list[Row]] = {}
     for row in rows:
         stems.setdefault(NUMBER.sub("…", row.case), []).append(row)
