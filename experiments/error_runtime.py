@@ -21,7 +21,7 @@ from experiments.trace import Trace
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Of the reference; a second one with half as many tells how far it has converged."""
-WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4)}
+WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
 REPEAT_COUNT = 40
 """Frames that are timed, each by itself."""
 TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
@@ -37,12 +37,13 @@ def measure(conditions: Conditions) -> Measurement:
     device = wp.get_device(conditions.device)
     points = settings(profile, cpu_too=conditions.is_cuda)
     finest = REFERENCE_SUBSTEPS[profile]
+    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
     pilot = pilot_at_shake(device)
     shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
     # Many worlds start where the pilot is now, so they are timed before it runs on.
-    worlds = [world_row(count, pilot, device) for count in WORLD_COUNTS[profile]]
+    worlds = [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
     starts = starts_of(pilot)
     natives = {
         point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
