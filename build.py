@@ -1,6 +1,7 @@
 """The command line that make calls; ``make help`` says what there is."""
 
 import argparse
+import os
 import subprocess
 import sys
 
@@ -18,7 +19,12 @@ def main() -> int:
         _refuse_bad_input(arguments)
         own = installed_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
-        return COMMANDS[arguments.command](project, arguments)
+        result = COMMANDS[arguments.command](project, arguments)
+        sys.stdout.flush()
+        return result
+    except BrokenPipeError:  # whoever reads the output, as head, has enough of it
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
@@ -123,6 +129,8 @@ def _build(project: Project) -> None:
     for chapter in report.chapters:
         if chapter.state.notes:
             print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
+    if any(state.name != "fresh" for state in states_of(project)) and not measuring_device(None, project.profile):
+        print("this machine has no CUDA device: with DEVICE=cpu these commands measure here, in up to hours")
     print(f"built {project.site / 'index.html'}")
 
 

@@ -14,6 +14,8 @@ from report import ReportError, UsageError
 from report.check import check_site
 
 SCHEME = "dir:"
+QUICK = '<meta name="profile" content="quick">'
+"""What marks a page of small grids and short runs."""
 
 
 def publish(site: Path, target: str) -> Path:
@@ -23,6 +25,8 @@ def publish(site: Path, target: str) -> Path:
     _refuse_foreign(path, versions)
     if not (site / "index.html").is_file():
         raise UsageError(f"{site.name}/ holds no report; make report builds it")
+    if QUICK in (site / "index.html").read_text(encoding="utf-8"):
+        raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
     copy = versions / f"new-{os.getpid()}"
     try:
         shutil.copytree(site, copy)

@@ -213,3 +213,11 @@ def test_quick_results_are_shown_as_such(toy):
     assert "quick profile" in quick.page
     assert "make rerun SECTION=toy PROFILE=quick" in quick.page
     assert check_site(quick.project.site) == []
+
+
+def test_a_quick_look_is_not_published(toy, tmp_path):
+    quick = replace(toy, project=replace(toy.project, profile="quick"))
+    quick.measure()
+    quick.build()
+    with pytest.raises(UsageError, match="quick look"):
+        publish(quick.project.site, f"dir:{tmp_path / 'www'}")
