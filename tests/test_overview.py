@@ -6,7 +6,7 @@ from report.check import check_site
 from report.overview import _lines, overview
 from report.results import Results
 
-SHAKE = {"shake_amplitude_m": 0.03, "shake_frequency_hz": 1.0, "frame_count": 900, "dropped": False}
+SHAKE = {"shake_amplitude_m": 0.03, "shake_frequency_hz": 1.0, "frame_count": 900, "dropped": False, "failure": None}
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
 TEMPLATE = "# A report\n\n{% if overview %}\n{{ overview }}\n{% endif %}\n"
@@ -23,8 +23,8 @@ def labels(results: Results) -> list[str]:
 
 
 def test_a_long_series_shares_a_line(results):
-    sweep = [{"case": f"sweep-ke-{10.0**power:.3g}", "slip_mm": 1.0} for power in range(9)]
-    few = [{"case": f"pad-mu-{mu:g}", "slip_mm": 1.0} for mu in (0.2, 10)]
+    sweep = [{"case": f"sweep-ke-{10.0**power:.3g}", "slip_mm": 1.0, "failure": None} for power in range(9)]
+    few = [{"case": f"pad-mu-{mu:g}", "slip_mm": 1.0, "failure": None} for mu in (0.2, 10)]
     assert labels(results([SHIPPED, *sweep, *few])) == ["as-shipped", "sweep-ke-… (9)", "pad-mu-0.2", "pad-mu-10"]
 
 
@@ -32,14 +32,21 @@ def test_rows_of_one_case_share_a_line_and_those_without_a_slip_have_none(result
     assert labels(results([SHIPPED, SHIPPED, {"case": "map", "wall_s": 1.0}])) == ["as-shipped (2)"]
 
 
+def test_a_look_at_a_part_of_a_run_has_none(results):
+    assert labels(results([SHIPPED, {"case": "as-shipped-missing-term", "slip_mm": 2.2}])) == ["as-shipped"]
+
+
 def test_there_is_none_without_a_baseline(results):
     assert overview({}) is None
-    assert overview({"toy": results([{"case": "stiff", "slip_mm": 0.3}])}) is None
+    assert overview({"toy": results([{"case": "stiff", "slip_mm": 0.3, "failure": None}])}) is None
 
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.write("templates/summary.md.j2", TEMPLATE)
-    others = [{"case": "soft", "slip_mm": 6.0}, {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True}]
+    others = [
+        {"case": "soft", "slip_mm": 6.0, "failure": None},
+        {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True},
+    ]
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []
