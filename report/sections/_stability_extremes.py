@@ -172,7 +172,7 @@ def long(results: Results) -> Claim:
         "long_run",
         rows,
         holds="Shaken for {duration} with stiff pads the cube ends as " + ends + ", {slip} from where it was, and its "
-        "creep does not grow: {first} in the first tenth, {last} in the last.",
+        "creep hardly grows: {first} in the first tenth, {last} in the last.",
         fails="Shaken for {duration} with stiff pads the creep grows, from {first} in the first tenth to "
         "{last} "
         "in the last, or the cube is lost (" + ends + ").",

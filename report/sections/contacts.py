@@ -156,7 +156,7 @@ def _slide_accounts_when_stiff(results: Results, run: Row, gaps: dict[str, Value
         at_most(departure, _departure_bound(results)),
         holds="With stiff pads it does as well: {slide} from the rows, {along} measured.",
         fails="With stiff pads the same sum gives {slide} where {along} was measured. The two "
-        "differ by {gap}, as shipped by {gap_shipped}; against so small a motion the sum is no account of it.",
+        "differ by {gap}, as shipped by {gap_shipped}: against so small a motion what is no sliding counts as well.",
         unknown="Whether it does so with stiff pads cannot be told.",
         numbers=numbers,
     )

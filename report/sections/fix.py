@@ -38,7 +38,8 @@ def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
         FAILS if outcome == HOLDS and not fixed.test_passed else outcome,
         holds="The patch holds the cube: run as offered, the scene slips {before} without it and {after} with it, "
         "{gain} times less.",
-        fails="The patch is not recommended: run as offered, the scene slips {before} without it and {after} with it.",
+        fails="The patch is not recommended here: run as offered, with contacts that Newton finds, the scene slips "
+        "{before} without it and {after} with it.",
         unknown="Whether the patch helps cannot be told, so it is not recommended.",
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
         explanation="In a scene of your own, do what it does: set ke and kd of the shapes that grip before the "
@@ -67,7 +68,8 @@ def _same_on_mujoco_c(results: Results) -> Claim:
     return Claim(
         "same_on_mujoco_c",
         at_least(gain, _gain_bound(results)),
-        holds="Through MuJoCo's C engine the patch helps: {before} without it, {after} with it.",
+        holds="Through MuJoCo's C engine, which finds its own contacts, the patch helps: {before} without it, {after} "
+        "with it.",
         fails="Through MuJoCo's C engine the patch does not help: {before} without it, {after} with it.",
         unknown="Whether the patch helps through MuJoCo's C engine cannot be told.",
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm},

@@ -96,7 +96,7 @@ def _creep_goes_the_other_way(results: Results) -> Claim:
     return Claim(
         "creep_goes_the_other_way",
         at_most(along, bound),
-        holds="What is left goes the other way, so it cannot be a part of that drift.",
+        holds="What is left goes the other way: it hides a little of that drift and adds nothing to it.",
         fails="What is left goes the same way.",
         unknown="Which way it goes cannot be told.",
     )
@@ -251,7 +251,7 @@ def _longer_steps_creep_less(results: Results) -> Claim:
         "against {many}.",
         unknown="Whether a longer step helps cannot be told.",
         numbers={"few": few, "many": many},
-        explanation="More substeps make the held grasp worse, not better.",
+        explanation="Over this range, more substeps make the held grasp worse, not better.",
     )
 
 

@@ -153,8 +153,8 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         at_most(share, bound),
         holds="It takes the shake: with the arm held still the cube drifts along the same axis at {drift}, in size "
         "{share} of that, and creeps {slip} in all.",
-        fails="Not all of that is the shake's doing: with the arm held still the cube drifts along the same axis at "
-        "{drift}, in size {share} of that, and moves {slip} in all.",
+        fails="So small a drift is no more the shake's doing alone: with the arm held still the cube drifts along the "
+        "same axis at {drift}, in size {share} of that, and moves {slip} in all.",
         unknown="Whether it takes the shake to move the cube cannot be told.",
         numbers={"drift": hold.drift_mm_s, "share": share, "slip": hold.slip_mm},
     )
