@@ -1,10 +1,8 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
 import os
-import resource
 import subprocess
 import sys
-import time
 from collections.abc import Sequence
 
 import pytest
@@ -37,12 +35,6 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
     )
 
 
-def processor_time() -> float:
-    """What the processes that were run have taken [s]; unlike the time on the wall, it is theirs alone."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -73,8 +65,7 @@ def test_bad_input_gets_one_line_and_status_2(arguments, message):
     assert done.stdout == ""
 
 
-def test_status_is_quick_and_does_not_import_the_simulator():
-    start = time.perf_counter()
+def test_status_does_not_import_the_simulator():
     code = (
         "import sys, build; sys.argv = ['build.py', 'status']; build.main();"
         "sys.exit(bool({'warp', 'newton', 'mujoco', 'matplotlib', 'pandas'} & set(sys.modules)))"
@@ -82,14 +73,11 @@ def test_status_is_quick_and_does_not_import_the_simulator():
     done = run(code=("-c", code))
     assert done.returncode == 0, done.stderr
     assert "reproduction" in done.stdout
-    assert time.perf_counter() - start < 5
 
 
 def test_the_tracked_results_make_a_report_without_the_simulator(tmp_path):
     for name in ("experiments", "report", "templates", "assets", "results"):
         (tmp_path / name).symlink_to(ROOT / name)
-    start = processor_time()
     done = run(str(tmp_path), code=("-c", REPORT))
     assert done.returncode == 0, done.stderr
-    assert processor_time() - start < 10
     assert check_site(tmp_path / "site") == []
