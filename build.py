@@ -129,7 +129,8 @@ def _build(project: Project) -> None:
     for chapter in report.chapters:
         if chapter.state.notes:
             print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
-    if any(state.name != "fresh" for state in states_of(project)) and not measuring_device(None, project.profile):
+    unmeasured = report.left_out or any(chapter.state.notes for chapter in report.chapters)
+    if unmeasured and not measuring_device(None, project.profile):
         print("this machine has no CUDA device: with DEVICE=cpu these commands measure here, in up to hours")
     print(f"built {project.site / 'index.html'}")
 

@@ -78,3 +78,12 @@ def _undecided(*quantities: Quantity) -> Outcome | None:
     reasons = [quantity.reason for quantity in quantities if quantity.value is None]
     reasons += filter(None, [mixed(*(quantity.origins for quantity in quantities))])
     return Outcome("unknown", reasons[0]) if reasons else None
+
+
+def all_of(*outcomes: Outcome) -> Outcome:
+    """Holds when all hold; one that fails decides, otherwise one that can't tell."""
+    for name in (FAILS.name, "unknown"):
+        for outcome in outcomes:
+            if outcome.name == name:
+                return outcome
+    return HOLDS

@@ -1,6 +1,5 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from report.claims import FAILS, HOLDS, Outcome
 from report.quantities import Quantity
 from report.results import Results
 
@@ -24,12 +23,3 @@ def other_cell(results: Results, section: str, case: str, column: str, *, unit: 
     if other and case in other.row and column in other.row[case]:
         return other.row[case][column]
     return Quantity(None, unit, "", f"section {section} does not say")
-
-
-def all_of(*outcomes: Outcome) -> Outcome:
-    """Holds when all hold; one that fails decides, otherwise one that can't tell."""
-    for name in (FAILS.name, "unknown"):
-        for outcome in outcomes:
-            if outcome.name == name:
-                return outcome
-    return HOLDS

@@ -108,8 +108,8 @@ def overlap(results: Results) -> Claim:
         results,
         "overlaps",
         rows,
-        holds="A cube that starts up to {deepest} deep in the ground or in both pads is not shot out: it leaves at "
-        "{most} at most of the speed of an undamped spring, {fastest} at the fastest, and is held afterwards.",
+        holds="A cube that starts up to {deepest} deep in the ground or in both pads leaves slower than an undamped "
+        "spring would throw it, at {most} of that speed at most and {fastest} at the fastest, and is held afterwards.",
         fails="A cube that starts in the ground or in the pads is not always let out gently: {failed}. The fastest "
         "leaves at {fastest}, at most {most} of the speed of an undamped spring.",
         numbers={"deepest": deepest, "most": most, "fastest": fastest},

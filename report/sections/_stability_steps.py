@@ -4,10 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from report.claims import Claim, Outcome, at_most
+from report.claims import Claim, Outcome, all_of, at_most
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import all_of
 from report.sections._stability import count, extreme, family, family_claim, is_stable
 
 SHIPPED_SUBSTEPS = 16
@@ -74,7 +73,7 @@ def steps(results: Results) -> Claim:
         holds="At each of {count} combinations of step and pads the cube stays in the grasp, and its drift is "
         "within a factor of two of that with the smallest step.",
         fails="The step ladder does not pass throughout: of {count} runs {stable} keep the cube, but {failed_count} "
-        "do not pass, being lost or drifting by more than a factor of two off what the smallest step gives: {failed}. "
+        "do not pass: they lose it, or drift by more than a factor of two off what the smallest step gives: {failed}. "
         "Stiff pads pass up to a step of {step}; above it the clamp gives them a longer timeconst with every longer "
         "step.",
         numbers={"stable": stable, "step": step},

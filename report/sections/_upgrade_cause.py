@@ -1,9 +1,8 @@
 """What is new in the live contacts of a release, and whether the old number comes back without it."""
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most
+from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
 from report.quantities import Quantity, Value
 from report.results import Results
-from report.sections._common import all_of
 from report.sections._releases import Ends
 from report.sections._upgrade_tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, SHIPPED, SWITCHED, TAKEN
 
@@ -63,9 +62,10 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
         Claim(
             "giving_it_does_the_same",
             ends_it,
-            holds="Written into those of Newton {a}, it does there what the new release does: the cube slips {given}.",
-            fails="Written into those of Newton {a}, it does not do there what the new release does: the cube slips "
+            holds="Two substeps, written into those of Newton {a}, do there what the new release does: the cube slips "
             "{given}.",
+            fails="Two substeps, written into those of Newton {a}, do not do there what the new release does: the cube "
+            "slips {given}.",
             unknown="Whether the older release does the same when it is given cannot be told.",
             numbers=numbers,
         ),
@@ -80,8 +80,8 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
         Claim(
             "cause",
             ends.one or all_of(is_new, brings_back, ends_it),
-            holds="So the friction rows' own time constant is the reason for the difference in slip.",
-            fails="So the friction rows' time constant does not account for the difference between Newton {a} and {b}.",
+            holds="The friction rows' own time constant is the reason for the difference in slip.",
+            fails="The friction rows' time constant does not account for the difference between Newton {a} and {b}.",
             unknown="What makes the difference cannot be told.",
             numbers=numbers,
             explanation="Newton makes it from the shapes' kf, which this solver did not read before, for contacts that "

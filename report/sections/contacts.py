@@ -3,7 +3,7 @@
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most
+from report.claims import Claim, at_most, greater
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Value
@@ -42,6 +42,7 @@ def derive(results: Results) -> Section:
             _missing_term(results),
             _term_restored(results),
             _rest_is_creep(results),
+            _slide_falls_with_timeconst(results),
         ],
     )
 
@@ -262,6 +263,35 @@ def _rest_is_creep(results: Results) -> Claim:
         "with stiff pads, do not add up to the measured displacement: {rest} are left over.",
         unknown="Whether the rows' slide and the rest add up to the measured displacement cannot be told.",
         numbers={"creep": shipped.along_mm, "creep_stiff": stiff.along_mm, "rest": largest},
+    )
+
+
+def _slide_falls_with_timeconst(results: Results) -> Claim:
+    """What stiff pads really gain: the displacement also has the creep, which hides a part of what still slides."""
+    shipped, stiff = _in_c(results, "missing-term")
+    slide = results.value(
+        "slide_gain",
+        "slide of the friction rows as shipped, over that with stiff pads",
+        lambda soft, hard: soft / hard,
+        shipped.slide_mm,
+        stiff.slide_mm,
+    )
+    along = results.value(
+        "along_gain",
+        "measured displacement as shipped, over that with stiff pads",
+        lambda soft, hard: soft / hard,
+        shipped.along_mm,
+        stiff.along_mm,
+    )
+    return Claim(
+        "slide_falls_less_than_displacement",
+        greater(along, slide, noise=results.value("gain_bound", "chosen: the same gain", lambda: 1.0)),
+        holds="With stiff pads the cube slides {slide} times less, while its displacement falls {along} times.",
+        fails="With stiff pads the cube slides {slide} times less, and its displacement falls {along} times.",
+        unknown="With stiff pads the cube slides {slide} times less and its displacement falls {along} times; whether "
+        "these differ cannot be told.",
+        numbers={"slide": slide, "along": along},
+        explanation="The motion that stays goes against the slide and hides a part of what is left of it.",
     )
 
 

@@ -60,12 +60,11 @@ def _cube_does_not_count(results: Results) -> Claim:
     return Claim(
         "cube_does_not_count",
         at_most(largest, bound),
-        holds="The cube's material never reaches the solver: whether its ke is {low} or {high}, the contact has the "
-        "same "
-        "timeconst {timeconst}, dampratio {dampratio} and friction {friction}.",
-        fails="The cube's material does reach the solver: with its ke between {low} and {high}, the contact's solref, "
-        "friction or solimp changes by up to {largest}.",
-        unknown="Whether the cube's material reaches the solver cannot be told.",
+        holds="The cube's material never reaches the contacts with the pads: whether its ke is {low} or {high}, the "
+        "contact has the same timeconst {timeconst}, dampratio {dampratio} and friction {friction}.",
+        fails="The cube's material does reach the contacts with the pads: with its ke between {low} and {high}, the "
+        "contact's solref, friction or solimp changes by up to {largest}.",
+        unknown="Whether the cube's material reaches the contacts with the pads cannot be told.",
         numbers={
             "low": rows[0].cube_ke,
             "high": rows[-1].cube_ke,
