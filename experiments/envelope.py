@@ -10,11 +10,11 @@ from experiments.measurement import Conditions, Measurement, summarize
 FRAME_COUNT = 660
 POINTS = ((3, 0.5), (3, 1.0), (3, 2.0), (3, 3.0), (1, 1.0), (6, 1.0), (10, 1.0))
 """Amplitude [cm] and frequency [Hz]."""
-MAP_SIZE = {"full": 32, "quick": 4}
+MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
 FREQUENCIES_HZ = (0.25, 5.0)
 """Range of the map, spaced evenly on a log scale."""
-ALONE_COUNT = {"full": 4, "quick": 2}
+ALONE_COUNT = {"full": 8, "quick": 2}
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 
 

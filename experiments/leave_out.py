@@ -1,6 +1,7 @@
 """What the scene pays for and does not need: left out one at a time, then all together."""
 
 import gc
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,13 +27,15 @@ WITHOUT = {
 """What is left out, by name, and the parameters that do it."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
 REPEAT_COUNT = {"cuda": 30, "cpu": 10}
+RUN_COUNT = {"cuda": 8, "cpu": 1}
+"""Worlds in which a case is run to the end; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
-def variants(few: bool) -> list[Case]:
-    """The cases; ``few`` where one that keeps the large buffers takes long to build or to run."""
-    names = ("buffers",) if few else WITHOUT
+def variants(quick: bool) -> list[Case]:
+    """The cases; of those that leave out one thing only the one that matters most when ``quick``."""
+    names = ("buffers",) if quick else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
 
@@ -43,7 +46,7 @@ def measure(conditions: Conditions) -> Measurement:
         trajectories = run_to_end(conditions, kind)
         pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            for case in variants(few=kind == "cpu" or world_count > 1):
+            for case in variants(conditions.quick):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
                 row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])
@@ -53,28 +56,42 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]]:
-    """Every variant run to the end: slip, peaks, and whether the trajectory is the reference's to the last bit.
+    """Every variant run to the end: mean slip, peaks, and whether the trajectory is the reference's to the last bit.
 
-    The reference is the untrimmed scene. On the CPU, where that would take minutes, it is the scene without the large
-    buffers.
+    The reference is the untrimmed scene. On the CPU, where the large buffers take minutes, all cases are run to the end
+    without them, and the reference is the one that leaves out nothing else.
     """
-    cases = [
-        replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in variants(few=kind == "cpu")
-    ]
+    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in variants(conditions.quick)]
     found = {}
     if kind == "cpu":
         reason = "not run to the end on the CPU, where it takes minutes"
         found[cases.pop(0).name] = dict.fromkeys(MEASURED) | {f"{name}_reason": reason for name in MEASURED}
-    traces = simulate(cases, device=kind, title=f"leave_out on {kind}")
-    for case, trace in zip(cases, traces, strict=True):
-        summary = summarize(case, trace)
-        columns = ("slip_mm", "slip_mm_reason", "drift_mm_s", "failure", "peak_contact_count", "peak_constraint_count")
-        found[case.name] = {name: summary[name] for name in columns if name in summary}
-        found[case.name] |= {
-            "bit_identical": bool(np.array_equal(trace.poses, traces[0].poses)),
-            "pose_difference_mm": 1e3 * float(np.abs(trace.poses[..., :3] - traces[0].poses[..., :3]).max()),
+        cases = [
+            replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases
+        ]
+    run_count = RUN_COUNT[kind]
+    traces = simulate([case for case in cases for _ in range(run_count)], device=kind, title=f"leave_out on {kind}")
+    for index, case in enumerate(cases):
+        worlds = traces[index * run_count : (index + 1) * run_count]
+        apart = np.abs(worlds[0].poses[..., :3] - traces[0].poses[..., :3]).max()
+        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds]) | {
+            "bit_identical": bool(np.array_equal(worlds[0].poses, traces[0].poses)),
+            "pose_difference_mm": 1e3 * float(apart),
         }
     return found
+
+
+def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
+    """Slip and drift as means over the runs of a case, and the peaks of all of them."""
+    failure = next((row["failure"] for row in summaries if row["failure"]), None)
+    columns: dict[str, object] = {"failure": failure, "run_count": len(summaries)}
+    for name in ("peak_contact_count", "peak_constraint_count"):
+        columns[name] = max(row[name] for row in summaries)
+    for name in ("slip_mm", "drift_mm_s"):
+        values = [row[name] for row in summaries]
+        missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
+        columns |= {name: None, f"{name}_reason": missing} if missing else {name: float(np.mean(values))}
+    return columns
 
 
 def time_case(case: Case, world_count: int, pilot: Simulation, repeat_count: int) -> dict[str, object]:

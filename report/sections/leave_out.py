@@ -253,16 +253,20 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
         outcome = HOLDS if all(variant.run.bit_identical for variant in others) else FAILS
-    apart = [variant.case for variant in others if not variant.run.bit_identical]
+    same, apart = (
+        [variant.case for variant in others if variant.run.bit_identical == identical] for identical in (True, False)
+    )
     return Claim(
         "same_bits",
         outcome,
         holds="On the CPU, where a run can be repeated to the last bit, every trajectory is the same to the last bit.",
-        fails="On the CPU, where a run can be repeated to the last bit, {apart} are not the same to the last bit as "
-        "{reference}: some body is up to {largest} from where it was.",
+        fails="On the CPU, where a run can be repeated to the last bit, the trajectory stays the same to the last bit "
+        "for {same}, against that of {reference}. It does not for {apart}: some body is up to {largest} from where it "
+        "was.",
         unknown="Whether the trajectories are the same to the last bit cannot be told.",
         numbers={
-            "apart": " and ".join(apart),
+            "same": ", ".join(same) or "none",
+            "apart": ", ".join(apart),
             "reference": reference.case if reference else "",
             "largest": largest,
         },
@@ -331,8 +335,9 @@ def _same_table(variants: Sequence[Variant], differences: dict[str, Value]) -> T
     }
     index = pd.Index([variant.case for variant in variants], name="case")
     caption = (
-        "One world run to the end, against the reference of that device. Apart: the largest distance of any body, in "
-        "any frame, from where it is in the reference."
+        "Runs to the end, against the reference of that device. Slip and drift are means of several worlds on a GPU; "
+        "on the CPU all cases have buffers of the scene's size. Apart: the largest distance of any body of the first "
+        "world, in any frame, from where it is in the reference."
     )
     return Table(pd.DataFrame(columns, index=index), caption)
 

@@ -24,6 +24,8 @@ from report.sections._stability_figures import (
 
 order = 145
 
+LET_GO = "the fingers let the cube go"
+
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
@@ -206,7 +208,7 @@ def _overlap_table(rows: Sequence[Row]) -> Table:
         pd.DataFrame(columns, index=pd.Index([row.start for row in rows], name="start in")),
         "Starts that overlap: how fast the cube leaves, how fast an undamped spring of the contact's stiffness "
         "would throw it, overlap times √k, and how the run ends. Between two pads it is pushed from both sides and "
-        "stays.",
+        "stays. Springy ground is the same ground under a cube so stiff that their contact is hardly damped.",
     )
 
 
@@ -214,11 +216,11 @@ def _others_table(results: Results) -> Table:
     names = ("friction", "mass", "gravity", "buffers")
     rows = [row for name in names for row in family(results, name)]
     columns = {
-        "ends": [row["class"] for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
-        "creep": [row.creep_mm_s for row in rows],
+        "ends": ["let go" if _is_freed(row) else row["class"] for row in rows],
+        "drift": [absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s for row in rows],
+        "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
         "depth": [row.penetration_mm for row in rows],
-        "friction used": [unless(row, "load", "1") for row in rows],
+        "friction used": [_friction_used(row) for row in rows],
         "passes": [bool(row.passes) for row in rows],
     }
     return Table(
@@ -226,3 +228,15 @@ def _others_table(results: Results) -> Table:
         "The other extremes, the worst repeat of each: how the run ends, drift along the shake's main axis, creep "
         "in any direction, depth in the pads, and friction needed over friction there is.",
     )
+
+
+def _is_freed(row: Row) -> bool:
+    return "freed" in row and row.freed
+
+
+def _friction_used(row: Row) -> Quantity:
+    if _is_freed(row):
+        return absent("1", LET_GO)
+    if "pad_mu" in row and row.pad_mu.value == 0.0:
+        return absent("1", "there is no friction to use")
+    return unless(row, "load", "1")
