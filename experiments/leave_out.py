@@ -26,8 +26,6 @@ WITHOUT = {
 }
 """What is left out, by name, and the parameters that do it."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
-ALONE_WORLD_COUNT = 1024
-"""Most worlds in which each thing is left out alone: a larger batch takes long to build."""
 REPEAT_COUNT = {"cuda": 30, "cpu": 10}
 RUN_COUNT = {"cuda": 8, "cpu": 1}
 """Worlds in which a case is run to the end; on a CPU they would all be the same."""
@@ -35,9 +33,9 @@ AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
-def variants(few: bool) -> list[Case]:
-    """The cases; of those that leave out one thing only the one that matters most when ``few``."""
-    names = ("buffers",) if few else WITHOUT
+def variants(quick: bool) -> list[Case]:
+    """The cases; of those that leave out one thing only the one that matters most when ``quick``."""
+    names = ("buffers",) if quick else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
 
@@ -48,7 +46,7 @@ def measure(conditions: Conditions) -> Measurement:
         trajectories = run_to_end(conditions, kind)
         pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            for case in variants(few=conditions.quick or world_count > ALONE_WORLD_COUNT):
+            for case in variants(conditions.quick):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
                 row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])
@@ -64,7 +62,7 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     without them, and the reference is the one that leaves out nothing else.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
-    cases = [replace(case, frame_count=frame_count) for case in variants(few=conditions.quick)]
+    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick)]
     found = {}
     if kind == "cpu":
         reason = "not run to the end on the CPU, where it takes minutes"
