@@ -4,7 +4,7 @@ from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_mos
 from report.quantities import Quantity, Value
 from report.results import Results
 from report.sections._releases import Ends
-from report.sections._upgrade_tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, SHIPPED, SWITCHED, TAKEN
+from report.sections._upgrade_tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
 
 def cause_claims(results: Results, ends: Ends) -> list[Claim]:
@@ -98,7 +98,30 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
             unknown="Whether anything has changed where MuJoCo finds the contacts cannot be told.",
             numbers=numbers | {"found": found[1], "c": engine[1], "elsewhere": elsewhere},
         ),
+        _pyramid_as_before(results, ends, same),
     ]
+
+
+def _pyramid_as_before(results: Results, ends: Ends, same: Value) -> Claim:
+    before, after = ends.cells(PYRAMID)
+    change = results.value(
+        "pyramid_change",
+        "change in slip with a pyramidal cone, of the older slip",
+        lambda a, b: 100 * abs(b / a - 1),
+        before,
+        after,
+        unit="%",
+        across=True,
+    )
+    return Claim(
+        "pyramid_as_before",
+        ends.one or at_most(change, same),
+        holds="With a pyramidal friction cone nothing has changed either: the cube slips {after} in Newton {b}.",
+        fails="With a pyramidal friction cone the slip has changed as well: to {after} in Newton {b}, from {before}.",
+        unknown="Whether anything has changed with a pyramidal friction cone cannot be told.",
+        numbers={"before": before, "after": after, "b": ends.new},
+        explanation="Newton gives friction rows a time constant of their own only where the cone is elliptic.",
+    )
 
 
 def _is_new(before: Quantity, after: Quantity) -> Outcome:

@@ -23,6 +23,7 @@ SLIP = Headline("slip as shipped", "upgrade", SHIPPED, "slip_mm", "mm")
 MUJOCO_CONTACTS = Headline(
     "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
 )
+PYRAMID = Headline("slip with a pyramidal cone", "solver", "cone-pyramidal", "slip_mm", "mm")
 MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
 HEADLINES = (
     SLIP,
@@ -31,6 +32,7 @@ HEADLINES = (
     Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
     MUJOCO_CONTACTS,
     MUJOCO_C,
+    PYRAMID,
     Headline("slip with ke raised alone", "stiffness", "pad-ke-2.5e5-kd-100", "slip_mm", "mm"),
     Headline("slip with equal priorities", "priority", "priority-0", "slip_mm", "mm"),
     Headline("slip with no contact gap", "gap", "all-gaps-zero", "slip_mm", "mm"),

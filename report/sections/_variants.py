@@ -26,16 +26,18 @@ class Variants:
     """Slip of a case less that of the baseline [mm]."""
     largest: Value
     """The largest of the differences, either way."""
+    most: str
+    """The case that has it."""
     largest_share: Value
     """The same in percent of the baseline's slip."""
     floor: Quantity
     """How far apart runs of one case are [mm]."""
 
     @property
-    def numbers(self) -> dict[str, Quantity]:
+    def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
         numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        return numbers | {"largest": self.largest, "share": self.largest_share}
+        return numbers | {"largest": self.largest, "most": self.most, "share": self.largest_share}
 
 
 def compare(results: Results, baseline: str) -> Variants:
@@ -57,7 +59,8 @@ def compare(results: Results, baseline: str) -> Variants:
         reference.slip_mm,
         unit="%",
     )
-    return Variants(reference, rows, difference, largest, share, noise_floor(results, "slip_floor"))
+    most = max(difference, key=lambda case: abs(difference[case].value or 0.0))
+    return Variants(reference, rows, difference, largest, most, share, noise_floor(results, "slip_floor"))
 
 
 def _difference(results: Results, row: Row, reference: Row) -> Value:

@@ -183,9 +183,9 @@ def _missing_term(results: Results) -> Claim:
         "missing_term",
         at_most(largest, bound),
         holds="What makes them slide is an acceleration that the contact rows leave out. From the positions and "
-        "velocities of the run, with nothing fitted, it gives {predicted} of slide as shipped where the friction rows "
-        "show {slide}, and with "
-        "stiff pads {predicted_stiff} where they show {slide_stiff}: never more than {departure} apart.",
+        "velocities of a run through MuJoCo C, with nothing fitted, it gives {predicted} of slide as shipped where the "
+        "friction rows show {slide}, and with stiff pads {predicted_stiff} where they show {slide_stiff}: never more "
+        "than {departure} apart.",
         fails="An acceleration that the contact rows leave out does not account for the slide: it gives {predicted} as "
         "shipped where the friction rows show {slide}, and with stiff pads {predicted_stiff} where they show "
         "{slide_stiff}.",

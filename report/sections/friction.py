@@ -18,7 +18,7 @@ def derive(results: Results) -> Section:
         variants,
         holds="Friction is not too low: no coefficient of the pads or of the cube changes the slip of {baseline} by "
         "more than {share}.",
-        fails="The friction coefficient matters: it changes the slip of {baseline} by up to {largest}, {share} of it.",
+        fails="The friction coefficient matters: it changes the slip of {baseline} by up to {largest}, for {most}.",
         unknown="Whether the slip depends on the friction coefficient cannot be told.",
     )
     caption = "One coefficient changed at a time. Drift is along the shake's main axis."

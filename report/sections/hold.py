@@ -96,7 +96,7 @@ def _creep_goes_the_other_way(results: Results) -> Claim:
     return Claim(
         "creep_goes_the_other_way",
         at_most(along, bound),
-        holds="What is left goes the other way: it hides a little of that drift and adds nothing to it.",
+        holds="What is left goes the other way: it hides a part of that drift and adds nothing to it.",
         fails="What is left goes the same way.",
         unknown="Which way it goes cannot be told.",
     )
@@ -205,8 +205,8 @@ def _creep_is_rounding(results: Results) -> Claim:
         holds="Most of it is rounding. With positions in double precision MuJoCo's C engine creeps at {double}; with "
         "the same positions rounded to single precision after every step, and nothing else changed, at {single}. "
         "MuJoCo Warp, which computes in single precision, creeps at {warp}.",
-        fails="Rounding does not explain it: with positions in double precision MuJoCo's C engine creeps at {double}, "
-        "with positions rounded to single precision at {single}, MuJoCo Warp at {warp}.",
+        fails="Rounding does not account for it: with positions in double precision MuJoCo's C engine creeps at "
+        "{double}, with positions rounded to single precision at {single}, MuJoCo Warp at {warp}.",
         unknown="Whether rounding causes it cannot be told.",
         numbers={"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s},
     )

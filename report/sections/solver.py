@@ -23,7 +23,7 @@ def derive(results: Results) -> Section:
         results,
         variants,
         holds="No setting of the solver explains the slip: none changes the {baseline} by more than {share}.",
-        fails="The solver's settings matter: they change the slip of {baseline} by up to {largest}, {share} of it.",
+        fails="The solver's settings matter: they change the slip of {baseline} by up to {largest}, for {most}.",
         unknown="Whether a setting of the solver explains the slip cannot be told.",
     )
     caption = "One setting changed at a time. Drift is along the shake's main axis."
