@@ -31,6 +31,11 @@ def format_number(value: float | int | None, *, digits: int = 3) -> str:
     return _typeset(f"{value:,.{max(0, digits - 1 - int(exponent))}f}")
 
 
+def format_code(value: float | int | None) -> str:
+    """``value`` as a program reads it."""
+    return ABSENT if value is None else f"{value:g}"
+
+
 def format_power(exponent: int) -> str:
     """A power of ten."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"

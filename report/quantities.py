@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from report.format import format_number, unit_label
+from report.format import format_code, format_number, unit_label
 
 VALUES_FILE = "values.json"
 
@@ -40,13 +40,21 @@ class Quantity:
     @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
+        return self._written(format_number(self.value))
+
+    @property
+    def code(self) -> Markup:
+        """The number as it is typed into a program."""
+        return self._written(format_code(self.value))
+
+    def _written(self, text: str) -> Markup:
         if not self.source:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         if self._hint:
             attributes["title"] = self._hint
         written = Markup("").join(Markup(' {}="{}"').format(*pair) for pair in attributes.items())
-        return Markup("<data{}>{}</data>").format(written, format_number(self.value))
+        return Markup("<data{}>{}</data>").format(written, text)
 
     @property
     def _hint(self) -> str:

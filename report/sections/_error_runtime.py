@@ -139,13 +139,18 @@ def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
     return kept
 
 
+def assignment(row: Row, name: str) -> Markup:
+    """A parameter as one sets it in the scene."""
+    value = row[name]
+    return Markup("{}={}").format(name, value.code if isinstance(value, Quantity) else value)
+
+
 def named(rows: Sequence[Row]) -> Markup:
     """Which settings, in words, without saying of the pads."""
     by_method: dict[str, dict[str, Markup]] = {}
     for row in rows:
-        value = row[row.knob]
-        text = Markup("<code>{}={}</code>").format(row.knob, value)
-        by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {value}", text)
+        text = Markup("<code>{}</code>").format(assignment(row, row.knob))
+        by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {row[row.knob]}", text)
     phrases = (
         Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
         for method, knobs in by_method.items()

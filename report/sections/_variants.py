@@ -37,7 +37,8 @@ class Variants:
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
         numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        return numbers | {"largest": self.largest, "most": self.most, "share": self.largest_share}
+        most = Markup("<code>{}</code>").format(self.most)
+        return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
 def compare(results: Results, baseline: str) -> Variants:
@@ -84,7 +85,7 @@ def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: st
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
     beyond = [
-        Markup("{} by {}").format(case, difference)
+        Markup("<code>{}</code> by {}").format(case, difference)
         for case, difference in variants.difference.items()
         if None not in (difference.value, variants.floor.value) and abs(difference.value) > variants.floor.value
     ]

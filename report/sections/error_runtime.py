@@ -8,7 +8,17 @@ from markupsafe import Markup
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
-from report.sections._error_runtime import ENGINES, LABELS, PADS, Points, distinct, front_of, order_of, points_of
+from report.sections._error_runtime import (
+    ENGINES,
+    LABELS,
+    PADS,
+    Points,
+    assignment,
+    distinct,
+    front_of,
+    order_of,
+    points_of,
+)
 from report.sections._error_runtime_claims import accuracy_claims
 from report.sections._error_runtime_figures import STYLES, draw_grasp, draw_numerical
 from report.sections._error_runtime_knobs import knob_claims, model_claims
@@ -93,8 +103,7 @@ def _front_table(rows: Sequence[Row], caption: str) -> Table:
 
 def _settings(row: Row) -> Markup:
     """What to set, as the parameters are called in the scene."""
-    parts = [Markup("substeps={}").format(row.substeps)]
-    parts += [Markup("{}={}").format(name, row[name]) for name in PARAMETERS if name in row]
+    parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
 
 
@@ -123,7 +132,7 @@ def _knob_table(points: Points) -> Table:
 
 
 def _changed(row: Row) -> Markup | str:
-    return "nothing" if row.knob == "substeps" else Markup("<code>{}={}</code>").format(row.knob, row[row.knob])
+    return "nothing" if row.knob == "substeps" else Markup("<code>{}</code>").format(assignment(row, row.knob))
 
 
 def _failure_table(points: Points) -> Table:

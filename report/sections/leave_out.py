@@ -198,7 +198,9 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
         unit="mm",
     )
     beyond = [
-        Markup("{} on the {} by {}").format(variant.case, DEVICES[variant.device], differences[variant.name])
+        Markup("<code>{}</code> on the {} by {}").format(
+            variant.case, DEVICES[variant.device], differences[variant.name]
+        )
         for variant in changed
         if floor.value is not None and abs(differences[variant.name].value) > floor.value
     ]
@@ -234,7 +236,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         fails="Not all of it helps. Alone, a frame gets faster by more than frames of one run spread only for "
         "{helping}; not for {idle}.",
         unknown="Which of it helps cannot be told.",
-        numbers={"helping": ", ".join(helping) or "none", "idle": ", ".join(idle)},
+        numbers={"helping": _named(helping), "idle": _named(idle)},
     )
 
 
@@ -265,12 +267,16 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
         "was.",
         unknown="Whether the trajectories are the same to the last bit cannot be told.",
         numbers={
-            "same": ", ".join(same) or "none",
-            "apart": ", ".join(apart),
-            "reference": reference.case if reference else "",
+            "same": _named(same),
+            "apart": _named(apart),
+            "reference": _named([reference.case] if reference else []),
             "largest": largest,
         },
     )
+
+
+def _named(cases: Sequence[str]) -> Markup:
+    return Markup(", ").join(map(Markup("<code>{}</code>").format, cases)) or Markup("none")
 
 
 def _panels(variants: Sequence[Variant]) -> list[tuple[str, int]]:
