@@ -50,7 +50,7 @@ def derive(results: Results) -> Section:
             "front": _front_table(distinct(points, front), "Pareto front of numerical error and run time."),
             "warp_front": _front_table(
                 distinct(points, warp_front),
-                f"The same front of {ENGINES[points.warp]} alone, for those who need it.",
+                "The same front of MuJoCo Warp alone, for those who need it.",
             ),
             "knobs": _knob_table(points),
             "failures": _failure_table(points),
@@ -84,9 +84,11 @@ def derive(results: Results) -> Section:
 
 
 def _front_table(rows: Sequence[Row], caption: str) -> Table:
+    engines = [ENGINES[row.backend] for row in rows]
+    alone = f" All of it is {engines[0]}." if len(set(engines)) == 1 else ""
     columns = {
         "pads": [row["pads"] for row in rows],
-        "engine": [ENGINES[row.backend] for row in rows],
+        **({} if alone else {"engine": engines}),
         "settings": [_settings(row) for row in rows],
         "numerical error": [row.numerical_error_mm for row in rows],
         "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
@@ -96,7 +98,7 @@ def _front_table(rows: Sequence[Row], caption: str) -> Table:
     }
     return Table(
         _numbered(columns),
-        f"{caption} What is not named is as shipped; from and to are 5th and 95th percentile. Left out is what "
+        f"{caption}{alone} What is not named is as shipped; from and to are 5th and 95th percentile. Left out is what "
         "gains less than Warp is away from C.",
     )
 
