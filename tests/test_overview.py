@@ -3,10 +3,16 @@
 import pytest
 
 from report.check import check_site
-from report.overview import _lines, overview
+from report.overview import _lines, _mark, overview
 from report.results import Results
 
-SHAKE = {"shake_amplitude_m": 0.03, "shake_frequency_hz": 1.0, "frame_count": 900, "dropped": False, "failure": None}
+SHAKE = {
+    "shake_amplitude_m": 0.03,
+    "shake_frequency_hz": 1.0,
+    "shake_duration_s": 11.4,
+    "dropped": False,
+    "failure": None,
+}
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
 TEMPLATE = "# A report\n\n{% if overview %}\n{{ overview }}\n{% endif %}\n"
@@ -34,6 +40,20 @@ def test_rows_of_one_case_share_a_line_and_those_without_a_slip_have_none(result
 
 def test_a_look_at_a_part_of_a_run_has_none(results):
     assert labels(results([SHIPPED, {"case": "as-shipped-missing-term", "slip_mm": 2.2}])) == ["as-shipped"]
+
+
+@pytest.mark.parametrize(
+    ("change", "mark"),
+    [
+        ({"shake_duration_s": 11.5}, "the baseline's shake"),
+        ({"shake_duration_s": 600.0}, "another shake or duration"),
+        ({"shake_amplitude_m": 0.06}, "another shake or duration"),
+        ({"dropped": True}, "dropped"),
+    ],
+)
+def test_a_mark_says_whether_the_shake_is_the_baseline_s(results, change, mark):
+    baseline, run = results([SHIPPED, SHIPPED | {"case": "run"} | change]).rows
+    assert _mark(run, baseline) == mark
 
 
 def test_there_is_none_without_a_baseline(results):
