@@ -115,8 +115,8 @@ def order_of(points: Points, pads: str, method: str) -> Value:
 
     return points.results.value(
         f"order_{pads}_{method}",
-        "slope of log error against log step, over the points that count, leave the timeconst alone and are above "
-        "five times the floor of Warp",
+        "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
+        "times the floor of Warp",
         slope,
         *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
     )

@@ -63,8 +63,8 @@ def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> C
     return Claim(
         name,
         all_of(at_least(gain, enough), at_most(cost, dear)),
-        holds=opening + " {engine}, RK4 with {few} substeps a frame is {error} from the "
-        "converged solution, the shipped integrator with {many} is {before}, and RK4 takes {cost} times as long.",
+        holds=opening + " {engine}, RK4 with {few} substeps a frame is {error} from the converged solution, the "
+        "shipped integrator with {many} is {before}, and RK4 takes {cost} times as long.",
         fails="In {engine}, RK4 with {few} substeps a frame is no bargain: {error} from the converged solution against "
         "{before} for the shipped integrator with {many}, at {cost} times its run time.",
         unknown="What RK4 buys in {engine} cannot be told.",

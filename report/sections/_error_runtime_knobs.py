@@ -206,8 +206,8 @@ def _impratio(points: Points) -> Claim:
         greater(grasp, before, noise=points.floors[pads]),
         holds="The impratio of the scene does buy grasp: with {pads} the cube drifts by {before}, with an impratio of "
         "{low} by {grasp}, at {time} of run time against {time_before}.",
-        fails="The impratio of the scene does not buy grasp: with {pads} the cube drifts by {before}, with an "
-        "impratio of {low} by {grasp}.",
+        fails="The impratio of the scene does not buy grasp: with {pads} the cube drifts by {before}, with an impratio "
+        "of {low} by {grasp}.",
         unknown="What impratio buys cannot be told.",
         numbers={
             "pads": PADS[pads],
@@ -236,8 +236,7 @@ def _cone_not_left(points: Points) -> Claim:
         "cone_not_left",
         at_least(margin, bound),
         holds="No contact slides: with the shipped substeps and finer at least {margin} of the friction cone is left "
-        "in "
-        "every frame of every run that counts." + (" All of it is used by {edge}." if at_edge else ""),
+        "in every frame of every run that counts." + (" All of it is used by {edge}." if at_edge else ""),
         fails="Some contact comes near sliding: with the shipped substeps and finer as little as {margin} of the "
         "friction cone is left.",
         unknown="How near the contacts come to sliding cannot be told.",

@@ -23,9 +23,9 @@ def crossover(results: Results, name: str, start: str) -> Claim:
         holds=start + ", the cube is lost where Coulomb friction says so: the runs hold up to {kept} of the limit that "
         "follows from the grip force measured in the same run, and drop from {lost} of it on.",
         fails=start
-        + ", the cube is not always lost where Coulomb friction says so. Runs hold up to {kept} of the limit "
-        "that follows from the grip force measured in the same run and drop from {lost} on; {failed_count} of "
-        "{count} are on the wrong side by more than a tenth, or have no measured grip force: {failed}.",
+        + ", the cube is not always lost where Coulomb friction says so. Runs hold up to {kept} of the limit that "
+        "follows from the grip force measured in the same run and drop from {lost} on; {failed_count} of {count} are "
+        "on the wrong side by more than a tenth, or have no measured grip force: {failed}.",
         numbers={"kept": kept, "lost": lost},
     )
 
@@ -40,8 +40,8 @@ def friction(results: Results) -> Claim:
         results,
         "friction_extremes",
         rows,
-        holds="No friction coefficient breaks the solver: without friction the cube falls, and from μ {kept} to "
-        "{most} it is held.",
+        holds="No friction coefficient breaks the solver: without friction the cube falls, and from μ {kept} to {most} "
+        "it is held.",
         fails="Extreme friction coefficients are not all harmless: {failed}.",
         numbers={"kept": kept, "most": most},
     )
@@ -61,8 +61,8 @@ def mass(results: Results) -> Claim:
         results,
         "masses",
         rows,
-        holds="With the grip scaled to the mass all {count} masses give finite runs; cubes from {light} to {heavy} "
-        "are held, with drifts from {low} to {high}. The heaviest pulls the hand down by {sink} before the shake.",
+        holds="With the grip scaled to the mass all {count} masses give finite runs; cubes from {light} to {heavy} are "
+        "held, with drifts from {low} to {high}. The heaviest pulls the hand down by {sink} before the shake.",
         fails="Not all masses give finite runs: {failed}.",
         numbers={"light": light, "heavy": heavy, "low": low, "high": high, "sink": sink},
     )
@@ -79,11 +79,11 @@ def size(results: Results, bound: Value) -> Claim:
         results,
         "sizes",
         rows,
-        holds="Stiff pads sink less than {bound} of the edge into every cube, from the smallest to the largest, "
-        "with either grip.",
+        holds="Stiff pads sink less than {bound} of the edge into every cube, from the smallest to the largest, with "
+        "either grip.",
         fails="Stiff pads are not stiff to small cubes. In {failed_count} of {count} runs they sink deeper than "
-        "{bound} of the edge, or the cube is lost; with the grip as shipped that passes from an edge of {shipped} "
-        "on, with a grip that goes with the mass from {scaled} on.",
+        "{bound} of the edge, or the cube is lost; with the grip as shipped that passes from an edge of {shipped} on, "
+        "with a grip that goes with the mass from {scaled} on.",
         numbers={"bound": bound, "shipped": shipped, "scaled": scaled},
     )
 
@@ -173,9 +173,8 @@ def long(results: Results) -> Claim:
         rows,
         holds="Shaken for {duration} with stiff pads the cube ends as " + ends + ", {slip} from where it was, and its "
         "creep hardly grows: {first} in the first tenth, {last} in the last.",
-        fails="Shaken for {duration} with stiff pads the creep grows, from {first} in the first tenth to "
-        "{last} "
-        "in the last, or the cube is lost (" + ends + ").",
+        fails="Shaken for {duration} with stiff pads the creep grows, from {first} in the first tenth to {last} in the "
+        "last, or the cube is lost (" + ends + ").",
         numbers=numbers,
     )
 
@@ -191,8 +190,8 @@ def buffers(results: Results) -> Claim:
         "buffers",
         rows,
         holds="Buffers that are too small are named as the cause: the grasp needs {contacts} contacts and "
-        "{constraints} constraint rows, and every run with less is reported as an overflow of the buffer that was "
-        "too small.",
+        "{constraints} constraint rows, and every run with less is reported as an overflow of the buffer that was too "
+        "small.",
         fails="Buffers that are too small are not always named as the cause: {failed}.",
         numbers=peaks,
     )
@@ -219,8 +218,8 @@ def neighbours(results: Results) -> Claim:
         at_most(difference, floor),
         holds="Worlds that fail do not harm those beside them: the same case creeps alike alone and in a batch with "
         "the failing ones, within {difference}.",
-        fails="The same case creeps differently alone and in a batch with worlds that fail, by {difference}; "
-        "repeats differ by {floor}.",
+        fails="The same case creeps differently alone and in a batch with worlds that fail, by {difference}; repeats "
+        "differ by {floor}.",
         unknown="Whether worlds that fail harm those beside them cannot be told.",
         numbers={"difference": difference, "floor": floor, "failing": failing},
     )
@@ -236,8 +235,8 @@ def repeats_agree(results: Results) -> Claim:
     return Claim(
         "repeats_agree",
         at_most(split_count, none) if rows else Outcome("unknown", "no case was repeated"),
-        holds="Of {total} cases that were run {repeats} times with the start shifted a little, none ended in "
-        "different classes.",
+        holds="Of {total} cases that were run {repeats} times with the start shifted a little, none ended in different "
+        "classes.",
         fails="Of {total} cases that were run {repeats} times with the start shifted a little, {split} ended in "
         "different classes; the worst is shown.",
         unknown="Whether repeats end alike cannot be told.",

@@ -39,13 +39,12 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     return Claim(
         "safe_settings",
         outcome,
-        holds="Raise kd with ke, kd = 2√ke, and leave the clamp on: from ke {least} up, every run keeps the cube, "
-        "at every step up to {step}. The stiff pads, ke {stiff}, are {margin} times above where that begins. With "
-        "kd left at its default the shipped step stands ke up to {limit}, {default_margin} times that of the pads "
-        "as shipped.",
+        holds="Raise kd with ke, kd = 2√ke, and leave the clamp on: from ke {least} up, every run keeps the cube, at "
+        "every step up to {step}. The stiff pads, ke {stiff}, are {margin} times above where that begins. With kd left "
+        "at its default the shipped step stands ke up to {limit}, {default_margin} times that of the pads as shipped.",
         fails="With kd = 2√ke every run keeps the cube from ke {least} up, and the stiff pads, ke {stiff}, are only "
-        "{margin} times above that; {bound} times was aimed for. With kd left at its default the shipped step "
-        "stands ke up to {limit}.",
+        "{margin} times above that; {bound} times was aimed for. With kd left at its default the shipped step stands "
+        "ke up to {limit}.",
         unknown="Which settings are safe cannot be told.",
         numbers={
             "least": least,
@@ -70,10 +69,10 @@ def steps(results: Results) -> Claim:
         results,
         "steps",
         rows,
-        holds="At each of {count} combinations of step and pads the cube stays in the grasp, and its drift is "
-        "within a factor of two of that with the smallest step.",
-        fails="The step ladder does not pass throughout: of {count} runs {stable} keep the cube, but {failed_count} "
-        "do not pass: they lose it, or drift by more than a factor of two off what the smallest step gives: {failed}. "
+        holds="At each of {count} combinations of step and pads the cube stays in the grasp, and its drift is within a "
+        "factor of two of that with the smallest step.",
+        fails="The step ladder does not pass throughout: of {count} runs {stable} keep the cube, but {failed_count} do "
+        "not pass: they lose it, or drift by more than a factor of two off what the smallest step gives: {failed}. "
         "Stiff pads pass up to a step of {step}; above it the clamp gives them a longer timeconst with every longer "
         "step.",
         numbers={"stable": stable, "step": step},
@@ -88,8 +87,8 @@ def plateau(results: Results, rows: Sequence[Row]) -> Claim:
         clamped,
         holds="Where the clamp is at work, in {count} runs, ke makes no difference: all with the same step sink "
         "equally deep into the cube, within a factor of two of their median.",
-        fails="The clamp does not make all its runs alike: of {count} runs {failed_count} are lost or sink more "
-        "than a factor of two more or less deep than the median with the same step: {failed}.",
+        fails="The clamp does not make all its runs alike: of {count} runs {failed_count} are lost or sink more than a "
+        "factor of two more or less deep than the median with the same step: {failed}.",
         explanation="That is the plateau that the clamp predicts: with a timeconst of two steps at the least the "
         "reference stiffness cannot exceed 1 / (4 dt²).",
     )
@@ -100,12 +99,12 @@ def boundary(results: Results, rows: Sequence[Row]) -> Claim:
         results,
         "explicit_boundary",
         rows,
-        holds="With kd at its default, theory says where it ends: all {count} runs that are farther than a factor "
-        "of two from dt² ke + 2 dt kd = 4 end on the side that the bound puts them.",
+        holds="With kd at its default, theory says where it ends: all {count} runs that are farther than a factor of "
+        "two from dt² ke + 2 dt kd = 4 end on the side that the bound puts them.",
         fails="With kd at its default, the bound dt² ke + 2 dt kd = 4 is off by more than a factor of two in "
         "{failed_count} of the {count} runs that are farther from it: {failed}.",
-        explanation="It is the bound of a semi-implicit Euler step for a spring and a damper on a unit mass, which "
-        "is what ke and kd are here.",
+        explanation="It is the bound of a semi-implicit Euler step for a spring and a damper on a unit mass, which is "
+        "what ke and kd are here.",
     )
 
 
@@ -140,10 +139,10 @@ def largest_step(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim(
         "largest_step",
         all_of(at_most(high, two), at_most(inverse, two)),
-        holds="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
-        "times what the explicit bound predicts, whatever ke.",
-        fails="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} "
-        "times what the explicit bound predicts: theory and measurement disagree by more than a factor of two.",
+        holds="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} times "
+        "what the explicit bound predicts, whatever ke.",
+        fails="The step at which runs with the default kd begin to fail, found by bisection, is {low} to {high} times "
+        "what the explicit bound predicts: theory and measurement disagree by more than a factor of two.",
         unknown="How the largest step that holds compares with theory cannot be told.",
         numbers={"low": low, "high": high},
     )

@@ -124,8 +124,8 @@ def variant_figure(variants: Variants) -> Figure:
     slips = [row.slip_mm for row in (variants.baseline, *variants.rows)]
     return Figure(
         draw=lambda: _draw_variants(variants),
-        caption="Left: the slip of every case; the line is the baseline. Right: the same less the baseline, on a "
-        "scale of its own; the band is how far apart identical runs come out.",
+        caption="Left: the slip of every case; the line is the baseline. Right: the same less the baseline, on a scale "
+        "of its own; the band is how far apart identical runs come out.",
         alt=f"As shipped the slip is {variants.baseline.slip_mm}; "
         + "; ".join(f"{row.case}: {row.slip_mm}" for row in variants.rows),
         sources=slips,

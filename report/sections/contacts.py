@@ -156,8 +156,8 @@ def _slide_accounts_when_stiff(results: Results, run: Row, gaps: dict[str, Value
         "slide_accounts_when_stiff",
         at_most(departure, _departure_bound(results)),
         holds="With stiff pads it does as well: {slide} from the rows, {along} measured.",
-        fails="With stiff pads the same sum gives {slide} where {along} was measured. The two "
-        "differ by {gap}, as shipped by {gap_shipped}: against so small a motion what is no sliding counts as well.",
+        fails="With stiff pads the same sum gives {slide} where {along} was measured. The two differ by {gap}, as "
+        "shipped by {gap_shipped}: against so small a motion what is no sliding counts as well.",
         unknown="Whether it does so with stiff pads cannot be told.",
         numbers=numbers,
     )
@@ -198,10 +198,10 @@ def _missing_term(results: Results) -> Claim:
             "departure": largest,
         },
         explanation="A contact point of the arm accelerates by J·q̈ + J̇·q̇: the second part comes from the joints' "
-        "velocities, as when a point moves on a curve. A contact row sets only J·q̈, to −b·v. To follow the arm all the "
-        "same the row has to slide at v = J̇·q̇ / b. That goes with the square of the speed, so it does not cancel over "
-        "a cycle; no friction coefficient and no iteration changes it, and b = 2 / (dmax · timeconst) is "
-        "the only thing that stands against it.",
+        "velocities, as when a point moves on a curve. A contact row sets only J·q̈, to −b·v. To follow the arm all "
+        "the same the row has to slide at v = J̇·q̇ / b. That goes with the square of the speed, so it does not cancel "
+        "over a cycle; no friction coefficient and no iteration changes it, and b = 2 / (dmax · timeconst) is the only "
+        "thing that stands against it.",
     )
 
 
@@ -308,8 +308,8 @@ def _missing_table(results: Results) -> Table:
     return Table(
         pd.DataFrame(columns, index=index),
         "Slide along the main axis over two periods of the shake, in runs through MuJoCo C: J̇·q̇ / b at the loaded "
-        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; how far the "
-        "cube has moved; and the last two again in a run whose contact rows ask for −b·v − J̇·q̇.",
+        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; how far the cube "
+        "has moved; and the last two again in a run whose contact rows ask for −b·v − J̇·q̇.",
     )
 
 
@@ -328,8 +328,7 @@ def _force_table(frames: list[Row]) -> Table:
     return Table(
         pd.DataFrame(columns, index=index),
         "Three looks at the live contacts, a quarter of a cycle apart. Normal and tangential forces are sums over the "
-        "loaded contacts, the "
-        "penetration is their mean, cone use and sliding velocity are the largest among them.",
+        "loaded contacts, the penetration is their mean, cone use and sliding velocity are the largest among them.",
     )
 
 

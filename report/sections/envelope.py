@@ -88,8 +88,8 @@ def _nothing_dropped(results: Results, row: Row) -> Claim:
         "stiff_pads_never_drop",
         at_most(lost, bound),
         holds="With stiff pads the cube is dropped in {stiff} of the map's {cells} runs, as shipped in {shipped}.",
-        fails="Stiff pads do not hold the cube over the whole map: {lost} of {cells} runs drop it or fail, "
-        "as shipped {shipped} drop it.",
+        fails="Stiff pads do not hold the cube over the whole map: {lost} of {cells} runs drop it or fail, as shipped "
+        "{shipped} drop it.",
         unknown="Whether stiff pads hold the cube over the whole map cannot be told.",
         numbers={
             "lost": lost,

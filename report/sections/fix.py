@@ -42,8 +42,8 @@ def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
         "{before} without it and {after} with it.",
         unknown="Whether the patch helps cannot be told, so it is not recommended.",
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
-        explanation="In a scene of your own, do what it does: set ke and kd of the shapes that grip before the "
-        "builder is finalized.",
+        explanation="In a scene of your own, do what it does: set ke and kd of the shapes that grip before the builder "
+        "is finalized.",
     )
 
 
@@ -95,8 +95,8 @@ def _same_as_report(results: Results) -> Claim:
         "same_as_report",
         outcome,
         holds="They are the scene of this report: their slip is what was measured above, to within {difference}.",
-        fails="They are not quite the scene of this report: their slip differs from what was measured above by "
-        "up to {difference}.",
+        fails="They are not quite the scene of this report: their slip differs from what was measured above by up to "
+        "{difference}.",
         unknown="Whether they are the scene of this report cannot be told.",
         numbers={"difference": difference} if difference else {},
     )

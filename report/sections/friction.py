@@ -49,8 +49,8 @@ def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> C
     return Claim(
         "less_friction_slips_no_more",
         at_most(excess, variants.floor),
-        holds="With {factor} times less friction the pads let the cube slip no farther: {at_low} at a coefficient "
-        "of {low}, {at_high} at {high}.",
+        holds="With {factor} times less friction the pads let the cube slip no farther: {at_low} at a coefficient of "
+        "{low}, {at_high} at {high}.",
         fails="With {factor} times less friction the pads let the cube slip {excess} farther: {at_low} at a "
         "coefficient of {low}, {at_high} at {high}.",
         unknown="Whether less friction lets the cube slip farther cannot be told.",

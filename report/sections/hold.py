@@ -72,8 +72,7 @@ def _drift_needs_cycle(results: Results) -> Claim:
         "drift_needs_cycle",
         at_most(share, bound),
         holds="The drift needs the load cycle: with the arm held still, the cube drifts at {held} along the shake's "
-        "main "
-        "axis, against {shaken} when shaken. That is {share} of it in size.",
+        "main axis, against {shaken} when shaken. That is {share} of it in size.",
         fails="The load cycle is not all that moves the cube: with the arm held still, it drifts at {held} along the "
         "shake's main axis, against {shaken} when shaken, in size {share} of it.",
         unknown="Whether the drift needs the load cycle cannot be told.",
@@ -235,9 +234,9 @@ def _joint_stands_still(results: Results) -> Claim:
             "moved": warp.joint_motion_mrad_s,
         },
         explanation="What it would move in a substep is less than half the spacing of single-precision numbers at its "
-        "angle, so the sum is rounded back to where it was. Its position error stays, and with it the "
-        "velocity. The contacts let the cube follow the fingers' velocity, and the cube, whose coordinates are "
-        "smaller and finer, does move.",
+        "angle, so the sum is rounded back to where it was. Its position error stays, and with it the velocity. The "
+        "contacts let the cube follow the fingers' velocity, and the cube, whose coordinates are smaller and finer, "
+        "does move.",
     )
 
 
@@ -285,8 +284,7 @@ def _table(rows: list[Row]) -> Table:
     return Table(
         pd.DataFrame(columns, index=index),
         "The arm held still, against the shake: drift along the shake's main axis and along the tool, which points "
-        "down, "
-        "and whether every second moves the cube the same way.",
+        "down, and whether every second moves the cube the same way.",
     )
 
 

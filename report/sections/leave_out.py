@@ -141,8 +141,8 @@ def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
     return Claim(
         "faster_on_cpu",
         at_least(gain, bound),
-        holds="On the CPU a frame is {gain} times as fast without it all; the buffers alone take a frame from "
-        "{before} to {time}.",
+        holds="On the CPU a frame is {gain} times as fast without it all; the buffers alone take a frame from {before} "
+        "to {time}.",
         fails="On the CPU a frame is {gain} times as fast without it all, less than the {bound} times aimed for.",
         unknown="How much faster the scene is on a CPU without what it does not need cannot be told.",
         numbers={"gain": gain, "bound": bound, "before": before, "time": time},

@@ -119,8 +119,8 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
         at_most(share, bound),
         holds="Runs of one and the same case differ by no more than {slip} in slip, {share} of the slip as shipped, "
         "and {drift} in drift. Whatever differs by no more than that is called no difference from here on.",
-        fails="Runs of one and the same case differ by up to {slip} in slip, {share} of the slip as shipped, "
-        "and {drift} in drift: whatever changes the slip by less cannot be seen here.",
+        fails="Runs of one and the same case differ by up to {slip} in slip, {share} of the slip as shipped, and "
+        "{drift} in drift: whatever changes the slip by less cannot be seen here.",
         unknown="How much runs of one and the same case differ cannot be told.",
         numbers={"slip": slip_floor, "share": share, "drift": drift_floor},
         explanation=PARALLEL_SUMS if varies else "",
@@ -153,8 +153,8 @@ def _batch_or_alone(
         at_most(difference, within),
         holds="A world of a batch measures what a run alone does: as shipped their mean slips are {difference} apart, "
         "and runs of either kind spread over up to {within}.",
-        fails="A world of a batch does not measure what a run alone does: as shipped their mean slips are "
-        "{difference} apart, more than runs of either kind spread ({within}).",
+        fails="A world of a batch does not measure what a run alone does: as shipped their mean slips are {difference} "
+        "apart, more than runs of either kind spread ({within}).",
         unknown="Whether a world of a batch measures what a run alone does cannot be told.",
         numbers={"difference": difference, "within": within},
     )

@@ -222,8 +222,8 @@ def _batch_is_cheap(results: Results) -> Claim:
         "batch_is_cheap",
         at_most(cost, bound),
         holds="A batch of {worlds} worlds costs {cost} times as much as one world, within the {bound} times aimed for.",
-        fails="A batch of {worlds} worlds costs {cost} times as much as one world, "
-        "more than the {bound} times aimed for.",
+        fails="A batch of {worlds} worlds costs {cost} times as much as one world, more than the {bound} times aimed "
+        "for.",
         unknown="What a batch costs against one world cannot be told.",
         numbers={"worlds": many.world_count, "cost": cost, "bound": bound},
     )

@@ -29,8 +29,8 @@ def derive(results: Results) -> Section:
     )
     times = Figure(
         draw=lambda: _draw_times(rows, over_floor, floor_bound),
-        caption="Above: time of a whole frame and of the engine's own steps in it. Below: the one over the other; "
-        "the line is the bound.",
+        caption="Above: time of a whole frame and of the engine's own steps in it. Below: the one over the other; the "
+        "line is the bound.",
         alt="; ".join(f"{row.worlds} worlds: frame {row.frame_ms}, steps {row.mjw_step_ms}" for row in rows),
         sources=[row.frame_ms for row in rows],
     )
@@ -155,8 +155,8 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
         at_least(cheap, second.worlds),
         holds="More worlds cost little at first: with {cheap} a frame takes {most} times as long as with one, and up "
         "to there no number of them takes more than {bound} times as long.",
-        fails="More worlds take more time from the start: with {second} a frame takes {cost} times as long as "
-        "with one.",
+        fails="More worlds take more time from the start: with {second} a frame takes {cost} times as long as with "
+        "one.",
         unknown="From how many worlds on more of them cost more time cannot be told.",
         numbers={"cheap": cheap, "bound": bound, "most": most, "second": second.worlds, "cost": cost},
     )
@@ -188,8 +188,8 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
         "with {fewer}; contact and constraint buffers are {share} of it.",
         fails="Memory does not just grow with the number of worlds: {last} for each of {worlds}, {change} away from "
         "what each takes with {fewer}.",
-        unknown="How much memory a world takes in all cannot be told; contact and constraint buffers are {buffers} "
-        "of it.",
+        unknown="How much memory a world takes in all cannot be told; contact and constraint buffers are {buffers} of "
+        "it.",
         numbers={
             "last": last.bytes_per_world,
             "worlds": last.worlds,

@@ -50,8 +50,8 @@ def derive(results: Results) -> Section:
             "plateau": _figure(
                 lambda: draw_plateau(critical),
                 critical,
-                "How deep the pads sink into the cube at the same grip, damping ratio 1. Filled marks: the clamp is "
-                "at work.",
+                "How deep the pads sink into the cube at the same grip, damping ratio 1. Filled marks: the clamp is at "
+                "work.",
                 "Depth over pad ke for several steps: it falls with ke and is flat where the clamp is at work.",
             ),
             "loads": _loads(results),
@@ -206,9 +206,9 @@ def _overlap_table(rows: Sequence[Row]) -> Table:
     }
     return Table(
         pd.DataFrame(columns, index=pd.Index([row.start for row in rows], name="start in")),
-        "Starts that overlap: how fast the cube leaves, how fast an undamped spring of the contact's stiffness "
-        "would throw it, overlap times √k, and how the run ends. Between two pads it is pushed from both sides and "
-        "stays. Springy ground is the same ground under a cube so stiff that their contact is hardly damped.",
+        "Starts that overlap: how fast the cube leaves, how fast an undamped spring of the contact's stiffness would "
+        "throw it, overlap times √k, and how the run ends. Between two pads it is pushed from both sides and stays. "
+        "Springy ground is the same ground under a cube so stiff that their contact is hardly damped.",
     )
 
 
@@ -225,8 +225,8 @@ def _others_table(results: Results) -> Table:
     }
     return Table(
         pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")),
-        "The other extremes, the worst repeat of each: how the run ends, drift along the shake's main axis, creep "
-        "in any direction, depth in the pads, and friction needed over friction there is.",
+        "The other extremes, the worst repeat of each: how the run ends, drift along the shake's main axis, creep in "
+        "any direction, depth in the pads, and friction needed over friction there is.",
     )
 
 
