@@ -17,6 +17,12 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     return Quantity(None, unit, "", f"section {section} does not say")
 
 
+def friction_rows_differ(contacts: Results | None) -> bool:
+    """Whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
+    rows = contacts.rows if contacts else []
+    return any("friction_timeconst_s" in row and row.friction_timeconst_s.value for row in rows)
+
+
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
     """What an earlier section measured; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)

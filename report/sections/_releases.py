@@ -70,11 +70,13 @@ class Turn:
     section: str
     name: str
     said: Sequence[tuple[Sequence[str], Claim]]
-    """Neighbouring releases that agree, and the claim as the first of them words it."""
+    """Neighbouring releases that agree, and the claim as one of them words it."""
 
 
-def turns(releases: Releases) -> list[Turn]:
+def turns(releases: Releases, shown: str) -> list[Turn]:
     """The claims that are upheld in one release and not in another.
+
+    Of releases that agree the one of the page, ``shown``, has the word, or else the newest.
 
     Where a release lacks a section that another one has, what it can't tell says nothing.
     """
@@ -86,7 +88,8 @@ def turns(releases: Releases) -> list[Turn]:
         said = []
         for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
             members = list(group)
-            said.append(([release for release, _ in members], members[0][1]))
+            names = [release for release, _ in members]
+            said.append((names, dict(members)[shown if shown in names else names[-1]]))
         if len(said) > 1:
             found.append(Turn(section, name, said))
     return found

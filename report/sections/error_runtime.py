@@ -16,6 +16,7 @@ from report.sections._error_runtime import (
     assignment,
     distinct,
     front_of,
+    is_clamped,
     order_of,
     points_of,
 )
@@ -92,15 +93,22 @@ def _front_table(rows: Sequence[Row], caption: str) -> Table:
         "settings": [_settings(row) for row in rows],
         "numerical error": [row.numerical_error_mm for row in rows],
         "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
+        "clamped": [is_clamped(row) for row in rows],
+        "cone use": [row.cone_use_max for row in rows],
         "time": [row.ms_per_s for row in rows],
         "from": [row.ms_per_s_p5 for row in rows],
         "to": [row.ms_per_s_p95 for row in rows],
     }
-    return Table(
-        _numbered(columns),
-        f"{caption}{alone} What is not named is as shipped; from and to are 5th and 95th percentile. Left out is what "
-        "gains less than Warp is away from C.",
+    caption += (
+        f"{alone} What is not named is as shipped; from and to are 5th and 95th percentile. Clamped: MuJoCo raises "
     )
+    caption += (
+        "the contacts' timeconst, so it is another model. Cone use: the most of its friction cone that a contact "
+    )
+    caption += "takes, of which all is sliding."
+    if any(row.backend != "mujoco-c" for row in rows):
+        caption += " Left out is what gains less than Warp is away from C."
+    return Table(_numbered(columns), caption)
 
 
 def _settings(row: Row) -> Markup:
@@ -144,11 +152,11 @@ def _failure_table(points: Points) -> Table:
         "method": [LABELS[row.method] for row in rows],
         "settings": [_settings(row) for row in rows],
         "why it does not count": [row.invalid_reason for row in rows],
-        "numerical error": [_shown(row.numerical_error_mm) for row in rows],
+        "numerical error": [_shown(row) for row in rows],
     }
     return Table(_numbered(columns), "Runs that do not count, and why.")
 
 
-def _shown(error: Quantity) -> Quantity | str:
-    """An error of metres says no more than that the cube is gone."""
-    return error if error.value is not None and error.value < 1e3 else "gone"
+def _shown(row: Row) -> Quantity | str:
+    """How far away a cube lies that has left the grasp is no error."""
+    return row.numerical_error_mm if "iterations" in row.invalid_reason else "gone"

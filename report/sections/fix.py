@@ -56,7 +56,8 @@ def _test_tells(shipped: Row, fixed: Row) -> Claim:
         "test_tells",
         outcome,
         holds="The test fails as shipped and passes with the patch.",
-        fails="The test does not tell the two apart: it {before} as shipped and {after} with the patch.",
+        fails="With contacts that Newton finds the test does not tell the two apart: it {before} as shipped and "
+        "{after} with the patch.",
         unknown="Whether the test tells the two apart cannot be told.",
         numbers={"before": PASSED[shipped.test_passed], "after": PASSED[fixed.test_passed]},
     )

@@ -296,7 +296,7 @@ def _audit_table(results: Results) -> Table:
         "there": [_whole(results, row, "present") for row in rows],
         "used": [_whole(results, row, "used") for row in rows],
         "counted as used": [", ".join(item[1:]) for item in items],
-        "not used": [row.note for row in rows],
+        "note": [row.note for row in rows],
     }
     columns = {name: cells for name, cells in columns.items() if any(cells)}
     caption = "What the scene has, exactly as shipped, against what a run through the first cycle of the shake used."

@@ -97,7 +97,7 @@ def _names_the_clamp(findings: list[Row]) -> Claim:
         fails="No timeconst in the fixed scene is below the two substeps that the engine would clamp it to.",
         unknown="",
         numbers={"timeconst": found.authored_s, "used": found.used_s} if found else {},
-        explanation="To go further takes shorter substeps, not a larger kd.",
+        explanation="At this step a larger kd changes nothing.",
     )
 
 

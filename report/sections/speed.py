@@ -18,7 +18,7 @@ EDGES = ("frame_ms_p5", "frame_ms_p95")
 UNTRIMMED = "as-shipped-untrimmed"
 WHAT = {
     UNTRIMMED: "nothing: exactly as shipped",
-    "as-shipped": "IK iterations, state writes, buffers",
+    "as-shipped": "without most IK iterations, waiting for IK, state writes, room in the buffers",
     "stiff-pads-only": "as-shipped with stiff pads",
     "all-gaps-zero": "as-shipped without contact gaps",
     "fixed": "stiff pads, without all that is unneeded",

@@ -226,7 +226,9 @@ def _others_table(results: Results) -> Table:
     return Table(
         pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")),
         "The other extremes, the worst repeat of each: how the run ends, drift along the shake's main axis, creep in "
-        "any direction, depth in the pads, and friction needed over friction there is.",
+        "any direction, depth in the pads, and friction needed over friction there is. A run passes when it stays "
+        "finite, drops if there is no friction at all, gains no energy if the cube is let go, and names the buffer if "
+        "one is too small.",
     )
 
 

@@ -28,7 +28,7 @@ order = 200
 
 def derive(results: Results, releases: Releases) -> Section:
     floors = {unit: floor(results, releases, name, unit) for unit, name in FLOORS.items()}
-    turned = turns(releases)
+    turned = turns(releases, results.record.origin.release)
     ends = Ends(releases)
     tables = {
         "headlines": headline_table(results, releases, floors),
