@@ -39,6 +39,12 @@ PARAMETERS = (
 )
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
 
+FRONT_WORDS = (
+    "What is not named is as shipped; from and to are 5th and 95th percentile. Clamped: MuJoCo raises the contacts' "
+    "timeconst, so it is another model. Cone use: the most of its friction cone that a contact takes, of which all is "
+    "sliding."
+)
+
 
 def derive(results: Results) -> Section:
     points = points_of(results)
@@ -99,13 +105,7 @@ def _front_table(rows: Sequence[Row], caption: str) -> Table:
         "from": [row.ms_per_s_p5 for row in rows],
         "to": [row.ms_per_s_p95 for row in rows],
     }
-    caption += (
-        f"{alone} What is not named is as shipped; from and to are 5th and 95th percentile. Clamped: MuJoCo raises "
-    )
-    caption += (
-        "the contacts' timeconst, so it is another model. Cone use: the most of its friction cone that a contact "
-    )
-    caption += "takes, of which all is sliding."
+    caption += f"{alone} {FRONT_WORDS}"
     if any(row.backend != "mujoco-c" for row in rows):
         caption += " Left out is what gains less than Warp is away from C."
     return Table(_numbered(columns), caption)
