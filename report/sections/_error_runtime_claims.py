@@ -56,8 +56,8 @@ def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> C
     time, time_before = points.cell(coarse, TIME), points.cell(shipped, TIME)
     gain = ratio(points.results, f"{name}_gain", "numerical error as shipped over that of RK4", before, error)
     cost = ratio(points.results, f"{name}_cost", "run time of RK4 over that as shipped", time, time_before)
-    enough = points.results.value(f"{name}_bound", "chosen: worth a change", lambda: 2.0)
-    dear = points.results.value(f"{name}_cost_bound", "chosen: hardly dearer", lambda: 1.5)
+    enough = points.results.chosen(f"{name}_bound", "worth a change", 2.0)
+    dear = points.results.chosen(f"{name}_cost_bound", "hardly dearer", 1.5)
     numbers = {"engine": engine, "gain": gain, "cost": cost, "error": error, "before": before}
     numbers |= {"few": points.cell(coarse, "substeps"), "many": points.cell(shipped, "substeps")}
     return Claim(
@@ -94,7 +94,7 @@ def _rk4_with_stiff_pads(points: Points) -> Claim:
 
 def _first_order(points: Points, observed: Value) -> Claim:
     away = points.results.value("order_away", "distance of the observed order from one", lambda o: abs(o - 1), observed)
-    bound = points.results.value("order_bound", "chosen: counts as one", lambda: 0.15)
+    bound = points.results.chosen("order_bound", "counts as one", 0.15)
     return Claim(
         "first_order",
         at_most(away, bound),
@@ -120,7 +120,7 @@ def _reference_converged(points: Points) -> Claim:
         "least_error", "smallest numerical error of a run that counts", lambda *error: min(error), *plotted, unit="mm"
     )
     margin = ratio(points.results, "reference_margin", "smallest error over the reference's own", least, worst)
-    bound = points.results.value("reference_bound", "chosen: well below what is measured with it", lambda: 10.0)
+    bound = points.results.chosen("reference_bound", "well below what is measured with it", 10.0)
     return Claim(
         "reference_converged",
         at_least(margin, bound),
@@ -153,7 +153,7 @@ def _clamped(points: Points) -> Claim:
     shipped = points.cell(SHIPPED, "substeps")
     return Claim(
         "clamped",
-        greater(least["stiff"], shipped, noise=points.results.value("no_noise", "chosen: a count is exact", lambda: 0)),
+        greater(least["stiff"], shipped, noise=points.results.chosen("no_noise", "a count is exact", 0)),
         holds="Too few substeps change the model itself: MuJoCo does not let a contact respond faster than two "
         "substeps. As shipped that takes {soft} substeps a frame, with stiff pads {stiff}, more than the {shipped} of "
         "the scene.",

@@ -163,7 +163,7 @@ def _pads_decide(points: Points) -> Claim:
     """Whether the converged grasp errors are further apart than settings move the one as shipped."""
     soft, stiff = (_reference_cell(points, pads) for pads in PADS)
     gain = ratio(points.results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
-    bound = points.results.value("pads_bound", "chosen: an order of magnitude, nearly", lambda: 5.0)
+    bound = points.results.chosen("pads_bound", "an order of magnitude, nearly", 5.0)
     return Claim(
         "pads_decide",
         at_least(gain, bound),
@@ -231,7 +231,7 @@ def _cone_not_left(points: Points) -> Claim:
         *(row.cone_use_max for row in fine),
         unit="%",
     )
-    bound = points.results.value("cone_bound", "chosen: a clear margin", lambda: 10.0, unit="%")
+    bound = points.results.chosen("cone_bound", "a clear margin", 10.0, unit="%")
     return Claim(
         "cone_not_left",
         at_least(margin, bound),

@@ -54,7 +54,7 @@ def family_claim(
     asked = [row for row in rows if row.passes is not None]
     failed = [row for row in asked if not row.passes]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
-    none = results.value(f"{name}_bound", "chosen: all of them pass", lambda: 0)
+    none = results.chosen(f"{name}_bound", "all of them pass", 0)
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
         "failed_count": failed_count,

@@ -229,7 +229,7 @@ def repeats_agree(results: Results) -> Claim:
     rows = [row for row in results.rows if row.repeat_count.value > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
     split_count = count(results, "split_count", "cases whose repeats end in different classes", split)
-    none = results.value("split_bound", "chosen: none", lambda: 0)
+    none = results.chosen("split_bound", "none", 0)
     repeats = extreme(results, "repeats_least", "least number of repeats", min, [row.repeat_count for row in rows])
     total = count(results, "repeated_count", "cases with repeats", rows)
     return Claim(

@@ -32,7 +32,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     )
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: SHIPPED_KE)
     default_margin = results.value("kd_100_margin", "that ke over the shipped one", lambda a, b: a / b, limit, shipped)
-    bound = results.value("safe_margin_bound", "chosen: room to spare", lambda: 10.0)
+    bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
     enough = results.value("safe_margin_missing", "bound over margin", lambda a, b: a / b, bound, margin)
     one = results.value("safe_margin_one", "no more than the bound", lambda: 1.0)
     outcome = at_most(enough, one) if kes else Outcome("unknown", "the grid was not measured")

@@ -79,7 +79,7 @@ def _departure(results: Results, run: Row, gap: Value) -> Value:
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:
-    bound = results.value("cone_use_bound", "chosen: far from sliding, which is 1", lambda: 0.1)
+    bound = results.chosen("cone_use_bound", "far from sliding, which is 1", 0.1)
     return Claim(
         "far_inside_cone",
         at_most(run.cone_use_max, bound),
@@ -177,7 +177,7 @@ def _missing_term(results: Results) -> Claim:
         for row in rows
     ]
     largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
-    bound = results.value("missing_term_bound", "chosen: the same slide", lambda: 5.0, unit="%")
+    bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
     shipped, stiff = rows
     return Claim(
         "missing_term",
@@ -220,7 +220,7 @@ def _term_restored(results: Results) -> Claim:
         for without, put_back in zip(left_out, restored, strict=True)
     ]
     largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
-    bound = results.value("restored_share_bound", "chosen: no slide to speak of", lambda: 5.0, unit="%")
+    bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
     numbers = {"share": largest}
     for name, without, put_back in zip(("", "_stiff"), left_out, restored, strict=True):
         numbers |= {f"slide{name}": without.slide_mm, f"restored{name}": put_back.slide_mm}
@@ -252,7 +252,7 @@ def _rest_is_creep(results: Results) -> Claim:
         for without, put_back in zip(left_out, restored, strict=True)
     ]
     largest = results.value("rest", "larger of both", max, *rests, unit="mm")
-    bound = results.value("rest_bound", "chosen: all accounted for", lambda: 0.03, unit="mm")
+    bound = results.chosen("rest_bound", "all accounted for", 0.03, unit="mm")
     shipped, stiff = restored
     return Claim(
         "rest_is_creep",
@@ -285,7 +285,7 @@ def _slide_falls_with_timeconst(results: Results) -> Claim:
     )
     return Claim(
         "slide_falls_less_than_displacement",
-        greater(along, slide, noise=results.value("gain_bound", "chosen: the same gain", lambda: 1.0)),
+        greater(along, slide, noise=results.chosen("gain_bound", "the same gain", 1.0)),
         holds="With stiff pads the cube slides {slide} times less, while its displacement falls {along} times.",
         fails="With stiff pads the cube slides {slide} times less, and its displacement falls {along} times.",
         unknown="With stiff pads the cube slides {slide} times less and its displacement falls {along} times; whether "

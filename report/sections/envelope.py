@@ -76,7 +76,7 @@ def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
 
 def _nothing_dropped(results: Results, row: Row) -> Claim:
     cells = results.value("cells", "cells of the map on each side", lambda count: count // len(SIDES), row.world_count)
-    bound = results.value("dropped_bound", "chosen: no cell is dropped", lambda: 0)
+    bound = results.chosen("dropped_bound", "no cell is dropped", 0)
     lost = results.value(
         "lost_stiff",
         "cells with stiff pads that are dropped or have no finite result",
@@ -113,7 +113,7 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
         lambda *rows: len(rows),
         *(shipped.frame_count for shipped, _ in points.values()),
     )
-    bound = results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    bound = results.chosen("gain_bound", "a change that settles the matter", 10.0)
     return Claim(
         "gain_everywhere",
         at_least(least, bound),
@@ -139,7 +139,7 @@ def _map_gain(results: Results, trace: Trace) -> Claim:
     )
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
     share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
-    whole = results.value("map_gain_bound", "chosen: every cell", lambda: 100.0, unit="%")
+    whole = results.chosen("map_gain_bound", "every cell", 100.0, unit="%")
     return Claim(
         "map_gain",
         at_least(share, whole),
@@ -163,7 +163,7 @@ def _grows_faster(results: Results) -> Claim:
         _held_slip(small),
         _held_slip(large),
     )
-    bound = results.value("amplitude_exponent_bound", "chosen: clearly more than in proportion", lambda: 1.5)
+    bound = results.chosen("amplitude_exponent_bound", "clearly more than in proportion", 1.5)
     return Claim(
         "slip_grows_faster_than_amplitude",
         at_least(exponent, bound),
@@ -196,7 +196,7 @@ def _batch_is_fast(results: Results, row: Row) -> Claim:
         one,
         row.wall_s,
     )
-    bound = results.value("batch_gain_bound", "chosen: what the batch is aimed at", lambda: 500.0)
+    bound = results.chosen("batch_gain_bound", "what the batch is aimed at", 500.0)
     outcome = at_least(gain, bound)
     if row.world_count.value < bound.value:
         outcome = Outcome("unknown", "the map has fewer worlds than that")

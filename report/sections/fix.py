@@ -89,7 +89,7 @@ def _same_as_report(results: Results) -> Claim:
             *(slip for pair in pairs for slip in pair),
             unit="mm",
         )
-        bound = results.value("difference_bound", "chosen: the calibration's tolerance", lambda: 0.03, unit="mm")
+        bound = results.chosen("difference_bound", "the calibration's tolerance", 0.03, unit="mm")
         outcome = at_most(difference, bound)
     return Claim(
         "same_as_report",
@@ -104,7 +104,7 @@ def _same_as_report(results: Results) -> Claim:
 
 def _gain_bound(results: Results) -> Value:
     known = results.derived.get("gain_bound")
-    return known or results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    return known or results.chosen("gain_bound", "a change that settles the matter", 10.0)
 
 
 def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:

@@ -41,7 +41,7 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
         whole,
         unit="%",
     )
-    bound = results.value("finger_share_bound", "chosen: as good as all of it", lambda: 95.0, unit="%")
+    bound = results.chosen("finger_share_bound", "as good as all of it", 95.0, unit="%")
     return Claim(
         "cube_moves_in_fingers",
         at_least(share, bound),
@@ -70,7 +70,7 @@ def _robot_is_still(results: Results) -> Claim:
         results.row["cube-in-TCP"].total_drift_mm,
         unit="%",
     )
-    bound = results.value("robot_share_bound", "chosen: too little to matter", lambda: 1.0, unit="%")
+    bound = results.chosen("robot_share_bound", "too little to matter", 1.0, unit="%")
     return Claim(
         "robot_is_still",
         at_most(share, bound),

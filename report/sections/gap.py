@@ -47,7 +47,7 @@ def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
         rows[0].slip_mm,
         unit="%",
     )
-    bound = results.value("slip_difference_bound", "chosen: too little to explain the slip", lambda: 5.0, unit="%")
+    bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, unit="%")
     floor = noise_floor(results, "slip_floor")
     numbers = {"difference": difference, "share": share, "floor": floor}
     return [
@@ -78,7 +78,7 @@ def _more_contacts(results: Results, rows: list[Row]) -> Claim:
         lambda *loaded: max(loaded) - min(loaded),
         *(row.mean_loaded_row_count for row in rows),
     )
-    bound = results.value("loaded_spread_bound", "chosen: the same number of contacts", lambda: 0.5)
+    bound = results.chosen("loaded_spread_bound", "the same number of contacts", 0.5)
     return Claim(
         "same_contacts_carry",
         at_most(spread, bound),
@@ -100,7 +100,7 @@ def _more_contacts(results: Results, rows: list[Row]) -> Claim:
 
 
 def _none_near(results: Results, default: Row) -> Claim:
-    touching = results.value("touching", "chosen: surfaces that touch", lambda: 0.0, unit="mm")
+    touching = results.chosen("touching", "surfaces that touch", 0.0, unit="mm")
     return Claim(
         "idle_contacts_are_far",
         at_least(default.unloaded_near_mm, touching),

@@ -67,7 +67,7 @@ def _drift_needs_cycle(results: Results) -> Claim:
         shaken,
         unit="%",
     )
-    bound = results.value("hold_share_bound", "chosen: no comparable drift", lambda: 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
         "drift_needs_cycle",
         at_most(share, bound),
@@ -111,7 +111,7 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
         long.shake_duration_s,
         unit="%",
     )
-    bound = results.value("creep_final_bound", "chosen: not dying out", lambda: 50.0, unit="%")
+    bound = results.chosen("creep_final_bound", "not dying out", 50.0, unit="%")
     return Claim(
         "creep_goes_on",
         at_least(share, bound),
@@ -144,7 +144,7 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
         long.slip_mm,
         unit="%",
     )
-    bound = results.value("stiff_creep_bound", "chosen: most of it remains", lambda: 50.0, unit="%")
+    bound = results.chosen("stiff_creep_bound", "most of it remains", 50.0, unit="%")
     return Claim(
         "stiff_pads_keep_creep",
         at_least(share, bound),
@@ -166,7 +166,7 @@ def _same_creep_in_c(results: Results) -> Claim:
         c,
         unit="%",
     )
-    bound = results.value("engine_creep_bound", "chosen: the same creep", lambda: 25.0, unit="%")
+    bound = results.chosen("engine_creep_bound", "the same creep", 25.0, unit="%")
     return Claim(
         "same_creep_in_c",
         at_most(difference, bound),
@@ -196,8 +196,8 @@ def _creep_is_rounding(results: Results) -> Claim:
         warp.creep_mm_s,
         unit="%",
     )
-    bound = results.value("double_share_bound", "chosen: most of it is gone", lambda: 50.0, unit="%")
-    same = results.value("rounded_departure_bound", "chosen: the same creep", lambda: 10.0, unit="%")
+    bound = results.chosen("double_share_bound", "most of it is gone", 50.0, unit="%")
+    same = results.chosen("rounded_departure_bound", "the same creep", 10.0, unit="%")
     return Claim(
         "creep_is_rounding",
         all_of(at_most(share, bound), at_most(departure, same)),
@@ -221,7 +221,7 @@ def _joint_stands_still(results: Results) -> Claim:
         warp.joint_velocity_mrad_s,
         unit="%",
     )
-    bound = results.value("joint_motion_bound", "chosen: it stands still", lambda: 20.0, unit="%")
+    bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
     return Claim(
         "joint_stands_still",
         at_most(share, bound),

@@ -116,7 +116,7 @@ def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: in
 def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
     one, many = (_gain(results, variants, "cuda", worlds) for worlds in (1, MANY_COUNT))
     smaller = results.value("cuda_gain", "smaller of the gains with one world and with the most", min, one, many)
-    bound = results.value("cuda_gain_bound", "chosen: a gain worth having on a GPU", lambda: 1.25)
+    bound = results.chosen("cuda_gain_bound", "a gain worth having on a GPU", 1.25)
     full = _find(variants, "cuda", ALL)
     row = full.at(MANY_COUNT) if full else None
     return Claim(
@@ -133,7 +133,7 @@ def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
 
 def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
     gain = _gain(results, variants, "cpu", 1)
-    bound = results.value("cpu_gain_bound", "chosen: a gain worth having on a CPU", lambda: 4.0)
+    bound = results.chosen("cpu_gain_bound", "a gain worth having on a CPU", 4.0)
     buffers = _find(variants, "cpu", "without-buffers")
     time = cell(results, buffers and buffers.run, "frame_ms", "the scene without large buffers on a CPU")
     reference = _find(variants, "cpu", REFERENCE)
@@ -162,7 +162,7 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
     before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(absent, absent))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = ratio(results, "memory_saving", formula, before, after)
-    bound = results.value("memory_saving_bound", "chosen: a saving worth having", lambda: 20.0)
+    bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
     return Claim(
         "less_memory",
         at_least(saving, bound),

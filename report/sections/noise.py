@@ -90,7 +90,7 @@ def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quant
     spreads = [
         _spread(results, f"{case.replace('-', '_')}_{metric}_spread", of_case, unit) for case, of_case in cells.items()
     ]
-    least = results.value(f"{metric}_resolution", "chosen: what rounding may do", lambda: RESOLUTION[metric], unit=unit)
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[metric], unit=unit)
     formula = f"largest difference in {metric} between any two runs of one case, and at least the resolution"
     return results.value(f"{metric}_floor", formula, lambda *parts: max(parts), *spreads, least, unit=unit)
 
@@ -112,7 +112,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
         *_of_case(groups, groups[0].case, "slips"),
         unit="%",
     )
-    bound = results.value("slip_floor_share_bound", "chosen: far less than what is looked for", lambda: 1.0, unit="%")
+    bound = results.chosen("slip_floor_share_bound", "far less than what is looked for", 1.0, unit="%")
     varies = results.record.machine["device"] == "cuda" and (slip_floor.value or 0.0) > RESOLUTION["slip"]
     return Claim(
         "noise_is_small",

@@ -88,7 +88,7 @@ def _cube_does_not_move_slip(results: Results) -> Claim:
     )
     share = _share(results, "cube_slip_share", "that spread, of the slip as shipped", spread, "cube-ke-8e4")
     floor = noise_floor(results, "slip_floor")
-    bound = results.value("cube_slip_bound", "chosen: no change to speak of", lambda: 2.0, unit="%")
+    bound = results.chosen("cube_slip_bound", "no change to speak of", 2.0, unit="%")
     within = at_most(spread, floor)
     small = at_most(share, bound)
     return Claim(
@@ -115,7 +115,7 @@ def _pads_count(results: Results, shipped: Row) -> Claim:
     gain = results.value(
         "pad_gain", "slip as shipped over slip with stiff pads", lambda a, b: a / b, shipped.slip_mm, stiff.slip_mm
     )
-    bound = results.value("pad_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    bound = results.chosen("pad_gain_bound", "a change that settles the matter", 10.0)
     return Claim(
         "pads_count",
         at_least(gain, bound),
@@ -162,7 +162,7 @@ def _cube_stiffness_is_no_lever(results: Results) -> Claim:
         stiffer.slip_mm,
         unit="%",
     )
-    bound = results.value("mixed_cube_bound", "chosen: no lever", lambda: 5.0, unit="%")
+    bound = results.chosen("mixed_cube_bound", "no lever", 5.0, unit="%")
     return Claim(
         "cube_stiffness_is_no_lever",
         at_most(change, bound),

@@ -61,7 +61,7 @@ def derive(results: Results) -> Section:
 
 
 def _slips(results: Results, shipped: Row) -> Claim:
-    bound = results.value("slip_bound", "chosen: a slip that can be seen", lambda: 1.0, unit="mm")
+    bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, unit="mm")
     return Claim(
         "slips",
         at_least(shipped.slip_mm, bound),
@@ -90,7 +90,7 @@ def _steady(results: Results, shipped: Row, trace: Trace) -> Claim:
         shipped.shake_frequency_hz,
         unit="%",
     )
-    bound = results.value("increment_scatter_bound", "chosen: steps this equal count as steady", lambda: 10.0, unit="%")
+    bound = results.chosen("increment_scatter_bound", "steps this equal count as steady", 10.0, unit="%")
     return Claim(
         "drift_is_steady",
         at_most(value, bound),
@@ -125,7 +125,7 @@ def _alternates(results: Results, shipped: Row, trace: Trace) -> Claim:
         odd,
         unit="%",
     )
-    bound = results.value("alternation_bound", "chosen: steps this unequal alternate", lambda: 10.0, unit="%")
+    bound = results.chosen("alternation_bound", "steps this unequal alternate", 10.0, unit="%")
     return Claim(
         "steps_alternate",
         at_least(share, bound),
@@ -147,7 +147,7 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         shipped.drift_mm_s,
         unit="%",
     )
-    bound = results.value("hold_share_bound", "chosen: no comparable drift", lambda: 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
         "needs_shaking",
         at_most(share, bound),
@@ -175,7 +175,7 @@ def _same_on_both_engines(results: Results) -> Claim:
         *stiff,
         unit="mm",
     )
-    bound = results.value("engine_bound", "chosen: what is left is noise and rounding", lambda: 0.02, unit="mm")
+    bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
     return Claim(
         "same_on_both_engines",
         at_most(difference, bound),
@@ -200,7 +200,7 @@ def _listed(things: Sequence[Quantity | str]) -> Markup:
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = _ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
-    bound = results.value("stiff_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    bound = results.chosen("stiff_gain_bound", "a change that settles the matter", 10.0)
     return Claim(
         "stiff_pads_hold",
         at_least(gain, bound),
@@ -243,7 +243,7 @@ def _launching_costs(results: Results) -> Claim:
     )
     formula = "wall time of a batch over that of one world, both launched kernel by kernel"
     cost = _ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
-    bound = results.value("launch_share_bound", "chosen: launching costs more than computing", lambda: 50.0, unit="%")
+    bound = results.chosen("launch_share_bound", "launching costs more than computing", 50.0, unit="%")
     return Claim(
         "launching_costs",
         at_least(share, bound),

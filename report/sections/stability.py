@@ -29,7 +29,7 @@ LET_GO = "the fingers let the cube go"
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    depth = results.value("depth_largest", "chosen: depth in stiff pads, of the edge", lambda: 1.0, unit="%")
+    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", 1.0, unit="%")
     searched = family(results, "largest-step")
     return Section(
         tables={

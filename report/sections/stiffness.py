@@ -176,8 +176,8 @@ def _drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Clai
     ratio = results.value(
         "response_range", "longest over shortest dmax times timeconst", lambda *found: max(found) / min(found), *times
     )
-    bound = results.value("rate_spread_bound", "chosen: one law", lambda: 15.0, unit="%")
-    wide = results.value("response_range_bound", "chosen: enough to see a law", lambda: 3.0)
+    bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
+    wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
     outcome, unknown = at_most(spread, bound), "Whether the drift is proportional to dmax · timeconst cannot be told."
     if ratio.value is not None and ratio.value < wide.value:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
@@ -256,7 +256,7 @@ def _ke_is_no_spring(results: Results) -> Claim:
     share = results.value(
         "stiffness_follows", "measured ratio, of the authored", lambda a, b: 100 * a / b, measured, authored, unit="%"
     )
-    bound = results.value("stiffness_follows_bound", "chosen: does not follow", lambda: 50.0, unit="%")
+    bound = results.chosen("stiffness_follows_bound", "does not follow", 50.0, unit="%")
     return Claim(
         "ke_is_no_spring",
         at_most(share, bound),
@@ -297,7 +297,7 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
         results.row[SHIPPED].slip_mm,
         unit="%",
     )
-    bound = results.value("ke_alone_bound", "chosen: no help", lambda: 80.0, unit="%")
+    bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
     return Claim(
         "ke_alone_does_not_help",
         at_least(share, bound),
@@ -382,7 +382,7 @@ def _together_they_hold(results: Results) -> Claim:
     gain = results.value(
         "together_gain", "slip as shipped over slip with the fix", lambda a, b: a / b, shipped.slip_mm, fix.slip_mm
     )
-    bound = results.value("together_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    bound = results.chosen("together_bound", "a change that settles the matter", 10.0)
     return Claim(
         "together_they_hold",
         at_least(gain, bound),
