@@ -1,7 +1,26 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from report.quantities import Quantity
+from collections.abc import Sequence
+
+from report.quantities import Quantity, Value
 from report.results import Results
+
+SETTLES = ("a change that settles the matter", 10.0)
+"""Why, and how many times less a slip has to be, for a bound that several sections choose."""
+
+
+def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
+    return results.value(name, formula, lambda a, b: a / b, above, below)
+
+
+def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent."""
+    return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
+
+
+def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
+    """Largest less smallest."""
+    return results.value(name, formula, lambda *found: max(found) - min(found), *cells, unit=unit)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:

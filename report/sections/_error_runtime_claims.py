@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from report.quantities import Value
+from report.sections._common import ratio
 from report.sections._error_runtime import ENGINES, ERROR, PADS, SHIPPED, TIME, Points, distinct, front_of, named
-from report.sections._timing import ratio
 
 SHIPPED_C = "as-shipped/c/substeps-16"
 

@@ -3,6 +3,7 @@
 from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater
 from report.quantities import Quantity
 from report.results import Row
+from report.sections._common import ratio
 from report.sections._error_runtime import (
     ERROR,
     GRASP,
@@ -14,7 +15,6 @@ from report.sections._error_runtime import (
     is_clamped,
     named,
 )
-from report.sections._timing import ratio
 
 
 def knob_claims(points: Points) -> list[Claim]:

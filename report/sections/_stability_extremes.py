@@ -5,6 +5,7 @@ from markupsafe import Markup
 from report.claims import Claim, Outcome, at_most
 from report.quantities import Value
 from report.results import Results
+from report.sections._common import share
 from report.sections._stability import CLASSES, absent, count, extreme, family, family_claim, is_stable, unless
 
 
@@ -91,13 +92,12 @@ def size(results: Results, bound: Value) -> Claim:
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     shares = [
-        results.value(
+        share(
+            results,
             f"exit_share_{row.case}",
             "exit speed over that of an undamped spring",
-            lambda speed, bound: 100 * speed / bound,
             row.exit_speed_mm_s,
             row.exit_bound_mm_s,
-            unit="%",
         )
         for row in rows
     ]

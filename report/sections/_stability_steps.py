@@ -7,6 +7,7 @@ import numpy as np
 from report.claims import Claim, Outcome, all_of, at_most
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections._common import ratio
 from report.sections._stability import count, extreme, family, family_claim, is_stable
 
 SHIPPED_SUBSTEPS = 16
@@ -20,7 +21,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_KE)
-    margin = results.value("safe_margin", "ke of the stiff pads over that ke", lambda a, b: a / b, stiff, least)
+    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
     largest_step = extreme(
         results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
     )
@@ -31,9 +32,9 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
         results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
     )
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: SHIPPED_KE)
-    default_margin = results.value("kd_100_margin", "that ke over the shipped one", lambda a, b: a / b, limit, shipped)
+    default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
-    enough = results.value("safe_margin_missing", "bound over margin", lambda a, b: a / b, bound, margin)
+    enough = ratio(results, "safe_margin_missing", "bound over margin", bound, margin)
     one = results.value("safe_margin_one", "no more than the bound", lambda: 1.0)
     outcome = at_most(enough, one) if kes else Outcome("unknown", "the grid was not measured")
     return Claim(

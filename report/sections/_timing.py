@@ -18,10 +18,6 @@ def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     return Quantity(None, unit, "", f"{what} was not measured on this machine")
 
 
-def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
-    return results.value(name, formula, lambda a, b: a / b, above, below)
-
-
 def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
     """How far apart frames of one run are [ms], of the rows the one where it is most."""
     edges = [cell(results, row, column, "a case") for row in rows for column in ("frame_ms_p5", "frame_ms_p95")]

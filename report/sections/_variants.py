@@ -12,7 +12,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import noise_floor
+from report.sections._common import noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Variants:
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
-def compare(results: Results, baseline: str) -> Variants:
+def variants_of(results: Results, baseline: str) -> Variants:
     """Every row of the section against the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
     difference = {row.case: _difference(results, row, reference) for row in rows}
@@ -52,16 +52,10 @@ def compare(results: Results, baseline: str) -> Variants:
         *difference.values(),
         unit="mm",
     )
-    share = results.value(
-        "largest_share",
-        "largest difference in slip from the baseline, of the baseline's slip",
-        lambda part, whole: 100 * part / whole,
-        largest,
-        reference.slip_mm,
-        unit="%",
-    )
+    formula = "largest difference in slip from the baseline, of the baseline's slip"
+    largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
     most = max(difference, key=lambda case: abs(difference[case].value or 0.0))
-    return Variants(reference, rows, difference, largest, most, share, noise_floor(results, "slip_floor"))
+    return Variants(reference, rows, difference, largest, most, largest_share, noise_floor(results, "slip_floor"))
 
 
 def _difference(results: Results, row: Row, reference: Row) -> Value:

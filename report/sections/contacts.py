@@ -8,6 +8,7 @@ from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row, Trace
+from report.sections._common import ratio
 
 order = 70
 
@@ -269,20 +270,10 @@ def _rest_is_creep(results: Results) -> Claim:
 def _slide_falls_with_timeconst(results: Results) -> Claim:
     """What stiff pads really gain: the displacement also has the creep, which hides a part of what still slides."""
     shipped, stiff = _in_c(results, "missing-term")
-    slide = results.value(
-        "slide_gain",
-        "slide of the friction rows as shipped, over that with stiff pads",
-        lambda soft, hard: soft / hard,
-        shipped.slide_mm,
-        stiff.slide_mm,
-    )
-    along = results.value(
-        "along_gain",
-        "measured displacement as shipped, over that with stiff pads",
-        lambda soft, hard: soft / hard,
-        shipped.along_mm,
-        stiff.along_mm,
-    )
+    formula = "slide of the friction rows as shipped, over that with stiff pads"
+    slide = ratio(results, "slide_gain", formula, shipped.slide_mm, stiff.slide_mm)
+    formula = "measured displacement as shipped, over that with stiff pads"
+    along = ratio(results, "along_gain", formula, shipped.along_mm, stiff.along_mm)
     return Claim(
         "slide_falls_less_than_displacement",
         greater(along, slide, noise=results.chosen("gain_bound", "the same gain", 1.0)),

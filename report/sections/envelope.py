@@ -15,6 +15,7 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row, Trace
+from report.sections._common import SETTLES, ratio
 
 order = 120
 
@@ -65,13 +66,9 @@ def _held_slip(row: Row) -> Quantity:
 
 
 def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
-    return results.value(
-        "gain_" + name.replace("-", "_").replace(".", "_"),
-        f"slip as shipped over slip with stiff pads, {name}",
-        lambda before, after: before / after,
-        _held_slip(shipped),
-        _held_slip(stiff),
-    )
+    key = "gain_" + name.replace("-", "_").replace(".", "_")
+    formula = f"slip as shipped over slip with stiff pads, {name}"
+    return ratio(results, key, formula, _held_slip(shipped), _held_slip(stiff))
 
 
 def _nothing_dropped(results: Results, row: Row) -> Claim:
@@ -113,7 +110,7 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
         lambda *rows: len(rows),
         *(shipped.frame_count for shipped, _ in points.values()),
     )
-    bound = results.chosen("gain_bound", "a change that settles the matter", 10.0)
+    bound = results.chosen("gain_bound", *SETTLES)
     return Claim(
         "gain_everywhere",
         at_least(least, bound),

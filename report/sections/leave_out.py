@@ -14,8 +14,8 @@ from report.format import format_number
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import noise_floor
-from report.sections._timing import cell, frame_spread, ratio
+from report.sections._common import noise_floor, ratio
+from report.sections._timing import cell, frame_spread
 
 order = 150
 

@@ -10,8 +10,9 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, at_least, at_most
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
+from report.quantities import Quantity
 from report.results import Results, Row, Trace
+from report.sections._common import SETTLES, ratio
 
 order = 10
 
@@ -199,8 +200,8 @@ def _listed(things: Sequence[Quantity | str]) -> Markup:
 
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
-    gain = _ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
-    bound = results.chosen("stiff_gain_bound", "a change that settles the matter", 10.0)
+    gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
+    bound = results.chosen("stiff_gain_bound", *SETTLES)
     return Claim(
         "stiff_pads_hold",
         at_least(gain, bound),
@@ -215,9 +216,9 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
 
 def _batch_is_cheap(results: Results) -> Claim:
     one, many = _batches(results, launched=False)
-    cost = _ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
+    cost = ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
     device = results.record.machine["device"]
-    bound = results.value("batch_cost_bound", f"chosen, for {device}", lambda: BATCH_COST_BOUND[device])
+    bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
     return Claim(
         "batch_is_cheap",
         at_most(cost, bound),
@@ -242,7 +243,7 @@ def _launching_costs(results: Results) -> Claim:
         unit="%",
     )
     formula = "wall time of a batch over that of one world, both launched kernel by kernel"
-    cost = _ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
+    cost = ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
     bound = results.chosen("launch_share_bound", "launching costs more than computing", 50.0, unit="%")
     return Claim(
         "launching_costs",
@@ -266,10 +267,6 @@ def _batches(results: Results, *, launched: bool) -> list[Row]:
 
 def _mean(increments: np.ndarray) -> float:
     return float(increments.mean()) if len(increments) else np.nan
-
-
-def _ratio(results: Results, name: str, formula: str, a: Value, b: Value) -> Value:
-    return results.value(name, formula, lambda above, below: above / below, a, b)
 
 
 def _table(results: Results) -> Table:

@@ -11,7 +11,8 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._timing import cell, decade_axis, draw_line, ratio, world_axis
+from report.sections._common import ratio, share
+from report.sections._timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
 
@@ -169,14 +170,8 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
         unit="%",
     )
     bound = results.chosen("memory_bound", "the same memory per world", 10.0, unit="%")
-    share = results.value(
-        "buffer_share",
-        "contact and constraint buffers, of the memory per world with the most worlds",
-        lambda part, whole: 100 * part / whole,
-        last.buffer_bytes_per_world,
-        last.bytes_per_world,
-        unit="%",
-    )
+    formula = "contact and constraint buffers, of the memory per world with the most worlds"
+    buffers = share(results, "buffer_share", formula, last.buffer_bytes_per_world, last.bytes_per_world)
     return Claim(
         "memory_settles",
         at_most(change, bound),
@@ -191,7 +186,7 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
             "worlds": last.worlds,
             "fewer": before.worlds,
             "change": change,
-            "share": share,
+            "share": buffers,
             "buffers": last.buffer_bytes_per_world,
         },
     )
