@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from report.quantities import Quantity, Value
-from report.results import Results
+from report.quantities import Quantity, Value, absent
+from report.results import Results, Row
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
@@ -33,12 +33,15 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     other = results.others.get(section)
     if other and name in other.derived:
         return other.derived[name]
-    return Quantity(None, unit, "", f"section {section} does not say")
+    return absent(unit, f"section {section} does not say")
 
 
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
     """What an earlier section measured; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
-    if other and case in other.row and column in other.row[case]:
-        return other.row[case][column]
-    return Quantity(None, unit, "", f"section {section} does not say")
+    return cell_or_absent(other and other.row.get(case), column, unit, f"section {section} does not say")
+
+
+def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
+    """A cell that not every record has; without a number, and with the reason, when it isn't there."""
+    return row[column] if row and column in row else absent(unit, reason)

@@ -67,8 +67,8 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
     formula = "speed of Warp with the most worlds over that of C on one core"
     gain = ratio(points.results, "worlds_gain", formula, last, one_core)
     if None in (one_core.value, first.value, last.value):
-        absent = next(value for value in (one_core, first, last) if value.value is None)
-        outcome = Outcome("unknown", absent.reason)
+        lacking = next(value for value in (one_core, first, last) if value.value is None)
+        outcome = Outcome("unknown", lacking.reason)
     else:
         outcome = HOLDS if crossover.value is not None else FAILS
     never = first.value is not None and one_core.value is not None and first.value < one_core.value

@@ -77,12 +77,3 @@ def named(rows: Sequence[Row]) -> Markup:
     """The cases with how they ended, as far as a sentence can hold them."""
     text = Markup(", ").join(Markup("<code>{}</code> {}").format(row.case, row["class"]) for row in rows[:NAMED_COUNT])
     return text + (" and others" if len(rows) > NAMED_COUNT else "")
-
-
-def absent(unit: str, reason: str) -> Quantity:
-    return Quantity(None, unit, "", reason)
-
-
-def unless(row: Row, column: str, unit: str) -> Quantity:
-    """A cell of a row that older records may not have."""
-    return row[column] if column in row else absent(unit, "it was not measured")

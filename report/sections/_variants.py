@@ -78,18 +78,22 @@ def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: st
 
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
-    beyond = [
-        Markup("<code>{}</code> by {}").format(case, difference)
-        for case, difference in variants.difference.items()
-        if None not in (difference.value, variants.floor.value) and abs(difference.value) > variants.floor.value
-    ]
+    named = {Markup("<code>{}</code>").format(case): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
         at_most(variants.largest, variants.floor),
         holds="None of them makes a difference: identical runs are up to {floor} apart, these at most {largest}.",
         fails="Identical runs are up to {floor} apart. Beyond that the slip differs for {beyond}.",
         unknown="Which of these differences are more than noise cannot be told.",
-        numbers=variants.numbers | {"beyond": Markup(", ").join(beyond)},
+        numbers=variants.numbers | {"beyond": beyond_noise(named, variants.floor)},
+    )
+
+
+def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
+    """Those of the named differences that are larger than the noise, either way."""
+    there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
+    return Markup(", ").join(
+        Markup("{} by {}").format(name, value) for name, value in there.items() if abs(value.value) > floor.value
     )
 
 

@@ -16,6 +16,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row
 from report.sections._common import noise_floor, ratio
 from report.sections._timing import cell, frame_spread
+from report.sections._variants import beyond_noise
 
 order = 150
 
@@ -158,8 +159,8 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
         for before, after in zip(full.rows, lean.rows, strict=True)
         if None not in (before.buffer_bytes_per_world.value, after.buffer_bytes_per_world.value)
     ]
-    absent = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
-    before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(absent, absent))
+    none = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
+    before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(none, none))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = ratio(results, "memory_saving", formula, before, after)
     bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
@@ -197,13 +198,10 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
         *(differences[variant.name] for variant in changed),
         unit="mm",
     )
-    beyond = [
-        Markup("<code>{}</code> on the {} by {}").format(
-            variant.case, DEVICES[variant.device], differences[variant.name]
-        )
-        for variant in changed
-        if floor.value is not None and abs(differences[variant.name].value) > floor.value
-    ]
+    named = {
+        Markup("<code>{}</code> on the {}").format(variant.case, DEVICES[variant.device]): differences[variant.name]
+        for variant in variants
+    }
     return Claim(
         "same_slip",
         at_most(largest, floor),
@@ -212,7 +210,7 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
         fails="The slip does not stay the same in all of them: beyond the {floor} by which runs of one and the same "
         "case differ, it changes for {beyond}.",
         unknown="The slip differs by at most {largest}; whether that is more than noise cannot be told.",
-        numbers={"largest": largest, "floor": floor, "beyond": Markup(", ").join(beyond)},
+        numbers={"largest": largest, "floor": floor, "beyond": beyond_noise(named, floor)},
     )
 
 
