@@ -5,9 +5,20 @@ from collections.abc import Mapping
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from report.quantities import Value
 from report.sections._common import ratio
-from report.sections._error_runtime import ENGINES, ERROR, PADS, SHIPPED, TIME, Points, distinct, front_of, named
+from report.sections._error_runtime import (
+    ENGINES,
+    ERROR,
+    PADS,
+    SHIPPED,
+    TIME,
+    Points,
+    distinct,
+    front_of,
+    named,
+    with_shipped_steps,
+)
 
-SHIPPED_C = "as-shipped/c/substeps-16"
+SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
 
 def accuracy_claims(points: Points, orders: Mapping[tuple[str, str], Value]) -> list[Claim]:
@@ -51,7 +62,7 @@ def _engine(points: Points) -> str:
 
 def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> Claim:
     """Few steps of RK4 against the shipped steps of the shipped integrator, in one engine."""
-    coarse, shipped = f"as-shipped/{method}-rk4/substeps-4", f"as-shipped/{method}/substeps-16"
+    coarse, shipped = f"as-shipped/{method}-rk4/substeps-4", with_shipped_steps("as-shipped", method)
     error, before = points.cell(coarse, ERROR), points.cell(shipped, ERROR)
     time, time_before = points.cell(coarse, TIME), points.cell(shipped, TIME)
     gain = ratio(points.results, f"{name}_gain", "numerical error as shipped over that of RK4", before, error)
@@ -73,7 +84,7 @@ def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> C
 
 
 def _rk4_with_stiff_pads(points: Points) -> Claim:
-    few, shipped = points.cell("stiff/c-rk4/substeps-4", ERROR), points.cell("stiff/c/substeps-16", ERROR)
+    few, shipped = points.cell("stiff/c-rk4/substeps-4", ERROR), points.cell(with_shipped_steps("stiff", "c"), ERROR)
     return Claim(
         "rk4_with_stiff_pads",
         greater(few, shipped, noise=points.floors["stiff"]),
@@ -85,7 +96,7 @@ def _rk4_with_stiff_pads(points: Points) -> Claim:
             "few": few,
             "shipped": shipped,
             "count": points.cell("stiff/c-rk4/substeps-4", "substeps"),
-            "many": points.cell("stiff/c/substeps-16", "substeps"),
+            "many": points.cell(with_shipped_steps("stiff", "c"), "substeps"),
         },
         explanation="Their timeconst is too short for so long a step, and MuJoCo raises it: the model is another one, "
         "whichever the integrator.",
@@ -166,7 +177,7 @@ def _clamped(points: Points) -> Claim:
 
 
 def _least_substeps(points: Points, pads: str) -> Value:
-    row = points.results.row.get(f"{pads}/newton/substeps-16")
+    row = points.results.row.get(with_shipped_steps(pads, "newton"))
     cells = [row.timeconst_ms, row.substep_ms, row.substeps] if row else [points.cell(pads, "timeconst_ms")]
     return points.results.value(
         f"least_substeps_{pads}",

@@ -14,6 +14,7 @@ from report.sections._error_runtime import (
     Points,
     is_clamped,
     named,
+    with_shipped_steps,
 )
 
 
@@ -182,7 +183,7 @@ def _reference_cell(points: Points, pads: str) -> Quantity:
 
 
 def _coarse_steps_flatter(points: Points) -> Claim:
-    coarse, converged = points.cell("stiff/newton/substeps-16", GRASP), _reference_cell(points, "stiff")
+    coarse, converged = points.cell(with_shipped_steps("stiff", "newton"), GRASP), _reference_cell(points, "stiff")
     return Claim(
         "coarse_steps_flatter",
         greater(converged, coarse, noise=points.floors["stiff"]),
@@ -199,7 +200,7 @@ def _coarse_steps_flatter(points: Points) -> Claim:
 def _impratio(points: Points) -> Claim:
     """With the pads whose grasp is worth saving; where these were not measured, with those as shipped."""
     pads = "stiff" if "stiff/newton/impratio-1" in points.results.row else "as-shipped"
-    low, shipped = f"{pads}/newton/impratio-1", f"{pads}/newton/substeps-16"
+    low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
     grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
     return Claim(
         "impratio",

@@ -7,7 +7,7 @@ from report.parts import Figure
 from report.quantities import Value
 from report.results import Row
 from report.sections._common import ratio
-from report.sections._error_runtime import ENGINES, Points
+from report.sections._error_runtime import ENGINES, TIME, Points
 from report.sections._error_runtime_figures import draw_worlds
 
 
@@ -18,7 +18,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         "one_core_rate",
         "simulated seconds of one world per second, MuJoCo C on one core",
         lambda time: 1e3 / time,
-        points.cell("one-core", "ms_per_s"),
+        points.cell("one-core", TIME),
         unit="world-s/s",
     )
     rates = [_rate(points, row) for row in rows]

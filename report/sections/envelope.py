@@ -8,10 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from report.claims import Claim, Outcome, at_least, at_most
-from report.figures import INK, new_figure
+from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row, Trace
@@ -24,8 +23,8 @@ SLIP_RANGE_MM = (0.01, 50.0)
 """Ends of the colour scale; what lies outside has the colour of the end."""
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
 AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
-# A map keeps its colours on a dark page, so what is drawn on it keeps them as well.
-EMPTY, MARK = "#f2f2f2", "#101418"
+EMPTY = "#f2f2f2"
+"""Colour of the cells of a map that have no slip to show."""
 
 
 def derive(results: Results) -> Section:
@@ -257,7 +256,7 @@ def _draw_maps(frame: pd.DataFrame) -> Drawing:
     panels[0].set_ylabel("amplitude [cm]")
     drawing.supxlabel("frequency [Hz]", fontsize=10)
     bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
-    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    bar.ax.yaxis.set_major_formatter(plain_labels())
     dropped = Line2D([], [], color=INK, marker="x", markersize=5, linewidth=1.6, linestyle="-", label="dropped")
     failed = Line2D([], [], color=INK, marker="_", markersize=5, linestyle="none", label="no finite result")
     handles = [dropped] + ([failed] if frame["failure"].notna().any() else [])
@@ -278,12 +277,10 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     )
     x, y = np.meshgrid(frequency, amplitude)
     axes.set(xscale="log", yscale="log")
-    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MARK)
-    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MARK)
+    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MAP_INK)
+    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MAP_INK)
     if lost.any() and not lost.all():
-        axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MARK, linewidths=1.6)
-    for axis, ticks in ((axes.xaxis, FREQUENCY_TICKS_HZ), (axes.yaxis, AMPLITUDE_TICKS_CM)):
-        axis.set_major_locator(FixedLocator(ticks))
-        axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MAP_INK, linewidths=1.6)
+    tick_at(axes.xaxis, FREQUENCY_TICKS_HZ)
+    tick_at(axes.yaxis, AMPLITUDE_TICKS_CM)
     return colours

@@ -7,12 +7,10 @@ from statistics import median
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Drawing
-from matplotlib.ticker import LogLocator, NullFormatter
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
-from report.figures import INK, SERIES, new_figure
+from report.figures import INK, SERIES, new_figure, tick_125
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -470,16 +468,9 @@ def _draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
     _mark_clamp(axes, (clamp_kd / 2) ** 2)
     axes.set_xlabel("pad ke")
     axes.set_ylabel("slip [mm]")
-    _write_plainly(axes.yaxis)
+    tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=3)
     return drawing
-
-
-def _write_plainly(axis: Axis) -> None:
-    """Label a log axis at 1, 2 and 5 of each decade."""
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axis.set_major_formatter("{x:g}")
-    axis.set_minor_formatter(NullFormatter())
 
 
 def _critical(rows: Sequence[Row]) -> list[Row]:
@@ -531,7 +522,7 @@ def _draw_law(runs: Runs, results: Results) -> Drawing:
     axes.set_yscale("log")
     axes.set_xlabel("dmax · timeconst [ms]")
     axes.set_ylabel("drift less creep [mm/s]")
-    _write_plainly(axes.xaxis)
-    _write_plainly(axes.yaxis)
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
     axes.legend()
     return drawing
