@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
+DEVICES = {"cuda": "GPU", "cpu": "CPU"}
+
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
 

@@ -12,11 +12,10 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Trace
-from report.sections._common import SETTLES, ratio
+from report.sections._common import DEVICES, SETTLES, ratio
 
 order = 10
 
-DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
 AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
