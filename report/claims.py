@@ -29,8 +29,8 @@ class Claim:
     outcome: Outcome
     holds: str
     fails: str
-    unknown: str
-    """Said when the data can't tell; the outcome's reason is added to it."""
+    unknown: str = ""
+    """Said when the data can't tell, if that can be; the outcome's reason is added to it."""
     numbers: Mapping[str, Quantity | str] = field(default_factory=dict)
     explanation: str = ""
     """Said only when the claim holds."""

@@ -3,7 +3,7 @@
 import io
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import matplotlib
 from cycler import cycler
@@ -12,12 +12,22 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
-from matplotlib.ticker import LogFormatter, LogFormatterMathtext
+from matplotlib.ticker import (
+    FixedLocator,
+    FuncFormatter,
+    LogFormatter,
+    LogFormatterMathtext,
+    LogLocator,
+    NullFormatter,
+    NullLocator,
+)
 
-from report.format import format_number, format_power
+from report.format import format_code, format_number, format_power
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
+MAP_INK = "#101418"
+"""For what is drawn on a map: a map keeps its colours on a dark page, and so does this."""
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
 """Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages."""
 
@@ -81,6 +91,31 @@ def _label_plainly(axis: Axis) -> None:
         axis.set_major_formatter(LogLabels())
     if isinstance(axis.get_minor_formatter(), LogFormatterMathtext):
         axis.set_minor_formatter(LogLabels(labelOnlyBase=axis.get_minor_formatter().labelOnlyBase))
+
+
+def plain_labels(*, digits: int = 6) -> FuncFormatter:
+    """Labels as plain numbers, without zeros at their ends."""
+    return FuncFormatter(lambda value, _: format_code(value, digits=digits))
+
+
+def tick_125(axis: Axis) -> None:
+    """Label a logarithmic axis at 1, 2 and 5 of each decade, so that less than a decade has labels too."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
+    axis.set_major_formatter(plain_labels())
+    axis.set_minor_formatter(NullFormatter())
+
+
+def tick_decades(axis: Axis) -> None:
+    """Ticks of a logarithmic axis at whole powers of ten alone."""
+    axis.set_major_locator(LogLocator(numticks=12))
+    axis.set_minor_locator(NullLocator())
+
+
+def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
+    """Ticks at ``places`` alone."""
+    axis.set_major_locator(FixedLocator(places))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(plain_labels(digits=digits))
 
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Axes]:

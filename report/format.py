@@ -31,9 +31,16 @@ def format_number(value: float | int | None, *, digits: int = 3) -> str:
     return _typeset(f"{value:,.{max(0, digits - 1 - int(exponent))}f}")
 
 
-def format_code(value: float | int | None) -> str:
-    """``value`` as a program reads it."""
-    return ABSENT if value is None else f"{value:g}"
+def format_code(value: float | int | None, *, digits: int = 6) -> str:
+    """``value`` as a program reads it, without zeros at its end."""
+    return ABSENT if value is None else f"{value:.{digits}g}"
+
+
+def format_short(value: float) -> str:
+    """``value`` from 0.01 to 99 in two digits and three characters at most, for where there is no room."""
+    if value >= 9.95:
+        return f"{value:.0f}"
+    return f"{value:.1f}" if value >= 0.095 else f"{value:.2f}".removeprefix("0")
 
 
 def format_power(exponent: int) -> str:

@@ -69,6 +69,11 @@ class Quantity:
         return f"{format_number(self.value)} {label}".rstrip()
 
 
+def absent(unit: str, reason: str) -> Quantity:
+    """A number that is not there, and why."""
+    return Quantity(None, unit, "", reason)
+
+
 @dataclass(frozen=True)
 class Value(Quantity):
     """A number derived from others, which says how."""

@@ -139,6 +139,10 @@ class Results:
         )
         return self.derived[name]
 
+    def chosen(self, name: str, why: str, value: float, unit: str = "1") -> Value:
+        """The value ``name``, which nobody measured: a bound that was set, and ``why`` in words."""
+        return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
+
 
 def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Trace, ...]) -> tuple[float | None, str]:
     reasons = [source.reason for source in sources if source.value is None]

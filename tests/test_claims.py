@@ -1,13 +1,19 @@
 """Values and claims: numbers that say where they come from, and sentences that follow the data."""
 
 import math
+from dataclasses import replace
 
 import pytest
+from markupsafe import Markup
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
-from report.format import format_number
-from report.quantities import Quantity
+from report.format import format_number, format_short
+from report.quantities import Quantity, absent
+from report.records import load_record, record_path
 from report.results import Results, ResultsError
+from report.sections import fix
+from report.sections._common import SETTLES, cell_or_absent, other_cell, ratio, share, spread
+from report.sections._variants import beyond_noise
 
 
 @pytest.mark.parametrize(
@@ -140,3 +146,53 @@ def test_a_lost_trace_says_so(results):
     trace = results.trace("soft")
     assert trace.value is None
     assert "toy.soft.csv.gz" in trace.reason
+
+
+def test_a_chosen_value_says_why(results):
+    bound = results.chosen("bound", "far from it", 0, unit="mm")
+    assert bound.entry == {"value": 0, "unit": "mm", "formula": "chosen: far from it", "sources": []}
+    assert results.chosen("gain_bound", *SETTLES).formula == "chosen: a change that settles the matter"
+
+
+def test_ratio_share_and_spread(results):
+    cells = [quantity(value) for value in (2.0, 8.0, 5.0)]
+    assert (ratio(results, "a", "", *cells[:2]).value, ratio(results, "b", "", *cells[:2]).unit) == (0.25, "1")
+    assert str(share(results, "c", "", *cells[:2])) == "25.0 %"
+    assert str(spread(results, "d", "", cells, unit="mm")) == "6.00 mm"
+    assert spread(results, "e", "", cells[:1]).value == 0.0
+    assert ratio(results, "f", "", cells[0], quantity(0.0)).value is None
+
+
+def test_a_cell_that_is_not_there_says_why(results):
+    soft = results.row["soft"]
+    assert cell_or_absent(soft, "slip_mm", "mm") == soft.slip_mm
+    for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
+        assert cell_or_absent(row, column, "mm", "it fell") == absent("mm", "it fell")
+    later = replace(results, others={"toy": results})
+    assert other_cell(later, "toy", "soft", "slip_mm", unit="mm") == soft.slip_mm
+    for section, case in (("toy", "firm"), ("noise", "soft")):
+        assert other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} does not say"
+
+
+def test_only_what_is_beyond_the_noise_is_named():
+    found = {"a": quantity(0.2), "b": quantity(-0.3), "c": quantity(0.1), "d": quantity(None, "it fell")}
+    assert beyond_noise(found, NOISE).striptags() == "a by 0.200\xa0mm, b by −0.300\xa0mm"
+    assert beyond_noise(found, quantity(None, "it fell")) == Markup()
+
+
+@pytest.mark.parametrize(("value", "text"), [(0.014, ".01"), (0.096, "0.1"), (9.94, "9.9"), (9.96, "10"), (42.4, "42")])
+def test_short_numbers(value, text):
+    assert format_short(value) == text
+
+
+def test_a_script_is_not_compared_with_what_was_not_measured():
+    def results_of(section: str, **others: Results) -> Results:
+        path = record_path(section, "1.4.0", "full")
+        return Results(load_record(path), path, others)
+
+    measured = results_of("reproduction")
+    rows = [row for row in measured.record.rows if row["case"] != "stiff-pads"]
+    incomplete = Results(replace(measured.record, rows=rows), measured.path)
+    for others in ({}, {"reproduction": incomplete}):
+        claims = {claim.name: claim for claim in fix.derive(results_of("fix", **others)).claims}
+        assert claims["same_as_report"].outcome == Outcome("unknown", "section reproduction does not say")

@@ -1,7 +1,28 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from report.quantities import Quantity
-from report.results import Results
+from collections.abc import Sequence
+
+from report.quantities import Quantity, Value, absent
+from report.results import Results, Row
+
+DEVICES = {"cuda": "GPU", "cpu": "CPU"}
+
+SETTLES = ("a change that settles the matter", 10.0)
+"""Why, and how many times less a slip has to be, for a bound that several sections choose."""
+
+
+def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
+    return results.value(name, formula, lambda a, b: a / b, above, below)
+
+
+def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent."""
+    return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
+
+
+def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
+    """Largest less smallest."""
+    return results.value(name, formula, lambda *found: max(found) - min(found), *cells, unit=unit)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
@@ -14,7 +35,7 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     other = results.others.get(section)
     if other and name in other.derived:
         return other.derived[name]
-    return Quantity(None, unit, "", f"section {section} does not say")
+    return absent(unit, f"section {section} does not say")
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
@@ -26,6 +47,9 @@ def friction_rows_differ(contacts: Results | None) -> bool:
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
     """What an earlier section measured; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
-    if other and case in other.row and column in other.row[case]:
-        return other.row[case][column]
-    return Quantity(None, unit, "", f"section {section} does not say")
+    return cell_or_absent(other and other.row.get(case), column, unit, f"section {section} does not say")
+
+
+def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
+    """A cell that not every record has; without a number, and with the reason, when it isn't there."""
+    return row[column] if row and column in row else absent(unit, reason)

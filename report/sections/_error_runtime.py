@@ -23,9 +23,16 @@ LABELS = {
 }
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 MODEL_KNOBS = ("cone", "impratio")
-SHIPPED = "as-shipped/newton/substeps-16"
 SHIPPED_SUBSTEPS = 16
 ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
+
+
+def with_shipped_steps(pads: str, method: str) -> str:
+    """The case with the substeps as shipped."""
+    return f"{pads}/{method}/substeps-{SHIPPED_SUBSTEPS}"
+
+
+SHIPPED = with_shipped_steps("as-shipped", "newton")
 
 
 @dataclass(frozen=True)

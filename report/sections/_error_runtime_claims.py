@@ -4,10 +4,21 @@ from collections.abc import Mapping
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from report.quantities import Value
-from report.sections._error_runtime import ENGINES, ERROR, PADS, SHIPPED, TIME, Points, distinct, front_of, named
-from report.sections._timing import ratio
+from report.sections._common import ratio
+from report.sections._error_runtime import (
+    ENGINES,
+    ERROR,
+    PADS,
+    SHIPPED,
+    TIME,
+    Points,
+    distinct,
+    front_of,
+    named,
+    with_shipped_steps,
+)
 
-SHIPPED_C = "as-shipped/c/substeps-16"
+SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
 
 def accuracy_claims(points: Points, orders: Mapping[tuple[str, str], Value]) -> list[Claim]:
@@ -52,13 +63,13 @@ def _engine(points: Points) -> str:
 
 def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> Claim:
     """Few steps of RK4 against the shipped steps of the shipped integrator, in one engine."""
-    coarse, shipped = f"as-shipped/{method}-rk4/substeps-4", f"as-shipped/{method}/substeps-16"
+    coarse, shipped = f"as-shipped/{method}-rk4/substeps-4", with_shipped_steps("as-shipped", method)
     error, before = points.cell(coarse, ERROR), points.cell(shipped, ERROR)
     time, time_before = points.cell(coarse, TIME), points.cell(shipped, TIME)
     gain = ratio(points.results, f"{name}_gain", "numerical error as shipped over that of RK4", before, error)
     cost = ratio(points.results, f"{name}_cost", "run time of RK4 over that as shipped", time, time_before)
-    enough = points.results.value(f"{name}_bound", "chosen: worth a change", lambda: 2.0)
-    dear = points.results.value(f"{name}_cost_bound", "chosen: hardly dearer", lambda: 1.5)
+    enough = points.results.chosen(f"{name}_bound", "worth a change", 2.0)
+    dear = points.results.chosen(f"{name}_cost_bound", "hardly dearer", 1.5)
     numbers = {"engine": engine, "gain": gain, "cost": cost, "error": error, "before": before}
     numbers |= {"few": points.cell(coarse, "substeps"), "many": points.cell(shipped, "substeps")}
     return Claim(
@@ -74,7 +85,7 @@ def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> C
 
 
 def _rk4_with_stiff_pads(points: Points) -> Claim:
-    few, shipped = points.cell("stiff/c-rk4/substeps-4", ERROR), points.cell("stiff/c/substeps-16", ERROR)
+    few, shipped = points.cell("stiff/c-rk4/substeps-4", ERROR), points.cell(with_shipped_steps("stiff", "c"), ERROR)
     return Claim(
         "rk4_with_stiff_pads",
         greater(few, shipped, noise=points.floors["stiff"]),
@@ -86,7 +97,7 @@ def _rk4_with_stiff_pads(points: Points) -> Claim:
             "few": few,
             "shipped": shipped,
             "count": points.cell("stiff/c-rk4/substeps-4", "substeps"),
-            "many": points.cell("stiff/c/substeps-16", "substeps"),
+            "many": points.cell(with_shipped_steps("stiff", "c"), "substeps"),
         },
         explanation="Their timeconst is too short for so long a step, and MuJoCo raises it: the model is another one, "
         "whichever the integrator.",
@@ -95,7 +106,7 @@ def _rk4_with_stiff_pads(points: Points) -> Claim:
 
 def _first_order(points: Points, observed: Value) -> Claim:
     away = points.results.value("order_away", "distance of the observed order from one", lambda o: abs(o - 1), observed)
-    bound = points.results.value("order_bound", "chosen: counts as one", lambda: 0.15)
+    bound = points.results.chosen("order_bound", "counts as one", 0.15)
     return Claim(
         "first_order",
         at_most(away, bound),
@@ -121,7 +132,7 @@ def _reference_converged(points: Points) -> Claim:
         "least_error", "smallest numerical error of a run that counts", lambda *error: min(error), *plotted, unit="mm"
     )
     margin = ratio(points.results, "reference_margin", "smallest error over the reference's own", least, worst)
-    bound = points.results.value("reference_bound", "chosen: well below what is measured with it", lambda: 10.0)
+    bound = points.results.chosen("reference_bound", "well below what is measured with it", 10.0)
     return Claim(
         "reference_converged",
         at_least(margin, bound),
@@ -154,7 +165,7 @@ def _clamped(points: Points) -> Claim:
     shipped = points.cell(SHIPPED, "substeps")
     return Claim(
         "clamped",
-        greater(least["stiff"], shipped, noise=points.results.value("no_noise", "chosen: a count is exact", lambda: 0)),
+        greater(least["stiff"], shipped, noise=points.results.chosen("no_noise", "a count is exact", 0)),
         holds="Too few substeps change the model itself: MuJoCo does not let a contact respond faster than two "
         "substeps. As shipped that takes {soft} substeps a frame, with stiff pads {stiff}, more than the {shipped} of "
         "the scene.",
@@ -167,7 +178,7 @@ def _clamped(points: Points) -> Claim:
 
 
 def _least_substeps(points: Points, pads: str) -> Value:
-    row = points.results.row.get(f"{pads}/newton/substeps-16")
+    row = points.results.row.get(with_shipped_steps(pads, "newton"))
     cells = [row.timeconst_ms, row.substep_ms, row.substeps] if row else [points.cell(pads, "timeconst_ms")]
     return points.results.value(
         f"least_substeps_{pads}",

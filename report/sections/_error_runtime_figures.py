@@ -10,7 +10,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.format import format_number
 from report.quantities import Quantity
 from report.results import Row
-from report.sections._error_runtime import LABELS, PADS, Points, is_clamped, is_own_model
+from report.sections._error_runtime import ENGINES, ERROR, GRASP, LABELS, PADS, Points, is_clamped, is_own_model
 from report.sections._timing import decade_axis, world_axis
 
 STYLES = {
@@ -23,7 +23,6 @@ STYLES = {
     "c": (SERIES[2], "-", "D"),
     "c-rk4": (SERIES[2], "--", "h"),
 }
-BACKENDS = {"warp-cuda": "Warp on the GPU", "warp-cpu": "Warp on the CPU", "mujoco-c": "MuJoCo C"}
 GRASP_STYLES = {"warp-cuda": "o", "warp-cpu": "X", "mujoco-c": "D"}
 LEAST_ERROR_MM = 1e-5
 """Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
@@ -32,7 +31,7 @@ FADED = 0.35
 
 def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -> Drawing:
     drawing, panels = new_figure(7.2, 5.6, ncols=2, sharex=True, sharey=True, squeeze=False)
-    right, top = _limits(points.settings, "numerical_error_mm")
+    right, top = _limits(points.settings, ERROR)
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
         axes.set_title(title)
         _set_axes(axes, LEAST_ERROR_MM, right, top, points.settings)
@@ -42,11 +41,11 @@ def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -
         _draw_spread(axes, [row for row in points.settings if row["pads"] == pads and row.valid and is_own_model(row)])
         for method, (colour, line, mark) in STYLES.items():
             ladder = [row for row in points.ladder(pads, method) if row.valid]
-            x, y = _places(ladder, "numerical_error_mm", LEAST_ERROR_MM)
+            x, y = _places(ladder, ERROR, LEAST_ERROR_MM)
             axes.plot(x, y, linestyle=line, color=colour, marker="", linewidth=1.0, alpha=0.6)
             _scatter(axes, x, y, ladder, colour, mark, "on_backend_front")
         others = [row for row in points.knobs(pads) if row.valid and is_own_model(row)]
-        axes.scatter(*_places(others, "numerical_error_mm", LEAST_ERROR_MM), s=9, color=INK, alpha=FADED)
+        axes.scatter(*_places(others, ERROR, LEAST_ERROR_MM), s=9, color=INK, alpha=FADED)
         _draw_front(axes, points.settings, pads, LEAST_ERROR_MM)
         _mark_failures(axes, [row for row in points.settings if row["pads"] == pads], right, top)
     panels[0][0].set_ylabel("run time [ms per simulated s]")
@@ -83,7 +82,7 @@ def _say_reference(axes: Axes, reference: Row | None) -> None:
 
 def _draw_spread(axes: Axes, rows: Sequence[Row]) -> None:
     """From the 5th to the 95th percentile of the run time."""
-    x, _ = _places(rows, "numerical_error_mm", LEAST_ERROR_MM)
+    x, _ = _places(rows, ERROR, LEAST_ERROR_MM)
     low, high = ([row[column].value for row in rows] for column in ("ms_per_s_p5", "ms_per_s_p95"))
     axes.vlines(x, low, high, color=INK, linewidth=0.7, alpha=0.5, zorder=1)
 
@@ -117,7 +116,7 @@ def _draw_front(axes: Axes, rows: Sequence[Row], pads: str, left: float) -> None
         (row for row in rows if row.on_front and row["pads"] == pads), key=lambda row: row.numerical_error_mm.value
     )
     if front:
-        x, y = _places(front, "numerical_error_mm", left)
+        x, y = _places(front, ERROR, left)
         axes.step(
             [*x, axes.get_xlim()[1]],
             [*y, y[-1]],
@@ -178,15 +177,15 @@ def draw_grasp(points: Points) -> Drawing:
     drawing, axes = new_figure(7.2, 4.6)
     rows = [row for row in points.settings if row.valid and row.grasp_error_mm_per_cycle.value]
     errors = [row.grasp_error_mm_per_cycle.value for row in rows]
-    right, top = _limits(rows, "grasp_error_mm_per_cycle")
+    right, top = _limits(rows, GRASP)
     _set_axes(axes, 0.5 * min(errors), right, top, rows)
     for number, (pads, title) in enumerate(PADS.items()):
         for backend, mark in GRASP_STYLES.items():
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
-            x, y = _places(mine, "grasp_error_mm_per_cycle", 0.0)
+            x, y = _places(mine, GRASP, 0.0)
             _scatter(axes, x, y, mine, SERIES[number], mark, "on_grasp_backend_front")
             if mine:
-                label = f"{title}, {BACKENDS[backend]}"
+                label = f"{title}, {ENGINES[backend].replace('MuJoCo Warp', 'Warp')}"
                 axes.plot([], [], linestyle="", marker=mark, color=SERIES[number], label=label)
         reference = points.reference(pads)
         if reference is not None and reference.grasp_error_mm_per_cycle.value:
@@ -199,7 +198,7 @@ def draw_grasp(points: Points) -> Drawing:
                 label=f"{title}, converged",
             )
     front = sorted((row for row in rows if row.on_grasp_front), key=lambda row: row.grasp_error_mm_per_cycle.value)
-    x, y = _places(front, "grasp_error_mm_per_cycle", 0.0)
+    x, y = _places(front, GRASP, 0.0)
     axes.step(
         [*x, right],
         [*y, y[-1]],

@@ -3,6 +3,7 @@
 from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater
 from report.quantities import Quantity
 from report.results import Row
+from report.sections._common import ratio
 from report.sections._error_runtime import (
     ERROR,
     GRASP,
@@ -12,8 +13,8 @@ from report.sections._error_runtime import (
     TIME,
     Points,
     named,
+    with_shipped_steps,
 )
-from report.sections._timing import ratio
 
 WARP_KEEPS = " MuJoCo Warp keeps it with the same settings; why was not looked into."
 
@@ -167,7 +168,7 @@ def _pads_decide(points: Points) -> Claim:
     """Whether the converged grasp errors are further apart than settings move the one as shipped."""
     soft, stiff = (_reference_cell(points, pads) for pads in PADS)
     gain = ratio(points.results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
-    bound = points.results.value("pads_bound", "chosen: an order of magnitude, nearly", lambda: 5.0)
+    bound = points.results.chosen("pads_bound", "an order of magnitude, nearly", 5.0)
     return Claim(
         "pads_decide",
         at_least(gain, bound),
@@ -186,7 +187,7 @@ def _reference_cell(points: Points, pads: str) -> Quantity:
 
 
 def _coarse_steps_flatter(points: Points) -> Claim:
-    coarse, converged = points.cell("stiff/newton/substeps-16", GRASP), _reference_cell(points, "stiff")
+    coarse, converged = points.cell(with_shipped_steps("stiff", "newton"), GRASP), _reference_cell(points, "stiff")
     return Claim(
         "coarse_steps_flatter",
         greater(converged, coarse, noise=points.floors["stiff"]),
@@ -203,7 +204,7 @@ def _coarse_steps_flatter(points: Points) -> Claim:
 def _impratio(points: Points) -> Claim:
     """With the pads whose grasp is worth saving; where these were not measured, with those as shipped."""
     pads = "stiff" if "stiff/newton/impratio-1" in points.results.row else "as-shipped"
-    low, shipped = f"{pads}/newton/impratio-1", f"{pads}/newton/substeps-16"
+    low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
     grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
     return Claim(
         "impratio",
@@ -235,7 +236,7 @@ def _cone_not_left(points: Points) -> Claim:
         *(row.cone_use_max for row in fine),
         unit="%",
     )
-    bound = points.results.value("cone_bound", "chosen: a clear margin", lambda: 10.0, unit="%")
+    bound = points.results.chosen("cone_bound", "a clear margin", 10.0, unit="%")
     return Claim(
         "cone_not_left",
         at_least(margin, bound),

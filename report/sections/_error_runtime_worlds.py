@@ -6,7 +6,8 @@ from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.parts import Figure
 from report.quantities import Value
 from report.results import Row
-from report.sections._error_runtime import ENGINES, Points
+from report.sections._common import ratio
+from report.sections._error_runtime import ENGINES, TIME, Points
 from report.sections._error_runtime_figures import draw_worlds
 
 
@@ -17,7 +18,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         "one_core_rate",
         "simulated seconds of one world per second, MuJoCo C on one core",
         lambda time: 1e3 / time,
-        points.cell("one-core", "ms_per_s"),
+        points.cell("one-core", TIME),
         unit="world-s/s",
     )
     rates = [_rate(points, row) for row in rows]
@@ -28,7 +29,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         one_core,
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
-    engine = ENGINES[rows[0].backend] if rows else "Warp"
+    engine = ENGINES[rows[0].backend]
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
         caption="Simulated seconds of all worlds together per second, of the fixed scene with the substeps as shipped.",
@@ -61,23 +62,13 @@ def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) ->
 
 def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[Value], crossover: Value) -> Claim:
     first, last = rates[0], rates[-1]
-    advantage = points.results.value(
-        "one_core_advantage",
-        "speed of C on one core over that of Warp with one world",
-        lambda a, b: a / b,
-        one_core,
-        first,
-    )
-    gain = points.results.value(
-        "worlds_gain",
-        "speed of Warp with the most worlds over that of C on one core",
-        lambda a, b: a / b,
-        last,
-        one_core,
-    )
+    formula = "speed of C on one core over that of Warp with one world"
+    advantage = ratio(points.results, "one_core_advantage", formula, one_core, first)
+    formula = "speed of Warp with the most worlds over that of C on one core"
+    gain = ratio(points.results, "worlds_gain", formula, last, one_core)
     if None in (one_core.value, first.value, last.value):
-        absent = next(value for value in (one_core, first, last) if value.value is None)
-        outcome = Outcome("unknown", absent.reason)
+        lacking = next(value for value in (one_core, first, last) if value.value is None)
+        outcome = Outcome("unknown", lacking.reason)
     else:
         outcome = HOLDS if crossover.value is not None else FAILS
     never = first.value is not None and one_core.value is not None and first.value < one_core.value
@@ -94,7 +85,7 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
             "advantage": advantage,
             "engine": engine,
             "crossover": crossover,
-            "most": points.worlds[-1].worlds if points.worlds else "",
+            "most": points.worlds[-1].worlds,
             "gain": gain,
         },
     )

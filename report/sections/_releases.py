@@ -11,6 +11,7 @@ from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results
+from report.sections._common import cell_or_absent
 
 Releases = Mapping[str, Release]
 """The sections of every release that has results, oldest first."""
@@ -30,10 +31,9 @@ class Headline:
 def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
     """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""
     derived = releases[release].get(headline.section)
-    if derived and headline.case in derived.results.row and headline.column in derived.results.row[headline.case]:
-        return derived.results.row[headline.case][headline.column]
+    row = derived.results.row.get(headline.case) if derived else None
     reason = f"{headline.section} has not been measured so with Newton {release}"
-    return Quantity(None, headline.unit, "", reason)
+    return cell_or_absent(row, headline.column, headline.unit, reason)
 
 
 def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:

@@ -54,7 +54,7 @@ def family_claim(
     asked = [row for row in rows if row.passes is not None]
     failed = [row for row in asked if not row.passes]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
-    none = results.value(f"{name}_bound", "chosen: all of them pass", lambda: 0)
+    none = results.chosen(f"{name}_bound", "all of them pass", 0)
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
         "failed_count": failed_count,
@@ -77,12 +77,3 @@ def named(rows: Sequence[Row]) -> Markup:
     """The cases with how they ended, as far as a sentence can hold them."""
     text = Markup(", ").join(Markup("<code>{}</code> {}").format(row.case, row["class"]) for row in rows[:NAMED_COUNT])
     return text + (" and others" if len(rows) > NAMED_COUNT else "")
-
-
-def absent(unit: str, reason: str) -> Quantity:
-    return Quantity(None, unit, "", reason)
-
-
-def unless(row: Row, column: str, unit: str) -> Quantity:
-    """A cell of a row that older records may not have."""
-    return row[column] if column in row else absent(unit, "it was not measured")

@@ -3,9 +3,10 @@
 from markupsafe import Markup
 
 from report.claims import Claim, Outcome, at_most
-from report.quantities import Value
+from report.quantities import Value, absent
 from report.results import Results
-from report.sections._stability import CLASSES, absent, count, extreme, family, family_claim, is_stable, unless
+from report.sections._common import cell_or_absent, share
+from report.sections._stability import CLASSES, count, extreme, family, family_claim, is_stable
 
 
 def crossover(results: Results, name: str, start: str) -> Claim:
@@ -55,7 +56,11 @@ def mass(results: Results) -> Claim:
     low = extreme(results, "mass_drift_least", "least drift of them", min, [row.drift_mm_s for row in held])
     high = extreme(results, "mass_drift_most", "largest drift of them", max, [row.drift_mm_s for row in held])
     sink = extreme(
-        results, "mass_sink", "largest sink of the hand", max, [unless(row, "hand_sink_mm", "mm") for row in rows]
+        results,
+        "mass_sink",
+        "largest sink of the hand",
+        max,
+        [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows],
     )
     return family_claim(
         results,
@@ -91,13 +96,12 @@ def size(results: Results, bound: Value) -> Claim:
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     shares = [
-        results.value(
+        share(
+            results,
             f"exit_share_{row.case}",
             "exit speed over that of an undamped spring",
-            lambda speed, bound: 100 * speed / bound,
             row.exit_speed_mm_s,
             row.exit_bound_mm_s,
-            unit="%",
         )
         for row in rows
     ]
@@ -124,7 +128,7 @@ def gravity(results: Results) -> Claim:
         "gravity_sink",
         "sink of the hand where the cube is lost",
         max,
-        [unless(row, "hand_sink_mm", "mm") for row in lost],
+        [cell_or_absent(row, "hand_sink_mm", "mm") for row in lost],
     )
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
     return family_claim(
@@ -147,7 +151,7 @@ def freed(results: Results) -> Claim:
         "energy_growth_most",
         "largest ratio of the energies",
         max,
-        [unless(row, "energy_growth", "1") for row in rows],
+        [cell_or_absent(row, "energy_growth", "1") for row in rows],
     )
     return family_claim(
         results,
@@ -165,7 +169,7 @@ def long(results: Results) -> Claim:
     row = rows[0] if rows else None
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
-    numbers = {name: unless(row, column, "1") if row else "" for name, column in columns.items()}
+    numbers = {name: cell_or_absent(row, column, "1") for name, column in columns.items()}
     ends = row["class"] if row else ""
     return family_claim(
         results,
@@ -181,10 +185,9 @@ def long(results: Results) -> Claim:
 
 def buffers(results: Results) -> Claim:
     rows = family(results, "buffers")
-    ample = [row for row in rows if row.case == "buffers-ample"]
-    peaks = {"contacts": absent("1", ""), "constraints": absent("1", "")}
-    if ample:
-        peaks = {"contacts": ample[0].peak_contact_count, "constraints": ample[0].peak_constraint_count}
+    ample = results.row.get("buffers-ample")
+    columns = {"contacts": "peak_contact_count", "constraints": "peak_constraint_count"}
+    peaks = {name: cell_or_absent(ample, column, "1") for name, column in columns.items()}
     return family_claim(
         results,
         "buffers",
@@ -229,7 +232,7 @@ def repeats_agree(results: Results) -> Claim:
     rows = [row for row in results.rows if row.repeat_count.value > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
     split_count = count(results, "split_count", "cases whose repeats end in different classes", split)
-    none = results.value("split_bound", "chosen: none", lambda: 0)
+    none = results.chosen("split_bound", "none", 0)
     repeats = extreme(results, "repeats_least", "least number of repeats", min, [row.repeat_count for row in rows])
     total = count(results, "repeated_count", "cases with repeats", rows)
     return Claim(

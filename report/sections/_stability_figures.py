@@ -9,14 +9,12 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
-from report.figures import FAINT, INK, SERIES, new_figure
+from report.figures import FAINT, INK, MAP_INK, SERIES, new_figure, tick_125, tick_at, tick_decades
+from report.format import format_code, format_short
 from report.results import Row, Trace
 from report.sections._stability import CLASSES, is_stable
 
-# A map keeps its colours on a dark page, so what is drawn on it keeps them as well.
-DARK = "#101418"
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
 """A creeping run is marked by its rate."""
@@ -31,11 +29,12 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
         _draw_map(one, rows)
         one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
         ke = np.geomspace(*one.get_xlim(), 200)
-        one.plot(ke, 1e3 * bound(ke), color=DARK, linewidth=1.8, linestyle="-", marker="", scaley=False)
+        one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
-    handles = [Patch(facecolor=colour, edgecolor=DARK, linewidth=0.4) for colour in COLOURS]
+    handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
     marks = [
-        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=DARK, markersize=6 if mark else 11) for mark in MARKS
+        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=MAP_INK, markersize=6 if mark else 11)
+        for mark in MARKS
     ]
     drawing.legend(
         [*zip(handles, marks, strict=True), Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
@@ -68,15 +67,12 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
     for name, mark in zip(CLASSES, MARKS, strict=True):
         found = [place for place, row in cells.items() if row["class"] == name]
         if mark and found:
-            axes.scatter(*zip(*found, strict=True), marker=mark, s=16, color=DARK, linewidths=0.9)
+            axes.scatter(*zip(*found, strict=True), marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping":
-            axes.text(x, y, _short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=DARK)
-    axes.xaxis.set_major_locator(LogLocator(numticks=12))
-    axes.xaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_major_locator(FixedLocator(steps))
-    axes.yaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.2g}"))
+            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=MAP_INK)
+    tick_decades(axes.xaxis)
+    tick_at(axes.yaxis, steps, digits=2)
 
 
 def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
@@ -98,13 +94,6 @@ def _edges(centres: Sequence[float]) -> np.ndarray:
     return np.exp([2 * logs[0] - middle[0], *middle, 2 * logs[-1] - middle[-1]])
 
 
-def _short(rate: float) -> str:
-    """Two digits at most, so that it fits into a cell."""
-    if rate >= 9.95:
-        return f"{rate:.0f}"
-    return f"{rate:.1f}" if rate >= 0.095 else f"{rate:.2f}".removeprefix("0")
-
-
 def draw_steps(rows: Sequence[Row]) -> Drawing:
     """Drift over the step, one line for each kind of pads."""
     drawing, axes = new_figure(7.2, 3.4)
@@ -117,7 +106,8 @@ def draw_steps(rows: Sequence[Row]) -> Drawing:
         x, y = [row.step_ms.value for row in mine], [row.drift_mm_s.value for row in mine]
         axes.plot(x, y, label=pads.replace("-", " "), markevery=1)
     axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
-    _plain_axes(axes)
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing
 
@@ -131,7 +121,7 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
         x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
-        label = f"{1e3 / 60 / substeps:.2g} ms"
+        label = f"{format_code(1e3 / 60 / substeps, digits=2)} ms"
         axes.plot(x, y, color=colour, linestyle=style, marker="", label=label)
         for is_clamped in (False, True):
             at = [i for i, row in enumerate(mine) if row.clamped is is_clamped]
@@ -145,9 +135,8 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
                 markerfacecolor=colour if is_clamped else "none",
             )
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="depth in the pads [mm]")
-    axes.xaxis.set_major_locator(LogLocator(numticks=12))
-    axes.xaxis.set_minor_locator(NullLocator())
-    _plain(axes.yaxis)
+    tick_decades(axes.xaxis)
+    tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=5, title="step")
     return drawing
 
@@ -170,7 +159,7 @@ def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
             axes.scatter(*zip(*found, strict=True), color=colour, marker=mark, s=40, label=name, alpha=0.9, zorder=3)
     axes.set_yticks(range(len(series)), [label for label, _ in series])
     axes.set(xscale="log", xlabel="friction needed over friction there is", ylim=(len(series) - 0.5, -0.5))
-    _plain(axes.xaxis)
+    tick_125(axes.xaxis)
     axes.grid(axis="y", visible=False)
     drawing.legend(loc="outside upper left", ncols=4)
     return drawing
@@ -194,7 +183,8 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
     axes.axhline(bound_percent, color=INK, linewidth=1, linestyle="--")
     axes.set(xscale="log", yscale="log", xlabel="edge [mm]", ylabel="depth over edge [%]")
     axes.set_ylim(top=top)
-    _plain_axes(axes)
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
     handles, labels = axes.get_legend_handles_labels()
     lost_mark = Line2D([], [], linestyle="", marker="v", color=INK, markersize=7)
     drawing.legend([*handles, lost_mark], [*labels, "lost"], loc="outside upper left", ncols=3)
@@ -213,15 +203,3 @@ def draw_long(trace: Trace) -> Drawing:
     axes.set(xlabel="time of the shake [min]", ylabel="displacement [mm]")
     drawing.legend(loc="outside upper left", ncols=3, title="in the hand along")
     return drawing
-
-
-def _plain_axes(axes: Axes) -> None:
-    _plain(axes.xaxis)
-    _plain(axes.yaxis)
-
-
-def _plain(axis) -> None:
-    """Powers of ten as plain numbers, and between them 2 and 5, so that less than a decade has labels too."""
-    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.set_minor_formatter(NullFormatter())

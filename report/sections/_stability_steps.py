@@ -5,8 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from report.claims import Claim, Outcome, all_of, at_most
-from report.quantities import Quantity, Value
+from report.quantities import Value
 from report.results import Results, Row
+from report.sections._common import ratio
 from report.sections._stability import count, extreme, family, family_claim, is_stable
 
 SHIPPED_SUBSTEPS = 16
@@ -20,7 +21,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_KE)
-    margin = results.value("safe_margin", "ke of the stiff pads over that ke", lambda a, b: a / b, stiff, least)
+    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
     largest_step = extreme(
         results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
     )
@@ -32,9 +33,9 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
         results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
     )
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: SHIPPED_KE)
-    default_margin = results.value("kd_100_margin", "that ke over the shipped one", lambda a, b: a / b, limit, shipped)
-    bound = results.value("safe_margin_bound", "chosen: room to spare", lambda: 10.0)
-    enough = results.value("safe_margin_missing", "bound over margin", lambda a, b: a / b, bound, margin)
+    default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
+    bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
+    enough = ratio(results, "safe_margin_missing", "bound over margin", bound, margin)
     one = results.value("safe_margin_one", "no more than the bound", lambda: 1.0)
     outcome = at_most(enough, one) if kes else Outcome("unknown", "the grid was not measured")
     return Claim(
@@ -132,11 +133,9 @@ def clamp(results: Results) -> Claim:
     )
 
 
-def largest_step(results: Results, rows: Sequence[Row]) -> Claim:
-    ratios = [step_ratio(results, row) for row in rows if row.of == "ke-kd-100"]
-    there = [ratio for ratio in ratios if ratio.value is not None]
-    low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, there)
-    high = extreme(results, "step_ratio_most", "largest of these ratios", max, there)
+def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
+    low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, ratios)
+    high = extreme(results, "step_ratio_most", "largest of these ratios", max, ratios)
     two = results.value("step_ratio_bound", "given: within a factor of two", lambda: 2.0)
     inverse = results.value("step_ratio_inverse", "one over the least ratio", lambda ratio: 1 / ratio, low)
     return Claim(
@@ -151,26 +150,26 @@ def largest_step(results: Results, rows: Sequence[Row]) -> Claim:
     )
 
 
-def predicted_step(results: Results, row: Row) -> Value:
-    name = f"predicted_step_{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
-    return results.derived.get(name) or results.value(
-        name,
+def predict_step(results: Results, row: Row) -> tuple[Value, Value]:
+    """The step at which theory says that a run begins to fail, and where it did over that.
+
+    The second is there if a step was seen to hold and a larger one to fail.
+    """
+    name = f"{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
+    predicted = results.value(
+        f"predicted_step_{name}",
         "step at which dt² ke + 2 dt kd is 4",
         lambda ke, kd: 1e3 * ((kd**2 + 4 * ke) ** 0.5 - kd) / ke,
         row.pad_ke,
         row.pad_kd,
         unit="ms",
     )
-
-
-def step_ratio(results: Results, row: Row) -> Quantity:
-    """Where it begins to fail over where it should, if a step was seen to hold and a larger one to fail."""
-    name = f"step_ratio_{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
-    return results.derived.get(name) or results.value(
-        name,
+    found = results.value(
+        f"step_ratio_{name}",
         "geometric mean of the largest step that holds and the least that fails, over the predicted",
         lambda found, failing, predicted: (found * failing) ** 0.5 / predicted,
         row.largest_step_ms,
         row.failing_step_ms,
-        predicted_step(results, row),
+        predicted,
     )
+    return predicted, found

@@ -8,18 +8,13 @@ from report.figures import SERIES
 from report.format import format_number
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections._common import cell_or_absent
 
 
 def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     """A cell of a row that is not measured on every machine: ``what`` says which one, where it isn't there."""
-    if row is not None:
-        return row[column]
     unit = results.record.units.get(column, "1")
-    return Quantity(None, unit, "", f"{what} was not measured on this machine")
-
-
-def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
-    return results.value(name, formula, lambda a, b: a / b, above, below)
+    return cell_or_absent(row, column, unit, f"{what} was not measured on this machine")
 
 
 def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:

@@ -15,7 +15,7 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
     old, new = ends.live(SHIPPED, "slip_mm", "mm")
     taken, given = ends.live(TAKEN, "slip_mm", "mm")[1], ends.live(GIVEN, "slip_mm", "mm")[0]
     off = ends.live(SWITCHED, "slip_mm", "mm")[1]
-    bound = results.value("recovery_bound", "chosen: as good as all of the change", lambda: 95.0, unit="%")
+    bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, unit="%")
     shares = {
         name: _share(results, name, start, end, goal)
         for name, start, end, goal in (
@@ -34,7 +34,7 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
         unit="%",
         across=True,
     )
-    same = results.value("elsewhere_bound", "chosen: the same slip", lambda: 2.0, unit="%")
+    same = results.chosen("elsewhere_bound", "the same slip", 2.0, unit="%")
     brings_back, ends_it, switches = (ends.one or at_least(share, bound) for share in shares.values())
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new}
     numbers |= {"taken": taken, "given": given, "off": off, **shares}

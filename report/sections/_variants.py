@@ -12,7 +12,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import noise_floor
+from report.sections._common import noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Variants:
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
-def compare(results: Results, baseline: str) -> Variants:
+def variants_of(results: Results, baseline: str) -> Variants:
     """Every row of the section against the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
     difference = {row.case: _difference(results, row, reference) for row in rows}
@@ -52,16 +52,10 @@ def compare(results: Results, baseline: str) -> Variants:
         *difference.values(),
         unit="mm",
     )
-    share = results.value(
-        "largest_share",
-        "largest difference in slip from the baseline, of the baseline's slip",
-        lambda part, whole: 100 * part / whole,
-        largest,
-        reference.slip_mm,
-        unit="%",
-    )
+    formula = "largest difference in slip from the baseline, of the baseline's slip"
+    largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
     most = max(difference, key=lambda case: abs(difference[case].value or 0.0))
-    return Variants(reference, rows, difference, largest, most, share, noise_floor(results, "slip_floor"))
+    return Variants(reference, rows, difference, largest, most, largest_share, noise_floor(results, "slip_floor"))
 
 
 def _difference(results: Results, row: Row, reference: Row) -> Value:
@@ -77,25 +71,29 @@ def _difference(results: Results, row: Row, reference: Row) -> Value:
 
 def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: str, unknown: str) -> Claim:
     """Whether every variant leaves most of the slip in place; the wordings can name ``Variants.numbers``."""
-    bound = results.value("cause_bound", "chosen: a cause would change the slip by more", lambda: 10.0, unit="%")
+    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
     numbers = variants.numbers | {"bound": bound}
     return Claim("not_the_cause", at_most(variants.largest_share, bound), holds, fails, unknown, numbers)
 
 
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
-    beyond = [
-        Markup("<code>{}</code> by {}").format(case, difference)
-        for case, difference in variants.difference.items()
-        if None not in (difference.value, variants.floor.value) and abs(difference.value) > variants.floor.value
-    ]
+    named = {Markup("<code>{}</code>").format(case): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
         at_most(variants.largest, variants.floor),
         holds="None of them makes a difference: identical runs are up to {floor} apart, these at most {largest}.",
         fails="Identical runs are up to {floor} apart. Beyond that the slip differs for {beyond}.",
         unknown="Which of these differences are more than noise cannot be told.",
-        numbers=variants.numbers | {"beyond": Markup(", ").join(beyond)},
+        numbers=variants.numbers | {"beyond": beyond_noise(named, variants.floor)},
+    )
+
+
+def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
+    """Those of the named differences that are larger than the noise, either way."""
+    there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
+    return Markup(", ").join(
+        Markup("{} by {}").format(name, value) for name, value in there.items() if abs(value.value) > floor.value
     )
 
 

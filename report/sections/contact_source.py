@@ -2,7 +2,7 @@
 
 from report.parts import Section
 from report.results import Results
-from report.sections._variants import compare, not_the_cause, variant_figure, variant_table, within_noise
+from report.sections._variants import not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 30
 
@@ -15,7 +15,7 @@ LABELS = {
 
 
 def derive(results: Results) -> Section:
-    variants = compare(results, "contacts-60hz")
+    variants = variants_of(results, "contacts-60hz")
     answer = not_the_cause(
         results,
         variants,

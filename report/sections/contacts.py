@@ -3,15 +3,14 @@
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most, greater
+from report.claims import Claim, at_most
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row, Trace
+from report.sections._contacts_missing_term import CASES, missing_table, missing_term_claims
 
 order = 70
-
-CASES = ("as-shipped", "stiff-pads")
 
 
 def derive(results: Results) -> Section:
@@ -31,29 +30,20 @@ def derive(results: Results) -> Section:
             "forces": _force_table(_of_kind(results, "frame")),
             "parameters": _parameter_table(_of_kind(results, "frame")),
             "rows": _row_table(_of_kind(results, "row")),
-            "missing": _missing_table(results),
+            "missing": missing_table(results),
         },
         figures={"rows": rows},
         claims=[
             _far_inside_cone(results, runs["as-shipped"]),
             _no_friction_residual(results),
-            _slide_accounts(results, runs["as-shipped"], gaps["as-shipped"]),
-            _slide_accounts_when_stiff(results, runs["stiff-pads"], gaps),
-            _missing_term(results),
-            _term_restored(results),
-            _rest_is_creep(results),
-            _slide_falls_with_timeconst(results),
+            *_slide_claims(results, runs, gaps),
+            *missing_term_claims(results),
         ],
     )
 
 
 def _of_kind(results: Results, kind: str) -> list[Row]:
     return [row for row in results.rows if row.kind == kind]
-
-
-def _in_c(results: Results, kind: str) -> list[Row]:
-    """The runs of one kind through MuJoCo C, one for each of CASES."""
-    return [results.row[f"{case}-{kind}"] for case in CASES]
 
 
 def _gap(results: Results, run: Row) -> Value:
@@ -79,7 +69,7 @@ def _departure(results: Results, run: Row, gap: Value) -> Value:
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:
-    bound = results.value("cone_use_bound", "chosen: far from sliding, which is 1", lambda: 0.1)
+    bound = results.chosen("cone_use_bound", "far from sliding, which is 1", 0.1)
     return Claim(
         "far_inside_cone",
         at_most(run.cone_use_max, bound),
@@ -124,193 +114,39 @@ def _no_friction_residual(results: Results) -> Claim:
     )
 
 
-def _slide_accounts(results: Results, run: Row, gap: Value) -> Claim:
-    departure = _departure(results, run, gap)
-    return Claim(
-        "slide_accounts",
-        at_most(departure, _departure_bound(results)),
-        holds="The velocity that is left in the friction rows accounts for the motion: added up over the {duration} of "
-        "the shake it gives {slide} along the main axis as shipped, where {along} was measured.",
-        fails="The velocity in the friction rows does not account for the motion: added up over the {duration} of the "
-        "shake it gives {slide} along the main axis as shipped, where {along} was measured.",
-        unknown="Whether the velocity in the friction rows accounts for the motion cannot be told.",
-        numbers={"slide": run.slide_mm, "along": run.along_mm, "duration": run.shake_duration_s},
-        explanation="So the motion is sliding at the contacts, at velocities that the solver sees and lets be.",
-    )
-
-
-def _departure_bound(results: Results) -> Value:
-    name = "slide_departure_bound"
-    return results.derived.get(name) or results.value(name, "chosen: the same motion", lambda: 15.0, unit="%")
-
-
-def _slide_accounts_when_stiff(results: Results, run: Row, gaps: dict[str, Value]) -> Claim:
-    departure = _departure(results, run, gaps[run.case])
-    numbers = {
-        "slide": run.slide_mm,
-        "along": run.along_mm,
-        "gap": gaps[run.case],
-        "gap_shipped": gaps["as-shipped"],
-    }
-    return Claim(
-        "slide_accounts_when_stiff",
-        at_most(departure, _departure_bound(results)),
-        holds="With stiff pads it does as well: {slide} from the rows, {along} measured.",
-        fails="With stiff pads the same sum gives {slide} where {along} was measured. The two differ by {gap}, as "
-        "shipped by {gap_shipped}: against so small a motion what is no sliding counts as well.",
-        unknown="Whether it does so with stiff pads cannot be told.",
-        numbers=numbers,
-    )
-
-
-def _missing_term(results: Results) -> Claim:
-    rows = _in_c(results, "missing-term")
-    departures = [
-        results.value(
-            f"missing_term_departure_{row.case}",
-            "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter",
-            lambda predicted, slide: 100 * abs(predicted / slide - 1),
-            row.predicted_slide_mm,
-            row.slide_mm,
-            unit="%",
-        )
-        for row in rows
+def _slide_claims(results: Results, runs: dict[str, Row], gaps: dict[str, Value]) -> list[Claim]:
+    """Whether the velocity that is left in the friction rows accounts for the motion, with either pads."""
+    shipped, stiff = (runs[case] for case in CASES)
+    departure = _departure(results, shipped, gaps[shipped.case])
+    bound = results.chosen("slide_departure_bound", "the same motion", 15.0, unit="%")
+    departure_stiff = _departure(results, stiff, gaps[stiff.case])
+    return [
+        Claim(
+            "slide_accounts",
+            at_most(departure, bound),
+            holds="The velocity that is left in the friction rows accounts for the motion: added up over the "
+            "{duration} of the shake it gives {slide} along the main axis as shipped, where {along} was measured.",
+            fails="The velocity in the friction rows does not account for the motion: added up over the {duration} of "
+            "the shake it gives {slide} along the main axis as shipped, where {along} was measured.",
+            unknown="Whether the velocity in the friction rows accounts for the motion cannot be told.",
+            numbers={"slide": shipped.slide_mm, "along": shipped.along_mm, "duration": shipped.shake_duration_s},
+            explanation="So the motion is sliding at the contacts, at velocities that the solver sees and lets be.",
+        ),
+        Claim(
+            "slide_accounts_when_stiff",
+            at_most(departure_stiff, bound),
+            holds="With stiff pads it does as well: {slide} from the rows, {along} measured.",
+            fails="With stiff pads the same sum gives {slide} where {along} was measured. The two differ by {gap}, as "
+            "shipped by {gap_shipped}: against so small a motion what is no sliding counts as well.",
+            unknown="Whether it does so with stiff pads cannot be told.",
+            numbers={
+                "slide": stiff.slide_mm,
+                "along": stiff.along_mm,
+                "gap": gaps[stiff.case],
+                "gap_shipped": gaps[shipped.case],
+            },
+        ),
     ]
-    largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
-    bound = results.value("missing_term_bound", "chosen: the same slide", lambda: 5.0, unit="%")
-    shipped, stiff = rows
-    return Claim(
-        "missing_term",
-        at_most(largest, bound),
-        holds="What makes them slide is an acceleration that the contact rows leave out. From the positions and "
-        "velocities of a run through MuJoCo C, with nothing fitted, it gives {predicted} of slide as shipped where the "
-        "friction rows show {slide}, and with stiff pads {predicted_stiff} where they show {slide_stiff}: never more "
-        "than {departure} apart.",
-        fails="An acceleration that the contact rows leave out does not account for the slide: it gives {predicted} as "
-        "shipped where the friction rows show {slide}, and with stiff pads {predicted_stiff} where they show "
-        "{slide_stiff}.",
-        unknown="What makes the friction rows slide cannot be told.",
-        numbers={
-            "predicted": shipped.predicted_slide_mm,
-            "slide": shipped.slide_mm,
-            "predicted_stiff": stiff.predicted_slide_mm,
-            "slide_stiff": stiff.slide_mm,
-            "departure": largest,
-        },
-        explanation="A contact point of the arm accelerates by J·q̈ + J̇·q̇: the second part comes from the joints' "
-        "velocities, as when a point moves on a curve. A contact row sets only J·q̈, to −b·v. To follow the arm all "
-        "the same the row has to slide at v = J̇·q̇ / b. That goes with the square of the speed, so it does not cancel "
-        "over a cycle; no friction coefficient and no iteration changes it, and b = 2 / (dmax · timeconst) is the only "
-        "thing that stands against it.",
-    )
-
-
-def _term_restored(results: Results) -> Claim:
-    """The intervention: the same runs, with the left-out acceleration in the contact rows."""
-    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
-    shares = [
-        results.value(
-            f"restored_share_{without.case.removesuffix('-missing-term')}",
-            "size of the slide of the friction rows with the term put back, of that without it",
-            lambda put_back, slide: 100 * abs(put_back / slide),
-            put_back.slide_mm,
-            without.slide_mm,
-            unit="%",
-        )
-        for without, put_back in zip(left_out, restored, strict=True)
-    ]
-    largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
-    bound = results.value("restored_share_bound", "chosen: no slide to speak of", lambda: 5.0, unit="%")
-    numbers = {"share": largest}
-    for name, without, put_back in zip(("", "_stiff"), left_out, restored, strict=True):
-        numbers |= {f"slide{name}": without.slide_mm, f"restored{name}": put_back.slide_mm}
-    return Claim(
-        "term_restored",
-        at_most(largest, bound),
-        holds="Put back into the contact rows, it ends the slide: {restored} in place of {slide} as shipped, "
-        "{restored_stiff} in place of {slide_stiff} with stiff pads. So it is the cause.",
-        fails="Put back into the contact rows, it does not end the slide: {restored} in place of {slide} as shipped, "
-        "{restored_stiff} in place of {slide_stiff} with stiff pads.",
-        unknown="Whether the slide ends when the term is put back cannot be told.",
-        numbers=numbers,
-    )
-
-
-def _rest_is_creep(results: Results) -> Claim:
-    """What the rows' slide leaves over is the motion that is there without any slide."""
-    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
-    rests = [
-        results.value(
-            f"rest_{without.case.removesuffix('-missing-term')}",
-            "size of: measured displacement less slide of the rows, less the displacement with the term put back",
-            lambda along, slide, creep: abs(along - slide - creep),
-            without.along_mm,
-            without.slide_mm,
-            put_back.along_mm,
-            unit="mm",
-        )
-        for without, put_back in zip(left_out, restored, strict=True)
-    ]
-    largest = results.value("rest", "larger of both", max, *rests, unit="mm")
-    bound = results.value("rest_bound", "chosen: all accounted for", lambda: 0.03, unit="mm")
-    shipped, stiff = restored
-    return Claim(
-        "rest_is_creep",
-        at_most(largest, bound),
-        holds="What the rows' slide and the measured displacement differ by is the motion that stays when nothing "
-        "slides: {creep} as shipped, {creep_stiff} with stiff pads. With it the account closes to within {rest}.",
-        fails="The rows' slide and the motion that stays when nothing slides, {creep} as shipped and {creep_stiff} "
-        "with stiff pads, do not add up to the measured displacement: {rest} are left over.",
-        unknown="Whether the rows' slide and the rest add up to the measured displacement cannot be told.",
-        numbers={"creep": shipped.along_mm, "creep_stiff": stiff.along_mm, "rest": largest},
-    )
-
-
-def _slide_falls_with_timeconst(results: Results) -> Claim:
-    """What stiff pads really gain: the displacement also has the creep, which hides a part of what still slides."""
-    shipped, stiff = _in_c(results, "missing-term")
-    slide = results.value(
-        "slide_gain",
-        "slide of the friction rows as shipped, over that with stiff pads",
-        lambda soft, hard: soft / hard,
-        shipped.slide_mm,
-        stiff.slide_mm,
-    )
-    along = results.value(
-        "along_gain",
-        "measured displacement as shipped, over that with stiff pads",
-        lambda soft, hard: soft / hard,
-        shipped.along_mm,
-        stiff.along_mm,
-    )
-    return Claim(
-        "slide_falls_less_than_displacement",
-        greater(along, slide, noise=results.value("gain_bound", "chosen: the same gain", lambda: 1.0)),
-        holds="With stiff pads the cube slides {slide} times less, while its displacement falls {along} times.",
-        fails="With stiff pads the cube slides {slide} times less, and its displacement falls {along} times.",
-        unknown="With stiff pads the cube slides {slide} times less and its displacement falls {along} times; whether "
-        "these differ cannot be told.",
-        numbers={"slide": slide, "along": along},
-        explanation="The motion that stays goes against the slide and hides a part of what is left of it.",
-    )
-
-
-def _missing_table(results: Results) -> Table:
-    left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
-    columns = {
-        "from the left-out term": [row.predicted_slide_mm for row in left_out],
-        "from the friction rows": [row.slide_mm for row in left_out],
-        "measured displacement": [row.along_mm for row in left_out],
-        "friction rows, term put back": [row.slide_mm for row in restored],
-        "displacement, term put back": [row.along_mm for row in restored],
-    }
-    index = pd.Index([row.case.removesuffix("-missing-term") for row in left_out], name="case")
-    return Table(
-        pd.DataFrame(columns, index=index),
-        "Slide along the main axis over two periods of the shake, in runs through MuJoCo C: J̇·q̇ / b at the loaded "
-        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; how far the cube "
-        "has moved; and the last two again in a run whose contact rows ask for −b·v − J̇·q̇.",
-    )
 
 
 def _force_table(frames: list[Row]) -> Table:

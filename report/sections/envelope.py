@@ -8,13 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from report.claims import Claim, Outcome, at_least, at_most
-from report.figures import INK, new_figure
+from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row, Trace
+from report.sections._common import SETTLES, ratio
 
 order = 120
 
@@ -23,8 +23,8 @@ SLIP_RANGE_MM = (0.01, 50.0)
 """Ends of the colour scale; what lies outside has the colour of the end."""
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
 AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
-# A map keeps its colours on a dark page, so what is drawn on it keeps them as well.
-EMPTY, MARK = "#f2f2f2", "#101418"
+EMPTY = "#f2f2f2"
+"""Colour of the cells of a map that have no slip to show."""
 
 
 def derive(results: Results) -> Section:
@@ -65,18 +65,14 @@ def _held_slip(row: Row) -> Quantity:
 
 
 def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
-    return results.value(
-        "gain_" + name.replace("-", "_").replace(".", "_"),
-        f"slip as shipped over slip with stiff pads, {name}",
-        lambda before, after: before / after,
-        _held_slip(shipped),
-        _held_slip(stiff),
-    )
+    key = "gain_" + name.replace("-", "_").replace(".", "_")
+    formula = f"slip as shipped over slip with stiff pads, {name}"
+    return ratio(results, key, formula, _held_slip(shipped), _held_slip(stiff))
 
 
 def _nothing_dropped(results: Results, row: Row) -> Claim:
     cells = results.value("cells", "cells of the map on each side", lambda count: count // len(SIDES), row.world_count)
-    bound = results.value("dropped_bound", "chosen: no cell is dropped", lambda: 0)
+    bound = results.chosen("dropped_bound", "no cell is dropped", 0)
     lost = results.value(
         "lost_stiff",
         "cells with stiff pads that are dropped or have no finite result",
@@ -113,7 +109,7 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
         lambda *rows: len(rows),
         *(shipped.frame_count for shipped, _ in points.values()),
     )
-    bound = results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    bound = results.chosen("gain_bound", *SETTLES)
     return Claim(
         "gain_everywhere",
         at_least(least, bound),
@@ -139,7 +135,7 @@ def _map_gain(results: Results, trace: Trace) -> Claim:
     )
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
     share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
-    whole = results.value("map_gain_bound", "chosen: every cell", lambda: 100.0, unit="%")
+    whole = results.chosen("map_gain_bound", "every cell", 100.0, unit="%")
     return Claim(
         "map_gain",
         at_least(share, whole),
@@ -163,7 +159,7 @@ def _grows_faster(results: Results) -> Claim:
         _held_slip(small),
         _held_slip(large),
     )
-    bound = results.value("amplitude_exponent_bound", "chosen: clearly more than in proportion", lambda: 1.5)
+    bound = results.chosen("amplitude_exponent_bound", "clearly more than in proportion", 1.5)
     return Claim(
         "slip_grows_faster_than_amplitude",
         at_least(exponent, bound),
@@ -196,7 +192,7 @@ def _batch_is_fast(results: Results, row: Row) -> Claim:
         one,
         row.wall_s,
     )
-    bound = results.value("batch_gain_bound", "chosen: what the batch is aimed at", lambda: 500.0)
+    bound = results.chosen("batch_gain_bound", "what the batch is aimed at", 500.0)
     outcome = at_least(gain, bound)
     if row.world_count.value < bound.value:
         outcome = Outcome("unknown", "the map has fewer worlds than that")
@@ -260,7 +256,7 @@ def _draw_maps(frame: pd.DataFrame) -> Drawing:
     panels[0].set_ylabel("amplitude [cm]")
     drawing.supxlabel("frequency [Hz]", fontsize=10)
     bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
-    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    bar.ax.yaxis.set_major_formatter(plain_labels())
     dropped = Line2D([], [], color=INK, marker="x", markersize=5, linewidth=1.6, linestyle="-", label="dropped")
     failed = Line2D([], [], color=INK, marker="_", markersize=5, linestyle="none", label="no finite result")
     handles = [dropped] + ([failed] if frame["failure"].notna().any() else [])
@@ -281,12 +277,10 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     )
     x, y = np.meshgrid(frequency, amplitude)
     axes.set(xscale="log", yscale="log")
-    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MARK)
-    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MARK)
+    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MAP_INK)
+    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MAP_INK)
     if lost.any() and not lost.all():
-        axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MARK, linewidths=1.6)
-    for axis, ticks in ((axes.xaxis, FREQUENCY_TICKS_HZ), (axes.yaxis, AMPLITUDE_TICKS_CM)):
-        axis.set_major_locator(FixedLocator(ticks))
-        axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MAP_INK, linewidths=1.6)
+    tick_at(axes.xaxis, FREQUENCY_TICKS_HZ)
+    tick_at(axes.yaxis, AMPLITUDE_TICKS_CM)
     return colours

@@ -19,6 +19,7 @@ from report.sections._error_runtime import (
     is_clamped,
     order_of,
     points_of,
+    with_shipped_steps,
 )
 from report.sections._error_runtime_claims import accuracy_claims
 from report.sections._error_runtime_figures import STYLES, draw_grasp, draw_numerical
@@ -128,7 +129,7 @@ def _knob_table(points: Points) -> Table:
     """Each knob beside the setting as shipped from which it is turned."""
     rows = []
     for pads in PADS:
-        base = points.results.row.get(f"{pads}/newton/substeps-16")
+        base = points.results.row.get(with_shipped_steps(pads, "newton"))
         rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
     columns = {
         "pads": [row["pads"] for row in rows],

@@ -7,6 +7,7 @@ from report.downloads import fix_files
 from report.parts import Download, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
+from report.sections._common import SETTLES, other_cell, ratio
 
 order = 140
 
@@ -18,21 +19,22 @@ SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
 
 def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
+    gain = _gain(results, "gain", shipped, fixed)
+    bound = results.chosen("gain_bound", *SETTLES)
     return Section(
         tables={"runs": _table(results)},
         claims=[
-            _recommended(results, shipped, fixed),
+            _recommended(shipped, fixed, gain, bound),
             _test_tells(shipped, fixed),
-            _same_on_mujoco_c(results),
+            _same_on_mujoco_c(results, bound),
             _same_as_report(results),
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],
     )
 
 
-def _recommended(results: Results, shipped: Row, fixed: Row) -> Claim:
-    gain = _gain(results, "gain", shipped, fixed)
-    outcome = at_least(gain, _gain_bound(results))
+def _recommended(shipped: Row, fixed: Row, gain: Value, bound: Value) -> Claim:
+    outcome = at_least(gain, bound)
     return Claim(
         "recommended",
         FAILS if outcome == HOLDS and not fixed.test_passed else outcome,
@@ -63,12 +65,12 @@ def _test_tells(shipped: Row, fixed: Row) -> Claim:
     )
 
 
-def _same_on_mujoco_c(results: Results) -> Claim:
+def _same_on_mujoco_c(results: Results, bound: Value) -> Claim:
     shipped, fixed = results.row["as-shipped-mujoco-c"], results.row["fixed-mujoco-c"]
     gain = _gain(results, "gain_mujoco_c", shipped, fixed)
     return Claim(
         "same_on_mujoco_c",
-        at_least(gain, _gain_bound(results)),
+        at_least(gain, bound),
         holds="Through MuJoCo's C engine, which finds its own contacts, the patch helps: {before} without it, {after} "
         "with it.",
         fails="Through MuJoCo's C engine the patch does not help: {before} without it, {after} with it.",
@@ -79,38 +81,33 @@ def _same_on_mujoco_c(results: Results) -> Claim:
 
 def _same_as_report(results: Results) -> Claim:
     """The scripts are a second writing of the scene, so they have to prove that they are the same one."""
-    difference, outcome = None, Outcome("unknown", "the first section has not been measured")
-    if "reproduction" in results.others:
-        measured = results.others["reproduction"].row
-        pairs = [(results.row[case].slip_mm, measured[same].slip_mm) for case, same in SAME_IN_REPORT.items()]
-        difference = results.value(
-            "difference",
-            "largest difference in slip between a script and the same case of the section reproduction",
-            lambda *slips: max(abs(a - b) for a, b in zip(slips[::2], slips[1::2], strict=True)),
-            *(slip for pair in pairs for slip in pair),
-            unit="mm",
-        )
-        bound = results.value("difference_bound", "chosen: the calibration's tolerance", lambda: 0.03, unit="mm")
-        outcome = at_most(difference, bound)
+    slips = [
+        slip
+        for case, same in SAME_IN_REPORT.items()
+        for slip in (results.row[case].slip_mm, other_cell(results, "reproduction", same, "slip_mm", unit="mm"))
+    ]
+    difference = results.value(
+        "difference",
+        "largest difference in slip between a script and the same case of the section reproduction",
+        lambda *found: max(abs(a - b) for a, b in zip(found[::2], found[1::2], strict=True)),
+        *slips,
+        unit="mm",
+    )
+    bound = results.chosen("difference_bound", "the calibration's tolerance", 0.03, unit="mm")
     return Claim(
         "same_as_report",
-        outcome,
+        at_most(difference, bound),
         holds="They are the scene of this report: their slip is what was measured above, to within {difference}.",
         fails="They are not quite the scene of this report: their slip differs from what was measured above by up to "
         "{difference}.",
         unknown="Whether they are the scene of this report cannot be told.",
-        numbers={"difference": difference} if difference else {},
+        numbers={"difference": difference},
     )
-
-
-def _gain_bound(results: Results) -> Value:
-    known = results.derived.get("gain_bound")
-    return known or results.value("gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
 
 
 def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:
     formula = f"slip of {shipped.case} over slip of {fixed.case}"
-    return results.value(name, formula, lambda before, after: before / after, shipped.slip_mm, fixed.slip_mm)
+    return ratio(results, name, formula, shipped.slip_mm, fixed.slip_mm)
 
 
 def _table(results: Results) -> Table:

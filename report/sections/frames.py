@@ -7,6 +7,7 @@ from report.claims import Claim, at_least, at_most
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
+from report.sections._common import share
 
 order = 60
 
@@ -41,7 +42,7 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
         whole,
         unit="%",
     )
-    bound = results.value("finger_share_bound", "chosen: as good as all of it", lambda: 95.0, unit="%")
+    bound = results.chosen("finger_share_bound", "as good as all of it", 95.0, unit="%")
     return Claim(
         "cube_moves_in_fingers",
         at_least(share, bound),
@@ -62,23 +63,17 @@ def _robot_is_still(results: Results) -> Claim:
         *(results.row[case].total_drift_mm for case in ROBOT),
         unit="mm",
     )
-    share = results.value(
-        "robot_share",
-        "largest drift between two bodies of the robot, of the cube's drift against the TCP",
-        lambda robot, cube: 100 * robot / cube,
-        largest,
-        results.row["cube-in-TCP"].total_drift_mm,
-        unit="%",
-    )
-    bound = results.value("robot_share_bound", "chosen: too little to matter", lambda: 1.0, unit="%")
+    formula = "largest drift between two bodies of the robot, of the cube's drift against the TCP"
+    of_cube = share(results, "robot_share", formula, largest, results.row["cube-in-TCP"].total_drift_mm)
+    bound = results.chosen("robot_share_bound", "too little to matter", 1.0, unit="%")
     return Claim(
         "robot_is_still",
-        at_most(share, bound),
+        at_most(of_cube, bound),
         holds="Inside the robot nothing comes loose: no pair of hand, TCP, left finger and last link drifts by more "
         "than {largest}, {share} of the cube's drift.",
         fails="The robot's own bodies drift as well, by up to {largest}, {share} of the cube's drift.",
         unknown="Whether the robot's own bodies drift against each other cannot be told.",
-        numbers={"largest": largest, "share": share},
+        numbers={"largest": largest, "share": of_cube},
         explanation="So the slip is no artefact of how it is measured, the fingers do not open, and the place to look "
         "is the contact between pad and cube.",
     )

@@ -3,7 +3,8 @@
 from report.claims import Claim, at_most
 from report.parts import Section
 from report.results import Results, Row
-from report.sections._variants import Variants, compare, not_the_cause, variant_figure, variant_table, within_noise
+from report.sections._common import ratio
+from report.sections._variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 40
 
@@ -11,7 +12,7 @@ LABELS = {"pad_mu": "pads' coefficient", "cube_mu": "cube's coefficient"}
 
 
 def derive(results: Results) -> Section:
-    variants = compare(results, "pad-mu-1")
+    variants = variants_of(results, "pad-mu-1")
     pads = sorted((row for row in variants.rows if "pad_mu" in row), key=lambda row: row.pad_mu.value)
     answer = not_the_cause(
         results,
@@ -31,13 +32,8 @@ def derive(results: Results) -> Section:
 
 def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> Claim:
     """Sliding friction would let go sooner the lower the coefficient."""
-    factor = results.value(
-        "coefficient_factor",
-        "highest over lowest coefficient of the pads",
-        lambda above, below: above / below,
-        high.pad_mu,
-        low.pad_mu,
-    )
+    formula = "highest over lowest coefficient of the pads"
+    factor = ratio(results, "coefficient_factor", formula, high.pad_mu, low.pad_mu)
     excess = results.value(
         "low_friction_excess",
         "slip with the lowest coefficient of the pads less that with the highest",

@@ -8,7 +8,7 @@ from report.claims import Claim, at_least, at_most
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
-from report.sections._common import noise_floor
+from report.sections._common import noise_floor, share, spread
 
 order = 110
 
@@ -32,28 +32,17 @@ def derive(results: Results) -> Section:
 
 def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
     """Whether the gap explains the slip, and whether it makes any difference at all."""
-    difference = results.value(
-        "slip_difference",
-        "largest minus smallest slip of the gaps",
-        lambda *slip: max(slip) - min(slip),
-        *(row.slip_mm for row in rows),
-        unit="mm",
-    )
-    share = results.value(
-        "slip_difference_share",
-        "difference in slip between the gaps, of the slip with the default gap",
-        lambda part, whole: 100 * part / whole,
-        difference,
-        rows[0].slip_mm,
-        unit="%",
-    )
-    bound = results.value("slip_difference_bound", "chosen: too little to explain the slip", lambda: 5.0, unit="%")
+    slips = [row.slip_mm for row in rows]
+    difference = spread(results, "slip_difference", "largest minus smallest slip of the gaps", slips, unit="mm")
+    formula = "difference in slip between the gaps, of the slip with the default gap"
+    of_default = share(results, "slip_difference_share", formula, difference, slips[0])
+    bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, unit="%")
     floor = noise_floor(results, "slip_floor")
-    numbers = {"difference": difference, "share": share, "floor": floor}
+    numbers = {"difference": difference, "share": of_default, "floor": floor}
     return [
         Claim(
             "not_the_cause",
-            at_most(share, bound),
+            at_most(of_default, bound),
             holds="The contact gap does not explain the slip: between the default and none it changes by {share}.",
             fails="The contact gap has a part in the slip: between the default and none it changes by {share}.",
             unknown="Whether the contact gap has a part in the slip cannot be told.",
@@ -72,16 +61,12 @@ def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
 
 def _more_contacts(results: Results, rows: list[Row]) -> Claim:
     default, small, zero = rows
-    spread = results.value(
-        "loaded_spread",
-        "largest minus smallest mean number of contacts that carry force",
-        lambda *loaded: max(loaded) - min(loaded),
-        *(row.mean_loaded_row_count for row in rows),
-    )
-    bound = results.value("loaded_spread_bound", "chosen: the same number of contacts", lambda: 0.5)
+    formula = "largest minus smallest mean number of contacts that carry force"
+    difference = spread(results, "loaded_spread", formula, [row.mean_loaded_row_count for row in rows])
+    bound = results.chosen("loaded_spread_bound", "the same number of contacts", 0.5)
     return Claim(
         "same_contacts_carry",
-        at_most(spread, bound),
+        at_most(difference, bound),
         holds="With every gap {loaded} contacts carry the cube; the default gap lists {default} on average, a gap set "
         "like the robot's {small}, and no gap {zero}.",
         fails="The number of contacts that carry the cube depends on the gap: {loaded} with the default, "
@@ -100,7 +85,7 @@ def _more_contacts(results: Results, rows: list[Row]) -> Claim:
 
 
 def _none_near(results: Results, default: Row) -> Claim:
-    touching = results.value("touching", "chosen: surfaces that touch", lambda: 0.0, unit="mm")
+    touching = results.chosen("touching", "surfaces that touch", 0.0, unit="mm")
     return Claim(
         "idle_contacts_are_far",
         at_least(default.unloaded_near_mm, touching),

@@ -8,7 +8,7 @@ from report.claims import FAILS, HOLDS, Claim, all_of, at_least, at_most, greate
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row, Trace
-from report.sections._common import friction_rows_differ, noise_floor
+from report.sections._common import friction_rows_differ, noise_floor, share
 
 order = 80
 
@@ -63,7 +63,7 @@ def derive(results: Results) -> Section:
 
 def _drift_needs_cycle(results: Results) -> Claim:
     held, shaken = results.row["hold"].drift_mm_s, results.row["as-shipped"].drift_mm_s
-    share = results.value(
+    part = results.value(
         "hold_share",
         "size of the drift along the main axis with the arm held still, of the drift as shipped",
         lambda still, moving: 100 * abs(still / moving),
@@ -79,16 +79,16 @@ def _drift_needs_cycle(results: Results) -> Claim:
         held,
         unit="mm/s",
     )
-    bound = results.value("hold_share_bound", "chosen: no comparable drift", lambda: 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
         "drift_needs_cycle",
-        at_most(share, bound),
+        at_most(part, bound),
         holds="The drift needs the load cycle: with the arm held still, the cube drifts at {held} along the shake's "
         "main axis, against {shaken} when shaken. That is {share} of it in size.",
         fails="With the arm held still, the cube drifts at {held} along the shake's main axis, in size {share} of the "
         "{shaken} when shaken: the shake drives it by the difference, {net}.",
         unknown="Whether the drift needs the load cycle cannot be told.",
-        numbers={"held": held, "shaken": shaken, "share": share, "net": net},
+        numbers={"held": held, "shaken": shaken, "share": part, "net": net},
         explanation="Time alone, with the weight of the cube on the pads, does not do it.",
     )
 
@@ -114,7 +114,7 @@ def _creep_goes_the_other_way(results: Results) -> Claim:
 
 
 def _creep_goes_on(results: Results, long: Row) -> Claim:
-    share = results.value(
+    final = results.value(
         "creep_final_share",
         "motion in the last second of the long hold, of its mean per second",
         lambda last, slip, duration: 100 * last * duration / slip,
@@ -123,10 +123,10 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
         long.shake_duration_s,
         unit="%",
     )
-    bound = results.value("creep_final_bound", "chosen: not dying out", lambda: 50.0, unit="%")
+    bound = results.chosen("creep_final_bound", "not dying out", 50.0, unit="%")
     return Claim(
         "creep_goes_on",
-        at_least(share, bound),
+        at_least(final, bound),
         holds="Held still, the grasp is not at rest either: it creeps {slip} in {duration}, and the last second still "
         "adds {last}.",
         fails="Held still, the cube settles: it moves {slip} in {duration}, and the last second adds {last}.",
@@ -142,24 +142,17 @@ def _creep_is_monotonic(long: Row) -> Claim:
         holds="It goes the same way in every second.",
         fails="It does not go the same way in every second: along the way from start to end, the first second counts "
         "{first}, the last {last}.",
-        unknown="",
         numbers={"first": long.increment_first_mm, "last": long.increment_final_mm},
     )
 
 
 def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
-    share = results.value(
-        "stiff_creep_share",
-        "slip of the long hold with stiff pads, of the slip of the long hold as shipped",
-        lambda stiffer, shipped: 100 * stiffer / shipped,
-        stiff.slip_mm,
-        long.slip_mm,
-        unit="%",
-    )
-    bound = results.value("stiff_creep_bound", "chosen: most of it remains", lambda: 50.0, unit="%")
+    formula = "slip of the long hold with stiff pads, of the slip of the long hold as shipped"
+    remaining = share(results, "stiff_creep_share", formula, stiff.slip_mm, long.slip_mm)
+    bound = results.chosen("stiff_creep_bound", "most of it remains", 50.0, unit="%")
     return Claim(
         "stiff_pads_keep_creep",
-        at_least(share, bound),
+        at_least(remaining, bound),
         holds="Stiff pads do not end this creep: with them it is {stiff} in {duration}, as shipped {shipped}.",
         fails="Stiff pads reduce this creep too: to {stiff} from {shipped} in {duration}.",
         unknown="Whether stiff pads change this creep cannot be told.",
@@ -178,7 +171,7 @@ def _same_creep_in_c(results: Results, other: bool) -> Claim:
         c,
         unit="%",
     )
-    bound = results.value("engine_creep_bound", "chosen: the same creep", lambda: 25.0, unit="%")
+    bound = results.chosen("engine_creep_bound", "the same creep", 25.0, unit="%")
     return Claim(
         "same_creep_in_c",
         at_most(difference, bound),
@@ -194,14 +187,8 @@ def _same_creep_in_c(results: Results, other: bool) -> Claim:
 def _creep_is_rounding(results: Results, other: bool) -> Claim:
     """MuJoCo Warp has to creep like C with rounded positions only where both are of one model."""
     double, single, warp = (results.row[f"precision-{name}"] for name in PRECISION)
-    share = results.value(
-        "double_share",
-        "creep with positions in double precision, of that with positions rounded to single precision",
-        lambda exact, rounded: 100 * exact / rounded,
-        double.creep_mm_s,
-        single.creep_mm_s,
-        unit="%",
-    )
+    formula = "creep with positions in double precision, of that with positions rounded to single precision"
+    remaining = share(results, "double_share", formula, double.creep_mm_s, single.creep_mm_s)
     departure = results.value(
         "rounded_departure",
         "difference between the creep with rounded positions and MuJoCo Warp's, of the latter",
@@ -210,11 +197,11 @@ def _creep_is_rounding(results: Results, other: bool) -> Claim:
         warp.creep_mm_s,
         unit="%",
     )
-    bound = results.value("double_share_bound", "chosen: most of it is gone", lambda: 50.0, unit="%")
-    same = results.value("rounded_departure_bound", "chosen: the same creep", lambda: 10.0, unit="%")
+    bound = results.chosen("double_share_bound", "most of it is gone", 50.0, unit="%")
+    same = results.chosen("rounded_departure_bound", "the same creep", 10.0, unit="%")
     return Claim(
         "creep_is_rounding",
-        at_most(share, bound) if other else all_of(at_most(share, bound), at_most(departure, same)),
+        at_most(remaining, bound) if other else all_of(at_most(remaining, bound), at_most(departure, same)),
         holds="Most of it is rounding. With positions in double precision MuJoCo's C engine creeps at {double}; with "
         "the same positions rounded to single precision after every step, and nothing else changed, at {single}. "
         + f"MuJoCo Warp, which {'is another model' if other else 'computes in single precision'}, creeps at {{warp}}.",
@@ -227,7 +214,7 @@ def _creep_is_rounding(results: Results, other: bool) -> Claim:
 
 def _joint_stands_still(results: Results) -> Claim:
     warp = results.row["precision-warp"]
-    share = results.value(
+    followed = results.value(
         "joint_motion_share",
         "how much of its velocity the fastest arm joint's position follows",
         lambda moved, velocity: 100 * abs(moved / velocity),
@@ -235,10 +222,10 @@ def _joint_stands_still(results: Results) -> Claim:
         warp.joint_velocity_mrad_s,
         unit="%",
     )
-    bound = results.value("joint_motion_bound", "chosen: it stands still", lambda: 20.0, unit="%")
+    bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
     return Claim(
         "joint_stands_still",
-        at_most(share, bound),
+        at_most(followed, bound),
         holds="Joint {joint} has a velocity of {velocity} and moves at {moved}.",
         fails="The arm's joints do follow their velocities: joint {joint} has {velocity} and moves at {moved}.",
         unknown="Whether the joints follow their velocities cannot be told.",

@@ -2,63 +2,24 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-import pandas as pd
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
-from report.figures import INK, SERIES, new_figure
 from report.format import format_number
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
-from report.sections._common import noise_floor
-from report.sections._timing import cell, frame_spread, ratio
+from report.parts import Section
+from report.quantities import Value
+from report.results import Results
+from report.sections._common import DEVICES, noise_floor, ratio
+from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of
+from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, same_table
+from report.sections._timing import cell, frame_spread
+from report.sections._variants import beyond_noise
 
 order = 150
 
-REFERENCE, ALL = "untrimmed", "without-all"
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""
-DEVICES = {"cuda": "GPU", "cpu": "CPU"}
-LEFT_OUT = {
-    REFERENCE: "nothing: exactly as shipped",
-    "without-buffers": "room for contacts and constraints beyond the peak",
-    "without-ik-iterations": "most iterations of the inverse kinematics",
-    "without-ik-in-turn": "waiting for the inverse kinematics",
-    "without-state-sync": "Newton's state and targets written before every substep",
-    "without-cube-gap": "the cube's default contact gap",
-    "without-hand-box": "collision of the hand",
-    "without-visuals": "shapes for looking at",
-    "without-fixed-joints": "bodies fixed to one another",
-    "without-broad-phase": "testing all pairs of shapes",
-    ALL: "all of these",
-    "as-shipped": "buffers, IK iterations, waiting for IK, state writes: this report's baseline",
-}
-
-
-@dataclass(frozen=True)
-class Variant:
-    """One way to leave something out, on one device."""
-
-    device: str
-    case: str
-    rows: Sequence[Row]
-    """One for each number of worlds."""
-
-    @property
-    def name(self) -> str:
-        return f"{self.device}_{self.case.replace('-', '_')}"
-
-    @property
-    def run(self) -> Row:
-        """The run to the end, which is the same in the rows of all numbers of worlds."""
-        return self.rows[0]
-
-    def at(self, worlds: int) -> Row | None:
-        return next((row for row in self.rows if row.worlds.value == worlds), None)
 
 
 def derive(results: Results) -> Section:
@@ -67,12 +28,12 @@ def derive(results: Results) -> Section:
     panels = _panels(variants)
     return Section(
         tables={
-            "cases": _case_table(variants),
-            "audit": _audit_table(results),
-            "cost": _cost_table(variants),
-            "same": _same_table(variants, differences),
+            "cases": case_table(variants),
+            "audit": audit_table(results),
+            "cost": cost_table(variants),
+            "same": same_table(variants, differences),
         },
-        figures={"cost": _cost_figure(variants, panels)},
+        figures={"cost": cost_figure(variants, panels)},
         claims=[
             _faster_on_gpu(results, variants),
             _faster_on_cpu(results, variants),
@@ -90,21 +51,11 @@ def _variants(results: Results) -> list[Variant]:
     return [Variant(*key, [row for row in timed if (row.device, row.case) == key]) for key in keys]
 
 
-def _find(variants: Sequence[Variant], device: str, case: str) -> Variant | None:
-    return next((variant for variant in variants if (variant.device, variant.case) == (device, case)), None)
-
-
-def _reference(variants: Sequence[Variant], device: str) -> Variant | None:
-    """What slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
-    of_device = [variant for variant in variants if variant.device == device]
-    return next((variant for variant in of_device if variant.run.slip_mm.value is not None), None)
-
-
 def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: int) -> Value:
     """How many times as fast the scene is with all left out."""
     times = []
     for case in (REFERENCE, ALL):
-        variant = _find(variants, device, case)
+        variant = find(variants, device, case)
         row = variant.at(worlds) if variant else None
         times.append(
             cell(results, row, "frame_ms", f"{case} in a batch of {format_number(worlds)} on a {DEVICES[device]}")
@@ -116,8 +67,8 @@ def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: in
 def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
     one, many = (_gain(results, variants, "cuda", worlds) for worlds in (1, MANY_COUNT))
     smaller = results.value("cuda_gain", "smaller of the gains with one world and with the most", min, one, many)
-    bound = results.value("cuda_gain_bound", "chosen: a gain worth having on a GPU", lambda: 1.25)
-    full = _find(variants, "cuda", ALL)
+    bound = results.chosen("cuda_gain_bound", "a gain worth having on a GPU", 1.25)
+    full = find(variants, "cuda", ALL)
     row = full.at(MANY_COUNT) if full else None
     return Claim(
         "faster_on_gpu",
@@ -133,10 +84,10 @@ def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
 
 def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
     gain = _gain(results, variants, "cpu", 1)
-    bound = results.value("cpu_gain_bound", "chosen: a gain worth having on a CPU", lambda: 4.0)
-    buffers = _find(variants, "cpu", "without-buffers")
+    bound = results.chosen("cpu_gain_bound", "a gain worth having on a CPU", 4.0)
+    buffers = find(variants, "cpu", "without-buffers")
     time = cell(results, buffers and buffers.run, "frame_ms", "the scene without large buffers on a CPU")
-    reference = _find(variants, "cpu", REFERENCE)
+    reference = find(variants, "cpu", REFERENCE)
     before = cell(results, reference and reference.run, "frame_ms", "the scene exactly as shipped on a CPU")
     return Claim(
         "faster_on_cpu",
@@ -154,15 +105,15 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
     pairs = [
         (before.buffer_bytes_per_world, after.buffer_bytes_per_world)
         for full in variants
-        if full.case == REFERENCE and (lean := _find(variants, full.device, ALL))
+        if full.case == REFERENCE and (lean := find(variants, full.device, ALL))
         for before, after in zip(full.rows, lean.rows, strict=True)
         if None not in (before.buffer_bytes_per_world.value, after.buffer_bytes_per_world.value)
     ]
-    absent = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
-    before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(absent, absent))
+    none = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
+    before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(none, none))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = ratio(results, "memory_saving", formula, before, after)
-    bound = results.value("memory_saving_bound", "chosen: a saving worth having", lambda: 20.0)
+    bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
     return Claim(
         "less_memory",
         at_least(saving, bound),
@@ -175,7 +126,7 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
 
 
 def _difference(results: Results, variants: Sequence[Variant], variant: Variant) -> Value:
-    reference = _reference(variants, variant.device)
+    reference = reference_of(variants, variant.device)
     of_reference = cell(results, reference and reference.run, "slip_mm", "a run to the end")
     return results.value(
         f"{variant.name}_difference",
@@ -197,13 +148,10 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
         *(differences[variant.name] for variant in changed),
         unit="mm",
     )
-    beyond = [
-        Markup("<code>{}</code> on the {} by {}").format(
-            variant.case, DEVICES[variant.device], differences[variant.name]
-        )
-        for variant in changed
-        if floor.value is not None and abs(differences[variant.name].value) > floor.value
-    ]
+    named = {
+        Markup("<code>{}</code> on the {}").format(variant.case, DEVICES[variant.device]): differences[variant.name]
+        for variant in variants
+    }
     return Claim(
         "same_slip",
         at_most(largest, floor),
@@ -212,7 +160,7 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
         fails="The slip does not stay the same in all of them: beyond the {floor} by which runs of one and the same "
         "case differ, it changes for {beyond}.",
         unknown="The slip differs by at most {largest}; whether that is more than noise cannot be told.",
-        numbers={"largest": largest, "floor": floor, "beyond": Markup(", ").join(beyond)},
+        numbers={"largest": largest, "floor": floor, "beyond": beyond_noise(named, floor)},
     )
 
 
@@ -220,7 +168,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     """Whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
     outcomes: dict[str, list[Outcome]] = {}
     for device, worlds in panels:
-        reference = _find(variants, device, REFERENCE)
+        reference = find(variants, device, REFERENCE)
         for variant in variants:
             before, after = reference.at(worlds), variant.at(worlds)
             if variant.device == device and after and variant.case not in (REFERENCE, ALL, "as-shipped"):
@@ -242,7 +190,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
 
 def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
     """Judged on the CPU: a GPU adds up in another order each time, and does not even repeat itself."""
-    reference = _reference(variants, "cpu")
+    reference = reference_of(variants, "cpu")
     others = [variant for variant in variants if variant.device == "cpu" and "bit_identical" in variant.run]
     others = [variant for variant in others if variant is not reference]
     largest = results.value(
@@ -287,106 +235,3 @@ def _panels(variants: Sequence[Variant]) -> list[tuple[str, int]]:
         for row in variant.rows
         if variant.case == REFERENCE and row.frame_ms.value is not None
     ]
-
-
-def _audit_table(results: Results) -> Table:
-    rows = [row for row in results.rows if "item" in row]
-    items = [row.item.split(", against ") for row in rows]
-    columns = {
-        "there": [_whole(results, row, "present") for row in rows],
-        "used": [_whole(results, row, "used") for row in rows],
-        "counted as used": [", ".join(item[1:]) for item in items],
-        "note": [row.note for row in rows],
-    }
-    columns = {name: cells for name, cells in columns.items() if any(cells)}
-    caption = "What the scene has, exactly as shipped, against what a run through the first cycle of the shake used."
-    return Table(pd.DataFrame(columns, index=pd.Index([item[0] for item in items], name="")), caption)
-
-
-def _whole(results: Results, row: Row, column: str) -> Quantity:
-    """A count as the whole number that it is; a mean stays as it was measured."""
-    measured = row[column]
-    if measured.value is None or measured.value % 1:
-        return measured
-    return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
-
-
-def _case_table(variants: Sequence[Variant]) -> Table:
-    names = list(dict.fromkeys(variant.case for variant in variants))
-    columns = {"left out": [LEFT_OUT.get(name, "") for name in names]}
-    return Table(pd.DataFrame(columns, index=pd.Index(names, name="case")), "What each case leaves out.")
-
-
-def _cost_table(variants: Sequence[Variant]) -> Table:
-    counts = sorted({row.worlds.value for variant in variants for row in variant.rows})
-    columns: dict[str, list] = {"on": [DEVICES[variant.device] for variant in variants]}
-    for count in counts:
-        rows = [variant.at(count) for variant in variants]
-        name = f"{format_number(count)} world{'s' * (count > 1)}"
-        columns[name] = [row.frame_ms if row else "" for row in rows]
-    columns["memory"] = [variant.run.buffer_bytes_per_world for variant in variants]
-    index = pd.Index([variant.case for variant in variants], name="case")
-    caption = "Time of a frame by number of worlds, median, and memory for contacts and constraints per world."
-    return Table(pd.DataFrame(columns, index=index), caption)
-
-
-def _same_table(variants: Sequence[Variant], differences: dict[str, Value]) -> Table:
-    columns = {
-        "on": [DEVICES[variant.device] for variant in variants],
-        "slip": [variant.run.slip_mm for variant in variants],
-        "change": [differences[variant.name] for variant in variants],
-        "drift": [variant.run.drift_mm_s for variant in variants],
-        "same bits": [_bits(variants, variant) for variant in variants],
-        "apart": [variant.run.pose_difference_mm for variant in variants],
-    }
-    index = pd.Index([variant.case for variant in variants], name="case")
-    caption = (
-        "Runs to the end, against the reference of that device. Slip and drift are means of several worlds on a GPU; "
-        "on the CPU all cases have buffers of the scene's size. Apart: the largest distance of any body of the first "
-        "world, in any frame, from where it is in the reference."
-    )
-    return Table(pd.DataFrame(columns, index=index), caption)
-
-
-def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
-    if variant is _reference(variants, variant.device):
-        return "reference"
-    return variant.run.bit_identical if "bit_identical" in variant.run else "not run"
-
-
-def _cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:
-    return Figure(
-        draw=lambda: _draw_cost(variants, panels),
-        caption="Time of a frame, of that of the scene exactly as shipped (line) on the same device with as many "
-        "worlds. The whisker is from the 5th to the 95th percentile; a case without a bar was not timed there.",
-        alt="; ".join(
-            f"{variant.case} on the {DEVICES[variant.device]} with {row.worlds} worlds: {row.frame_ms}"
-            for variant in variants
-            for row in variant.rows
-        ),
-        sources=[row.frame_ms for variant in variants for row in variant.rows],
-    )
-
-
-def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Drawing:
-    names = list(dict.fromkeys(variant.case for variant in variants))
-    drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
-    for axes, (device, worlds) in zip(grid[0], panels, strict=True):
-        whole = _find(variants, device, REFERENCE).at(worlds).frame_ms.value
-        for variant in variants:
-            row = variant.at(worlds)
-            if variant.device == device and row and row.frame_ms.value is not None:
-                middle, low, high = (
-                    100 * row[name].value / whole for name in ("frame_ms", "frame_ms_p5", "frame_ms_p95")
-                )
-                place = names.index(variant.case)
-                axes.barh(place, middle, height=0.62, color=SERIES[0], edgecolor=INK, linewidth=0.6)
-                axes.plot([low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=1, linewidth=1.2)
-        axes.axvline(100, color=INK, linewidth=1, linestyle="--")
-        axes.set_xlim(left=0)
-        axes.set_title(f"{DEVICES[device]}\n{format_number(worlds)} world{'s' * (worlds > 1)}")
-        axes.grid(axis="y", visible=False)
-    grid[0][0].set_yticks(range(len(names)), names)
-    grid[0][0].invert_yaxis()
-    drawing.supxlabel("time of a frame, of that exactly as shipped [%]", fontsize=10)
-    return drawing

@@ -37,7 +37,6 @@ def _names_the_material(findings: list[Row]) -> Claim:
         holds="In the scene as shipped the lint says why the cube's material has no effect on the grasp: its authored "
         "ke {ke} and kd {kd} never reach the solver, which uses the pads' {ke_used} and {kd_used} instead.",
         fails="The lint does not say of the scene as shipped that the cube's authored ke and kd go unused.",
-        unknown="",
         numbers={"ke": ke.authored, "kd": kd.authored, "ke_used": ke.used, "kd_used": kd.used} if ke and kd else {},
         explanation="It takes the finished model and no simulation to see that: of two geoms with different priority, "
         "only the material of the higher counts, and nothing is said about the other's.",
@@ -51,7 +50,6 @@ def _names_the_gap(findings: list[Row]) -> Claim:
         HOLDS if found else FAILS,
         holds="It also names the cube's gap, {gap}, which nobody set: with a neighbour's it makes {sum}.",
         fails="It does not name the cube's gap.",
-        unknown="",
         numbers={"gap": found.authored_m, "sum": found.used_m} if found else {},
     )
 
@@ -67,7 +65,6 @@ def _names_the_buffers(findings: list[Row]) -> Claim:
         holds="The buffers have room for {contacts_size} contacts and {constraints_size} constraints in a world that "
         "never had more than {contacts_peak} and {constraints_peak}.",
         fails="It has nothing to say about the buffers for contacts and for constraints.",
-        unknown="",
         numbers=numbers,
     )
 
@@ -80,7 +77,6 @@ def _fewer_in_the_fix(results: Results, findings: list[Row]) -> Claim:
         HOLDS if mended else FAILS,
         holds="In the fixed scene gap and buffers are in order. Findings: {fixed}, as shipped {shipped}.",
         fails="In the fixed scene gap or buffers are still not in order. Findings: {fixed}, as shipped {shipped}.",
-        unknown="",
         numbers={"fixed": fixed, "shipped": shipped},
         explanation="What the cube and the ground say about their material still goes unused, because the pads keep "
         "their priority. The fix does not change that; it gives the pads, which decide, a material to decide with.",
@@ -95,7 +91,6 @@ def _names_the_clamp(findings: list[Row]) -> Claim:
         holds="The pads' timeconst in the fixed scene, {timeconst}, is shorter than the engine allows: it clamps it to "
         "two substeps, {used}.",
         fails="No timeconst in the fixed scene is below the two substeps that the engine would clamp it to.",
-        unknown="",
         numbers={"timeconst": found.authored_s, "used": found.used_s} if found else {},
         explanation="At this step a larger kd changes nothing.",
     )

@@ -13,6 +13,7 @@ from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections._common import spread
 
 order = 20
 
@@ -55,20 +56,20 @@ def derive(results: Results) -> Section:
     drift_floor = _floor(
         results, "drift", "mm/s", {group.case: _of_case(groups, group.case, "drifts") for group in groups}
     )
-    spread = {group.name: _spread(results, f"{group.name}_slip_spread", group.slips, "mm") for group in groups}
+    spreads = {group.name: _spread(results, f"{group.name}_slip_spread", group.slips, "mm") for group in groups}
     mean = {group.name: _mean(results, f"{group.name}_slip_mean", group.slips, "mm") for group in groups}
     runs = Figure(
         draw=lambda: _draw_runs(groups),
         caption="Every run: its slip less the mean of its case. A mark is a run; a line is the mean of its row.",
-        alt="; ".join(f"{group.label}: slips spread over {spread[group.name]}" for group in groups),
+        alt="; ".join(f"{group.label}: slips spread over {spreads[group.name]}" for group in groups),
         sources=[slip for group in groups for slip in group.slips],
     )
     return Section(
-        tables={"groups": _table(results, groups, mean, spread)},
+        tables={"groups": _table(results, groups, mean, spreads)},
         figures={"runs": runs},
         claims=[
             _noise_is_small(results, groups, slip_floor, drift_floor),
-            _batch_or_alone(results, groups, mean, spread),
+            _batch_or_alone(results, groups, mean, spreads),
         ],
     )
 
@@ -90,13 +91,13 @@ def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quant
     spreads = [
         _spread(results, f"{case.replace('-', '_')}_{metric}_spread", of_case, unit) for case, of_case in cells.items()
     ]
-    least = results.value(f"{metric}_resolution", "chosen: what rounding may do", lambda: RESOLUTION[metric], unit=unit)
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[metric], unit=unit)
     formula = f"largest difference in {metric} between any two runs of one case, and at least the resolution"
-    return results.value(f"{metric}_floor", formula, lambda *parts: max(parts), *spreads, least, unit=unit)
+    return results.value(f"{metric}_floor", formula, max, *spreads, least, unit=unit)
 
 
 def _spread(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
-    return results.value(name, "largest minus smallest", lambda *cell: max(cell) - min(cell), *cells, unit=unit)
+    return spread(results, name, "largest minus smallest", cells, unit=unit)
 
 
 def _mean(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
@@ -112,7 +113,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
         *_of_case(groups, groups[0].case, "slips"),
         unit="%",
     )
-    bound = results.value("slip_floor_share_bound", "chosen: far less than what is looked for", lambda: 1.0, unit="%")
+    bound = results.chosen("slip_floor_share_bound", "far less than what is looked for", 1.0, unit="%")
     varies = results.record.machine["device"] == "cuda" and (slip_floor.value or 0.0) > RESOLUTION["slip"]
     return Claim(
         "noise_is_small",
@@ -128,7 +129,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
 
 
 def _batch_or_alone(
-    results: Results, groups: Sequence[Group], mean: dict[str, Value], spread: dict[str, Value]
+    results: Results, groups: Sequence[Group], mean: dict[str, Value], spreads: dict[str, Value]
 ) -> Claim:
     """Of the first case, which is there both ways."""
     batch, alone = (next(group.name for group in groups if group.kind == kind) for kind in ("batch", "alone"))
@@ -143,9 +144,9 @@ def _batch_or_alone(
     within = results.value(
         "within_spread",
         "larger of the spreads in a batch and alone",
-        lambda a, b: max(a, b),
-        spread[batch],
-        spread[alone],
+        max,
+        spreads[batch],
+        spreads[alone],
         unit="mm",
     )
     return Claim(
@@ -160,11 +161,11 @@ def _batch_or_alone(
     )
 
 
-def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], spread: dict[str, Value]) -> Table:
+def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], spreads: dict[str, Value]) -> Table:
     columns = {
         "runs": [_count(results, group) for group in groups],
         "mean slip": [mean[group.name] for group in groups],
-        "slip spread": [spread[group.name] for group in groups],
+        "slip spread": [spreads[group.name] for group in groups],
         "mean drift": [_mean(results, f"{group.name}_drift_mean", group.drifts, "mm/s") for group in groups],
         "drift spread": [_spread(results, f"{group.name}_drift_spread", group.drifts, "mm/s") for group in groups],
     }

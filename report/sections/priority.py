@@ -6,9 +6,9 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, Outcome, at_least, at_most, greater
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
+from report.quantities import Quantity
 from report.results import Results, Row
-from report.sections._common import noise_floor
+from report.sections._common import SETTLES, noise_floor, ratio, share, spread
 
 order = 100
 
@@ -39,18 +39,14 @@ def derive(results: Results) -> Section:
     )
 
 
-def _spread(*values: float) -> float:
-    return max(values) - min(values)
-
-
 def _cube_does_not_count(results: Results) -> Claim:
     rows = [results.row[case] for case in CUBE]
     spreads = [
-        results.value(
+        spread(
+            results,
             f"cube_{column}_spread",
             f"largest less smallest {column} of the contact, over the three stiffnesses of the cube",
-            _spread,
-            *(row[column] for row in rows),
+            [row[column] for row in rows],
             unit=rows[0][column].unit,
         )
         for column in RESOLVED
@@ -79,18 +75,15 @@ def _cube_does_not_count(results: Results) -> Claim:
 
 
 def _cube_does_not_move_slip(results: Results) -> Claim:
-    spread = results.value(
-        "cube_slip_spread",
-        "largest less smallest slip over the three stiffnesses of the cube",
-        _spread,
-        *(results.row[case].slip_mm for case in CUBE),
-        unit="mm",
-    )
-    share = _share(results, "cube_slip_share", "that spread, of the slip as shipped", spread, "cube-ke-8e4")
+    slips = [results.row[case].slip_mm for case in CUBE]
+    formula = "largest less smallest slip over the three stiffnesses of the cube"
+    change = spread(results, "cube_slip_spread", formula, slips, unit="mm")
+    shipped = results.row["cube-ke-8e4"].slip_mm
+    of_shipped = share(results, "cube_slip_share", "that spread, of the slip as shipped", change, shipped)
     floor = noise_floor(results, "slip_floor")
-    bound = results.value("cube_slip_bound", "chosen: no change to speak of", lambda: 2.0, unit="%")
-    within = at_most(spread, floor)
-    small = at_most(share, bound)
+    bound = results.chosen("cube_slip_bound", "no change to speak of", 2.0, unit="%")
+    within = at_most(change, floor)
+    small = at_most(of_shipped, bound)
     return Claim(
         "cube_does_not_move_slip",
         small,
@@ -102,20 +95,14 @@ def _cube_does_not_move_slip(results: Results) -> Claim:
         }[within.name],
         fails="Over these stiffnesses the slip changes by {spread}, {share}.",
         unknown="Whether the slip changes cannot be told.",
-        numbers={"spread": spread, "share": share, "floor": floor},
+        numbers={"spread": change, "share": of_shipped, "floor": floor},
     )
-
-
-def _share(results: Results, name: str, formula: str, part: Value, case: str) -> Value:
-    return results.value(name, formula, lambda a, b: 100 * a / b, part, results.row[case].slip_mm, unit="%")
 
 
 def _pads_count(results: Results, shipped: Row) -> Claim:
     stiff = results.row["pad-ke-2.5e5"]
-    gain = results.value(
-        "pad_gain", "slip as shipped over slip with stiff pads", lambda a, b: a / b, shipped.slip_mm, stiff.slip_mm
-    )
-    bound = results.value("pad_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    gain = ratio(results, "pad_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
+    bound = results.chosen("pad_gain_bound", *SETTLES)
     return Claim(
         "pads_count",
         at_least(gain, bound),
@@ -162,7 +149,7 @@ def _cube_stiffness_is_no_lever(results: Results) -> Claim:
         stiffer.slip_mm,
         unit="%",
     )
-    bound = results.value("mixed_cube_bound", "chosen: no lever", lambda: 5.0, unit="%")
+    bound = results.chosen("mixed_cube_bound", "no lever", 5.0, unit="%")
     return Claim(
         "cube_stiffness_is_no_lever",
         at_most(change, bound),

@@ -10,12 +10,12 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import FAILS, Claim, at_least, at_most
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
+from report.quantities import Quantity
 from report.results import Results, Row, Trace
+from report.sections._common import DEVICES, SETTLES, ratio, spread
 
 order = 10
 
-DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 CALIBRATED = ("as-shipped", "stiff-pads")
 """Cases that are run on every engine and device."""
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
@@ -63,7 +63,7 @@ def derive(results: Results) -> Section:
 
 
 def _slips(results: Results, shipped: Row) -> Claim:
-    bound = results.value("slip_bound", "chosen: a slip that can be seen", lambda: 1.0, unit="mm")
+    bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, unit="mm")
     return Claim(
         "slips",
         at_least(shipped.slip_mm, bound),
@@ -92,7 +92,7 @@ def _steady(results: Results, shipped: Row, trace: Trace) -> Claim:
         shipped.shake_frequency_hz,
         unit="%",
     )
-    bound = results.value("increment_scatter_bound", "chosen: steps this equal count as steady", lambda: 10.0, unit="%")
+    bound = results.chosen("increment_scatter_bound", "steps this equal count as steady", 10.0, unit="%")
     return Claim(
         "drift_is_steady",
         at_most(value, bound),
@@ -127,7 +127,7 @@ def _alternates(results: Results, shipped: Row, trace: Trace) -> Claim:
         odd,
         unit="%",
     )
-    bound = results.value("alternation_bound", "chosen: steps this unequal alternate", lambda: 10.0, unit="%")
+    bound = results.chosen("alternation_bound", "steps this unequal alternate", 10.0, unit="%")
     return Claim(
         "steps_alternate",
         at_least(share, bound),
@@ -149,7 +149,7 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         shipped.drift_mm_s,
         unit="%",
     )
-    bound = results.value("hold_share_bound", "chosen: no comparable drift", lambda: 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
         "needs_shaking",
         at_most(share, bound),
@@ -168,11 +168,11 @@ def _same_on_both_engines(results: Results) -> Claim:
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
     shipped, stiff = ([results.row[f"{case}{suffix}"].slip_mm for suffix in places] for case in CALIBRATED)
     spreads = [
-        results.value(
+        spread(
+            results,
             f"engine_difference_{name}",
             f"largest less smallest slip of any engine and device that has one, {words}",
-            lambda *slip: max(slip) - min(slip),
-            *(slip for slip in slips if slip.value is not None),
+            [slip for slip in slips if slip.value is not None],
             unit="mm",
         )
         for name, words, slips in (("shipped", "as shipped", shipped), ("stiff", "with stiff pads", stiff))
@@ -186,7 +186,7 @@ def _same_on_both_engines(results: Results) -> Claim:
     )
     cases = [f"{case}{suffix}" for case in CALIBRATED for suffix in places]
     lost = [case for case in cases if results.row[case].slip_mm.value is None]
-    bound = results.value("engine_bound", "chosen: what is left is noise and rounding", lambda: 0.02, unit="mm")
+    bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
     return Claim(
         "same_on_both_engines",
         FAILS if lost else at_most(difference, bound),
@@ -212,8 +212,8 @@ def _listed(things: Sequence[Quantity | str]) -> Markup:
 
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
-    gain = _ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
-    bound = results.value("stiff_gain_bound", "chosen: a change that settles the matter", lambda: 10.0)
+    gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
+    bound = results.chosen("stiff_gain_bound", *SETTLES)
     return Claim(
         "stiff_pads_hold",
         at_least(gain, bound),
@@ -228,9 +228,9 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
 
 def _batch_is_cheap(results: Results) -> Claim:
     one, many = _batches(results, launched=False)
-    cost = _ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
+    cost = ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
     device = results.record.machine["device"]
-    bound = results.value("batch_cost_bound", f"chosen, for {device}", lambda: BATCH_COST_BOUND[device])
+    bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
     return Claim(
         "batch_is_cheap",
         at_most(cost, bound),
@@ -255,8 +255,8 @@ def _launching_costs(results: Results) -> Claim:
         unit="%",
     )
     formula = "wall time of a batch over that of one world, both launched kernel by kernel"
-    cost = _ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
-    bound = results.value("launch_share_bound", "chosen: launching costs more than computing", lambda: 50.0, unit="%")
+    cost = ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
+    bound = results.chosen("launch_share_bound", "launching costs more than computing", 50.0, unit="%")
     return Claim(
         "launching_costs",
         at_least(share, bound),
@@ -279,10 +279,6 @@ def _batches(results: Results, *, launched: bool) -> list[Row]:
 
 def _mean(increments: np.ndarray) -> float:
     return float(increments.mean()) if len(increments) else np.nan
-
-
-def _ratio(results: Results, name: str, formula: str, a: Value, b: Value) -> Value:
-    return results.value(name, formula, lambda above, below: above / below, a, b)
 
 
 def _table(results: Results) -> Table:

@@ -11,7 +11,8 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._timing import cell, decade_axis, draw_line, ratio, world_axis
+from report.sections._common import ratio, share
+from report.sections._timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
 
@@ -23,10 +24,8 @@ RATE_COUNT = 16384
 def derive(results: Results) -> Section:
     rows = results.rows
     over_floor = {row.worlds.value: _over_floor(results, row) for row in rows}
-    floor_bound = results.value("over_floor_bound", "chosen: what a frame may cost beside its steps", lambda: 1.15)
-    rate_bound = results.value(
-        "rate_bound", "chosen: what this GPU should reach", lambda: 6.0, unit="million world-substeps/s"
-    )
+    floor_bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
+    rate_bound = results.chosen("rate_bound", "what this GPU should reach", 6.0, unit="million world-substeps/s")
     times = Figure(
         draw=lambda: _draw_times(rows, over_floor, floor_bound),
         caption="Above: time of a whole frame and of the engine's own steps in it. Below: the one over the other; the "
@@ -127,9 +126,7 @@ def _rate(results: Results, bound: Value) -> Claim:
 
 def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     """Whether some worlds more cost next to nothing, as long as the machine is not full."""
-    bound = results.value(
-        "cheap_bound", "chosen: a frame no longer than this many times that of one world", lambda: 2.0
-    )
+    bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     cheap = results.value(
         "cheap_worlds",
         "most worlds with which a frame takes no longer than the bound times that of one world",
@@ -172,15 +169,9 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
         last.bytes_per_world,
         unit="%",
     )
-    bound = results.value("memory_bound", "chosen: the same memory per world", lambda: 10.0, unit="%")
-    share = results.value(
-        "buffer_share",
-        "contact and constraint buffers, of the memory per world with the most worlds",
-        lambda part, whole: 100 * part / whole,
-        last.buffer_bytes_per_world,
-        last.bytes_per_world,
-        unit="%",
-    )
+    bound = results.chosen("memory_bound", "the same memory per world", 10.0, unit="%")
+    formula = "contact and constraint buffers, of the memory per world with the most worlds"
+    buffers = share(results, "buffer_share", formula, last.buffer_bytes_per_world, last.bytes_per_world)
     return Claim(
         "memory_settles",
         at_most(change, bound),
@@ -195,7 +186,7 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
             "worlds": last.worlds,
             "fewer": before.worlds,
             "change": change,
-            "share": share,
+            "share": buffers,
             "buffers": last.buffer_bytes_per_world,
         },
     )

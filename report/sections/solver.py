@@ -4,7 +4,7 @@ from report.claims import Claim, at_most
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections._variants import Variants, compare, not_the_cause, variant_figure, variant_table, within_noise
+from report.sections._variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 50
 
@@ -18,7 +18,7 @@ LABELS = {
 
 
 def derive(results: Results) -> Section:
-    variants = compare(results, "iterations-15")
+    variants = variants_of(results, "iterations-15")
     answer = not_the_cause(
         results,
         variants,

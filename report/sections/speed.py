@@ -10,7 +10,8 @@ from report.claims import Claim, at_least, at_most, greater
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
-from report.sections._timing import cell, frame_spread, ratio
+from report.sections._common import ratio
+from report.sections._timing import cell, frame_spread
 
 order = 160
 
@@ -66,10 +67,10 @@ def _real_time(results: Results) -> Claim:
     slowest = results.value(
         "slowest_realtime",
         "smallest of the cases' speeds against real time",
-        lambda *factor: min(factor),
+        min,
         *(row.realtime_factor for row in results.rows),
     )
-    bound = results.value("realtime_bound", "chosen: as fast as the clock", lambda: 1.0)
+    bound = results.chosen("realtime_bound", "as fast as the clock", 1.0)
     return Claim(
         "real_time",
         at_least(slowest, bound),

@@ -1,6 +1,6 @@
 """Where the grasp holds, creeps, drops and explodes: maps, the largest stable step, and what is safe."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pandas as pd
@@ -8,11 +8,12 @@ from markupsafe import Markup
 
 from report.format import format_number
 from report.parts import Figure, Section, Table
-from report.quantities import Quantity
+from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 from report.sections import _stability_extremes as extremes
 from report.sections import _stability_steps as limits
-from report.sections._stability import CLASSES, absent, family, is_stable, unless
+from report.sections._common import cell_or_absent
+from report.sections._stability import CLASSES, family, is_stable
 from report.sections._stability_figures import (
     draw_loads,
     draw_long,
@@ -29,11 +30,13 @@ LET_GO = "the fingers let the cube go"
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    depth = results.value("depth_largest", "chosen: depth in stiff pads, of the edge", lambda: 1.0, unit="%")
+    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", 1.0, unit="%")
     searched = family(results, "largest-step")
+    plain = sorted((row for row in searched if row.of == "ke-kd-100"), key=lambda row: row.pad_ke.value)
+    predicted = {row.case: limits.predict_step(results, row) for row in plain}
     return Section(
         tables={
-            "largest_step": _largest_step_table(results, searched),
+            "largest_step": _largest_step_table(searched, predicted),
             "clamp": _clamp_table(family(results, "clamp")),
             "others": _others_table(results),
             "overlap": _overlap_table(family(results, "overlap")),
@@ -70,7 +73,7 @@ def derive(results: Results) -> Section:
             limits.plateau(results, critical),
             limits.boundary(results, default_kd),
             limits.clamp(results),
-            limits.largest_step(results, searched),
+            limits.largest_step(results, [found for _, found in predicted.values()]),
             extremes.crossover(results, "shake", "Shaken harder and harder"),
             extremes.crossover(results, "grip", "Gripped less and less"),
             extremes.friction(results),
@@ -147,21 +150,14 @@ def _long_figure(results: Results) -> Figure:
     )
 
 
-def _largest_step_table(results: Results, rows: Sequence[Row]) -> Table:
+def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value, Value]]) -> Table:
     by_ke: dict[float, dict[str, Row]] = {}
     for row in rows:
         by_ke.setdefault(row.pad_ke.value, {})[row.of] = row
     table = []
     for ke in sorted(by_ke):
         critical, plain = (by_ke[ke].get(name) for name in ("ke-critical", "ke-kd-100"))
-        table.append(
-            {
-                "kd = 2√ke": _step_cell(critical),
-                "default kd": _step_cell(plain),
-                "predicted": limits.predicted_step(results, plain) if plain else "",
-                "found over predicted": limits.step_ratio(results, plain) if plain else "",
-            }
-        )
+        table.append([_step_cell(critical), _step_cell(plain), *(predicted[plain.case] if plain else ("", ""))])
     frame = pd.DataFrame(table, columns=["kd = 2√ke", "default kd", "predicted", "found over predicted"])
     frame.index = pd.Index([format_number(ke) for ke in sorted(by_ke)], name="ke")
     return Table(
@@ -241,4 +237,4 @@ def _friction_used(row: Row) -> Quantity:
         return absent("1", LET_GO)
     if "pad_mu" in row and row.pad_mu.value == 0.0:
         return absent("1", "there is no friction to use")
-    return unless(row, "load", "1")
+    return cell_or_absent(row, "load", "1")

@@ -1,0 +1,35 @@
+"""The runs of section stiffness, sorted."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from report.quantities import Quantity
+from report.results import Results, Row
+from report.sections._common import other_cell
+
+SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The runs, sorted by what changed and by how they ended."""
+
+    named: Sequence[Row]
+    """Those that are no part of the fine sweep."""
+    ke_alone: Sequence[Row]
+    """kd at its import default."""
+    together: Sequence[Row]
+    """ke and kd raised together."""
+
+    @property
+    def held(self) -> list[Row]:
+        """Those that keep the cube; the scene as shipped is in both series and counts once."""
+        return list({row.case: row for row in (*self.ke_alone, *self.together) if is_held(row)}.values())
+
+
+def is_held(row: Row) -> bool:
+    return row.slip_mm.value is not None and not row.dropped
+
+
+def hold_drift(results: Results) -> Quantity:
+    return other_cell(results, "hold", "hold", "drift_mm_s", unit="mm/s")

@@ -1,0 +1,171 @@
+"""What raising ke does, what raising kd along with it does, and where that ends."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from report.claims import Claim, Outcome, all_of, at_least, at_most
+from report.quantities import Value
+from report.results import Results
+from report.sections._common import SETTLES, noise_floor, ratio, share, spread
+from report.sections._stiffness import FIX, SHIPPED, Runs, is_held
+
+STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
+
+
+def knob_claims(results: Results, runs: Runs, stiffness: Mapping[str, Value], clamp: Value) -> list[Claim]:
+    """``stiffness`` [N/m] is measured, by case; beyond kd ``clamp`` the timeconst is two substeps."""
+    return [
+        _ke_is_no_spring(results, stiffness),
+        _ke_alone_does_not_help(results, runs),
+        _stiff_contact_still_slips(results, stiffness),
+        _ke_alone_fails(results, runs),
+        _together_they_hold(results),
+        _flat_below_clamp(results, runs, clamp),
+    ]
+
+
+def _ke_is_no_spring(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+    soft, stiff = results.row[SHIPPED], results.row[STIFFEST]
+    formula = "largest over smallest authored ke of the named cases"
+    authored = ratio(results, "ke_ratio", formula, stiff.pad_ke, soft.pad_ke)
+    formula = "measured stiffness at that largest ke over that at the smallest"
+    measured = ratio(results, "stiffness_ratio", formula, stiffness[stiff.case], stiffness[soft.case])
+    follows = share(results, "stiffness_follows", "measured ratio, of the authored", measured, authored)
+    bound = results.chosen("stiffness_follows_bound", "does not follow", 50.0, unit="%")
+    return Claim(
+        "ke_is_no_spring",
+        at_most(follows, bound),
+        holds="ke is not a stiffness in N/m at the pad. The authored {ke} measures {k}, force over penetration of a "
+        "loaded contact; with ke and kd raised together, ke {times} times as large gives a contact {more} times as "
+        "stiff.",
+        fails="ke does act as a stiffness here: authored {times} times as large, it gives a contact {more} times as "
+        "stiff, from {k} at ke {ke}.",
+        unknown="What ke does to the stiffness of the contact cannot be told.",
+        numbers={"ke": soft.pad_ke, "k": stiffness[soft.case], "times": authored, "more": measured},
+        explanation="On this path Newton turns ke and kd into a solref: timeconst = 2 / kd and dampratio = kd / "
+        "(2√ke), the spring and damper of a unit mass. The solver scales them with the inertia that it sees at the "
+        "contact, and takes no timeconst below two substeps.",
+    )
+
+
+def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
+    held = [row for row in runs.ke_alone if is_held(row)]
+    slips = [row.slip_mm for row in held]
+    low = results.value("ke_alone_least", "least slip of the runs with kd at its default", min, *slips, unit="mm")
+    high = results.value("ke_alone_most", "largest slip of these runs", max, *slips, unit="mm")
+    formula = "least slip with kd at its default, of the slip as shipped"
+    of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
+    bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
+    return Claim(
+        "ke_alone_does_not_help",
+        at_least(of_shipped, bound),
+        holds="Raising ke alone does not help: with kd left at {kd}, the slip stays between {low} and {high} in every "
+        "run that keeps the cube, for ke from {first} to {last}.",
+        fails="Raising ke alone does help, as far as {share} of the slip as shipped: with kd left at {kd}, the slip "
+        "comes down to {low} in the runs that keep the cube, for ke from {first} to {last}.",
+        unknown="Whether raising ke alone helps cannot be told.",
+        numbers={
+            "kd": results.row[SHIPPED].pad_kd,
+            "share": of_shipped,
+            "low": low,
+            "high": high,
+            "first": held[0].pad_ke,
+            "last": held[-1].pad_ke,
+        },
+    )
+
+
+def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+    kept = [results.row[case] for case in ALONE if not results.row[case].dropped]
+    alone = kept[0] if kept else results.row[ALONE[0]]
+    fix, shipped = results.row[FIX], results.row[SHIPPED]
+    formula = (
+        "measured stiffness with the largest named ke at the default kd that keeps the cube, over that with the fix"
+    )
+    times = ratio(results, "alone_over_fix", formula, stiffness[alone.case], stiffness[fix.case])
+    formula = "slip of that run, of the slip as shipped"
+    of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
+    one = results.value("alone_over_fix_bound", "at least as stiff", lambda: 1.0)
+    lost = Outcome("unknown", "that run loses the cube, so its loaded contacts are not those of the grasp")
+    return Claim(
+        "stiff_contact_still_slips",
+        lost
+        if alone.dropped
+        else all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"])),
+        holds="A stiff contact alone is no help: at ke {ke} and the default kd the contact is {ratio} times as stiff "
+        "as with the fix, and the cube slips {slip}.",
+        fails="At ke {ke} and the default kd the contact is {ratio} times as stiff as with the fix, and the cube slips "
+        "{slip}.",
+        unknown="Whether a stiff contact slips all the same cannot be told.",
+        numbers={"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm},
+    )
+
+
+def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
+    lost = [row for row in runs.ke_alone if not is_held(row)]
+    count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
+    none = results.value("ke_alone_lost_bound", "at least one", lambda: 1)
+    first = lost[0].pad_ke if lost else count
+    return Claim(
+        "ke_alone_fails",
+        at_least(count, none),
+        holds="Pushed further it breaks: {count} of {all} runs with kd left alone lose the cube or do not finish, the "
+        "first at ke {first}, where the damping ratio would be {dampratio}.",
+        fails="No run with kd left alone fails or drops the cube.",
+        unknown="Whether runs with kd left alone fail cannot be told.",
+        numbers={
+            "count": count,
+            "all": results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone)),
+            "first": first,
+            "dampratio": results.value(
+                "lost_dampratio",
+                "kd / (2 sqrt(ke)) of the first that is lost",
+                lambda ke, kd: kd / (2 * np.sqrt(ke)),
+                first,
+                results.row[SHIPPED].pad_kd,
+            ),
+        },
+    )
+
+
+def _together_they_hold(results: Results) -> Claim:
+    shipped, fix = results.row[SHIPPED], results.row[FIX]
+    gain = ratio(results, "together_gain", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
+    bound = results.chosen("together_bound", *SETTLES)
+    return Claim(
+        "together_they_hold",
+        at_least(gain, bound),
+        holds="Raising kd along with it does: at ke {ke} and kd {kd} timeconst falls from {before} to {after} and the "
+        "slip from {slipped} to {slip}, {gain} times less.",
+        fails="With kd raised along with it, at ke {ke} and kd {kd}, timeconst falls from {before} to {after} and the "
+        "slip goes from {slipped} to {slip}.",
+        unknown="Whether raising ke and kd together holds the cube cannot be told.",
+        numbers={
+            "ke": fix.pad_ke,
+            "kd": fix.pad_kd,
+            "before": shipped.timeconst_s,
+            "after": fix.timeconst_s,
+            "slipped": shipped.slip_mm,
+            "slip": fix.slip_mm,
+            "gain": gain,
+        },
+        explanation="ke has to follow only to keep the damping ratio near one.",
+    )
+
+
+def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
+    slips = [row.slip_mm for row in runs.together if is_held(row) and row.pad_kd.value >= clamp.value]
+    formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
+    difference = spread(results, "clamped_spread", formula, slips, unit="mm")
+    floor = noise_floor(results, "slip_floor")
+    return Claim(
+        "flat_below_clamp",
+        at_most(difference, floor),
+        holds="From kd {clamp} on nothing more is gained: 2 / kd is then below two substeps, the solver uses two "
+        "substeps instead, and the slips of all runs beyond differ by {spread}, no more than identical runs do.",
+        fails="Beyond kd {clamp}, where 2 / kd is below two substeps, the slip still changes, by {spread}; identical "
+        "runs differ by up to {floor}.",
+        unknown="Whether anything is gained beyond kd {clamp}, where 2 / kd is two substeps, cannot be told.",
+        numbers={"clamp": clamp, "spread": difference, "floor": floor},
+    )
