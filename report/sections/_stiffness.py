@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from report.claims import Outcome, at_least
 from report.quantities import Quantity
 from report.results import Results, Row
-from report.sections._common import other_cell
+from report.sections._common import other_cell, other_value
 
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 
@@ -29,6 +30,11 @@ class Runs:
 
 def is_held(row: Row) -> bool:
     return row.slip_mm.value is not None and not row.dropped
+
+
+def has_slip(results: Results) -> Outcome:
+    """Whether there is a slip as shipped to bring down, by what counts as one in the first section."""
+    return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
 
 
 def hold_drift(results: Results) -> Quantity:

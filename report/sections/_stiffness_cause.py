@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from statistics import median
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
+from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_most, greater
 from report.quantities import Value
 from report.results import Results
-from report.sections._common import noise_floor, other_value
-from report.sections._stiffness import SHIPPED, Runs, hold_drift, is_held
+from report.sections._common import noise_floor, other_value, ratio
+from report.sections._stiffness import SHIPPED, Runs, has_slip, hold_drift, is_held
 
 HARDEST = "solimp-dmax-0.9999"
 DRIVEN = (
@@ -24,7 +24,7 @@ def cause(results: Results, proportional: Claim) -> Claim:
     missing = other_value(results, "contacts", "missing_term_departure", unit="%")
     slip = results.row[SHIPPED].slip_mm
     outcomes = [
-        at_least(slip, other_value(results, "reproduction", "slip_bound", unit="mm")),
+        has_slip(results),
         at_most(missing, other_value(results, "contacts", "missing_term_bound", unit="%")),
         at_most(residual, other_value(results, "contacts", "friction_residual_bound", unit="mm")),
         at_most(departure, other_value(results, "contacts", "slide_departure_bound", unit="%")),
@@ -88,13 +88,13 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         *rates,
         unit="%",
     )
-    ratio = results.value(
+    width = results.value(
         "response_range", "longest over shortest dmax times timeconst", lambda *found: max(found) / min(found), *times
     )
     bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
     wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
     outcome, unknown = at_most(spread, bound), "Whether the drift is proportional to dmax · timeconst cannot be told."
-    if ratio.value is not None and ratio.value < wide.value:
+    if width.value is not None and width.value < wide.value:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
         unknown = (
             "In all of these runs the friction rows brake alike: their dmax · timeconst changes only {ratio} times. "
@@ -108,34 +108,31 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         fails="The drift is not quite proportional to dmax · timeconst: less the creep of the held arm, runs depart by "
         "up to {spread} from one common ratio, while dmax · timeconst changes {ratio} times.",
         unknown=unknown,
-        numbers={"spread": spread, "ratio": ratio},
+        numbers={"spread": spread, "ratio": width},
         explanation="That is what a brake does. A friction row asks for the acceleration −b·v with b = 2 / (dmax · "
         "timeconst), so a steady disturbance a ends in a steady velocity a / b.",
     )
 
 
-def not_creep_under_load(results: Results, proportional: Claim, give: Mapping[str, Value]) -> Claim:
+def not_creep_under_load(
+    results: Results, proportional: Claim, give: Mapping[str, Value], stiffness: Mapping[str, Value]
+) -> Claim:
+    """``give`` is 1 - dmax and ``stiffness`` [N/m] what is measured, by case."""
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
-    before, after = give[SHIPPED], give[HARDEST]
-    ratio = results.value(
-        "softness_ratio",
-        "(1 - dmax) / dmax as shipped, over the same with dmax raised: how many times less the rows give way",
-        lambda soft, hard: (soft / (1 - soft)) / (hard / (1 - hard)),
-        before,
-        after,
-    )
+    formula = "measured stiffness with dmax raised, over that as shipped"
+    stiffer = ratio(results, "dmax_stiffness_ratio", formula, stiffness[HARDEST], stiffness[SHIPPED])
     return Claim(
         "not_creep_under_load",
         greater(hardest.drift_mm_s, shipped.drift_mm_s, noise=noise_floor(results, "drift_floor")),
-        holds="The rows do not give way under the load. With 1 − dmax brought down from {soft} to {hard} they are "
-        "{ratio} times harder to push, and the drift does not fall: it goes from {before} to {after}.",
-        fails="With 1 − dmax brought down from {soft} to {hard}, which makes the rows {ratio} times harder to push, "
+        holds="Contacts that give way less slide no less: with 1 − dmax brought down from {soft} to {hard} they are "
+        "{stiffer} times as stiff, and the drift does not fall. It goes from {before} to {after}.",
+        fails="With 1 − dmax brought down from {soft} to {hard}, which makes the contacts {stiffer} times as stiff, "
         "the drift falls from {before} to {after}.",
-        unknown="Whether the rows give way under the load cannot be told.",
+        unknown="Whether contacts that give way less slide less cannot be told.",
         numbers={
-            "soft": before,
-            "hard": after,
-            "ratio": ratio,
+            "soft": give[SHIPPED],
+            "hard": give[HARDEST],
+            "stiffer": stiffer,
             "before": shipped.drift_mm_s,
             "after": hardest.drift_mm_s,
         },

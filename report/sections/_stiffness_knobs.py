@@ -4,13 +4,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from report.claims import Claim, Outcome, all_of, at_least, at_most
+from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most
 from report.quantities import Value
 from report.results import Results
 from report.sections._common import SETTLES, noise_floor, ratio, share, spread
-from report.sections._stiffness import FIX, SHIPPED, Runs, is_held
+from report.sections._stiffness import FIX, SHIPPED, Runs, has_slip, is_held
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
+
+NO_SLIP = Outcome("unknown", "as shipped there is no slip to bring down")
 
 
 def knob_claims(results: Results, runs: Runs, stiffness: Mapping[str, Value], clamp: Value) -> list[Claim]:
@@ -59,7 +61,7 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
     return Claim(
         "ke_alone_does_not_help",
-        at_least(of_shipped, bound),
+        NO_SLIP if has_slip(results) == FAILS else at_least(of_shipped, bound),
         holds="Raising ke alone does not help: with kd left at {kd}, the slip stays between {low} and {high} in every "
         "run that keeps the cube, for ke from {first} to {last}.",
         fails="Raising ke alone does help, as far as {share} of the slip as shipped: with kd left at {kd}, the slip "
@@ -77,7 +79,7 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
 
 
 def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value]) -> Claim:
-    kept = [results.row[case] for case in ALONE if not results.row[case].dropped]
+    kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
     alone = kept[0] if kept else results.row[ALONE[0]]
     fix, shipped = results.row[FIX], results.row[SHIPPED]
     formula = (
@@ -87,12 +89,12 @@ def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value])
     formula = "slip of that run, of the slip as shipped"
     of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
     one = results.value("alone_over_fix_bound", "at least as stiff", lambda: 1.0)
-    lost = Outcome("unknown", "that run loses the cube, so its loaded contacts are not those of the grasp")
+    outcome = all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"]))
+    if not kept:
+        outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
     return Claim(
         "stiff_contact_still_slips",
-        lost
-        if alone.dropped
-        else all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"])),
+        NO_SLIP if has_slip(results) == FAILS else outcome,
         holds="A stiff contact alone is no help: at ke {ke} and the default kd the contact is {ratio} times as stiff "
         "as with the fix, and the cube slips {slip}.",
         fails="At ke {ke} and the default kd the contact is {ratio} times as stiff as with the fix, and the cube slips "

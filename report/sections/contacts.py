@@ -3,7 +3,7 @@
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_most
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Value
@@ -36,6 +36,7 @@ def derive(results: Results) -> Section:
         claims=[
             _far_inside_cone(results, runs["as-shipped"]),
             _no_friction_residual(results),
+            _own_friction_timeconst(results),
             *_slide_claims(results, runs, gaps),
             *missing_term_claims(results),
         ],
@@ -114,6 +115,24 @@ def _no_friction_residual(results: Results) -> Claim:
     )
 
 
+def _own_friction_timeconst(results: Results) -> Claim:
+    frame = next(row for row in _of_kind(results, "frame") if row.case == "as-shipped")
+    own = frame.friction_timeconst_s
+    outcome = HOLDS if own.value else FAILS
+    if own.value is None:
+        outcome = Outcome("unknown", own.reason)
+    return Claim(
+        "own_friction_timeconst",
+        outcome,
+        holds="Friction rows have a time constant of their own in this release, {own} as shipped, and where it is "
+        "below two substeps the engine takes these. MuJoCo's C engine knows none: the runs through it that follow are "
+        "of another model, whose friction rows take that of the normal row, {normal}.",
+        fails="Friction rows have no time constant of their own, they take that of the normal row, {normal}.",
+        unknown="Whether friction rows have a time constant of their own cannot be told.",
+        numbers={"own": own, "normal": frame.timeconst_s},
+    )
+
+
 def _slide_claims(results: Results, runs: dict[str, Row], gaps: dict[str, Value]) -> list[Claim]:
     """Whether the velocity that is left in the friction rows accounts for the motion, with either pads."""
     shipped, stiff = (runs[case] for case in CASES)
@@ -174,6 +193,7 @@ def _parameter_table(frames: list[Row]) -> Table:
     columns = {
         "timeconst": [row.timeconst_s for row in rows],
         "dampratio": [row.dampratio for row in rows],
+        "friction rows' own timeconst": [row.friction_timeconst_s for row in rows],
         "dmin": [row.dmin for row in rows],
         "dmax": [row.dmax for row in rows],
         "friction": [row.friction for row in rows],
@@ -182,8 +202,9 @@ def _parameter_table(frames: list[Row]) -> Table:
     index = pd.Index([row.case for row in rows], name="case")
     return Table(
         pd.DataFrame(columns, index=index),
-        "What the strongest contact really has: solref (timeconst, dampratio), solimp (dmin, dmax), friction and "
-        "dimension, read from the solver and not from what was authored.",
+        "What the strongest contact really has: solref (timeconst, dampratio), a timeconst of its friction rows (zero: "
+        "that of solref), solimp (dmin, dmax), friction and dimension, read from the solver and not from what was "
+        "authored.",
     )
 
 

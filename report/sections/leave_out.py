@@ -20,6 +20,8 @@ order = 150
 
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""
+BASELINE = "as-shipped"
+WHERE = {"cuda": "On the GPU, in the mean of its worlds,", "cpu": "On the CPU, where a run repeats to the last bit,"}
 
 
 def derive(results: Results) -> Section:
@@ -38,8 +40,9 @@ def derive(results: Results) -> Section:
             _faster_on_gpu(results, variants),
             _faster_on_cpu(results, variants),
             _less_memory(results, variants),
-            _same_slip(results, variants, differences),
+            *(_same_slip(results, variants, differences, device, where) for device, where in WHERE.items()),
             _each_helps(results, variants, panels),
+            _rest_helps(results, variants, panels),
             _same_bits(results, variants),
         ],
     )
@@ -138,28 +141,28 @@ def _difference(results: Results, variants: Sequence[Variant], variant: Variant)
     )
 
 
-def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[str, Value]) -> Claim:
+def _same_slip(
+    results: Results, variants: Sequence[Variant], differences: dict[str, Value], device: str, where: str
+) -> Claim:
+    """Of the means over the worlds that each case was run in."""
     floor = noise_floor(results, "slip_floor")
-    changed = [variant for variant in variants if variant.run.slip_mm.value is not None]
+    mine = [variant for variant in variants if variant.device == device and variant.run.slip_mm.value is not None]
     largest = results.value(
-        "largest_difference",
-        "largest difference in slip from the reference of the same device, either way",
-        lambda *difference: max(map(abs, difference)),
-        *(differences[variant.name] for variant in changed),
+        f"{device}_largest_difference",
+        "largest difference in slip from the reference of that device, either way",
+        lambda *difference: max(map(abs, difference), default=math.nan),
+        *(differences[variant.name] for variant in mine),
         unit="mm",
     )
-    named = {
-        Markup("<code>{}</code> on the {}").format(variant.case, DEVICES[variant.device]): differences[variant.name]
-        for variant in variants
-    }
+    named = {Markup("<code>{}</code>").format(variant.case): differences[variant.name] for variant in mine}
     return Claim(
-        "same_slip",
-        at_most(largest, floor),
-        holds="The slip stays the same: it differs by at most {largest}, and runs of one and the same case by up to "
-        "{floor}.",
-        fails="The slip does not stay the same in all of them: beyond the {floor} by which runs of one and the same "
-        "case differ, it changes for {beyond}.",
-        unknown="The slip differs by at most {largest}; whether that is more than noise cannot be told.",
+        f"same_slip_on_{DEVICES[device].lower()}",
+        at_most(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
+        holds=where + " the slip stays the same: it differs by at most {largest}, and single runs of one and the same "
+        "case by up to {floor}.",
+        fails=where + " the slip does not stay the same in all of them: beyond the {floor} by which single runs of one "
+        "and the same case differ, it changes for {beyond}.",
+        unknown=where + " it cannot be told whether the slip stays the same.",
         numbers={"largest": largest, "floor": floor, "beyond": beyond_noise(named, floor)},
     )
 
@@ -168,12 +171,9 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     """Whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
     outcomes: dict[str, list[Outcome]] = {}
     for device, worlds in panels:
-        reference = find(variants, device, REFERENCE)
         for variant in variants:
-            before, after = reference.at(worlds), variant.at(worlds)
-            if variant.device == device and after and variant.case not in (REFERENCE, ALL, "as-shipped"):
-                spread = frame_spread(results, f"{variant.name}_{worlds}_spread", before, after)
-                outcome = greater(before.frame_ms, after.frame_ms, noise=spread)
+            if variant.device == device and variant.at(worlds) and variant.case not in (REFERENCE, ALL, BASELINE):
+                outcome = _is_faster(results, variants, device, worlds, REFERENCE, variant.case)
                 outcomes.setdefault(variant.case, []).append(outcome)
     helping = [case for case, found in outcomes.items() if HOLDS in found]
     idle = [case for case in outcomes if case not in helping]
@@ -181,11 +181,45 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         "each_helps",
         HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
         holds="Each that was left out alone makes a frame faster by more than frames of one run spread: {helping}.",
-        fails="Not all of it helps. Alone, a frame gets faster by more than frames of one run spread only for "
-        "{helping}; not for {idle}.",
+        fails="Alone, not each makes a frame faster by more than frames of one run spread: {helping} do, {idle} do "
+        "not.",
         unknown="Which of it helps cannot be told.",
         numbers={"helping": _named(helping), "idle": _named(idle)},
     )
+
+
+def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
+    """Whether what this report's baseline still has of it counts, where there are most worlds."""
+    device, worlds = max(panels, key=lambda panel: panel[1], default=("cuda", MANY_COUNT))
+    rows = [variant and variant.at(worlds) for variant in (find(variants, device, case) for case in (BASELINE, ALL))]
+    before, after = (cell(results, row, "frame_ms", "the baseline, or the scene without it all,") for row in rows)
+    return Claim(
+        "rest_helps",
+        _is_faster(results, variants, device, worlds, BASELINE, ALL),
+        holds="Together they count: what <code>{baseline}</code> still has of it takes a frame with {worlds} on the "
+        "{device} from {after} to {before}.",
+        fails="Together they count no more: with {worlds} on the {device} a frame takes {before} as this report's "
+        "baseline has it and {after} without it all.",
+        unknown="Whether they count together cannot be told.",
+        numbers={
+            "baseline": BASELINE,
+            "worlds": f"{format_number(worlds)} world{'s' * (worlds > 1)}",
+            "device": DEVICES[device],
+            "before": before,
+            "after": after,
+        },
+    )
+
+
+def _is_faster(
+    results: Results, variants: Sequence[Variant], device: str, worlds: int, case: str, other: str
+) -> Outcome:
+    """Whether a frame takes longer in ``case`` than in ``other``, by more than frames of one run spread."""
+    found = [find(variants, device, name) for name in (case, other)]
+    rows = [variant and variant.at(worlds) for variant in found]
+    before, after = (cell(results, row, "frame_ms", f"{case} or {other}") for row in rows)
+    spread = frame_spread(results, f"{device}_{case}_{other}_{worlds}_spread".replace("-", "_"), *rows)
+    return greater(before, after, noise=spread)
 
 
 def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:

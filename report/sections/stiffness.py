@@ -53,7 +53,7 @@ def derive(results: Results) -> Section:
         claims=[
             cause(results, proportional),
             proportional,
-            not_creep_under_load(results, proportional, give),
+            not_creep_under_load(results, proportional, give, stiffness),
             *knob_claims(results, runs, stiffness, clamp),
         ],
     )
