@@ -3,7 +3,6 @@
 import ast
 import hashlib
 import json
-import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -84,14 +83,6 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 def sections(root: Path = ROOT) -> list[str]:
     """Names of the sections: those that have a module on the report's side."""
     return sorted(path.stem for path in (root / "report" / "sections").glob("[!_]*.py"))
-
-
-def installed_release() -> str:
-    """The Newton release of this environment."""
-    release = package_versions()["newton"]
-    if release == MISSING:
-        raise ReportError(f"newton is not installed for {sys.executable}; make sets up an environment that has it")
-    return release
 
 
 def package_versions() -> dict[str, str]:

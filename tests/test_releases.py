@@ -15,7 +15,7 @@ from report.claims import at_most, greater
 from report.compare import Floor, compare_projects, is_beyond
 from report.environment import requirements
 from report.identity import MISSING
-from report.project import Project
+from report.project import Project, own_release
 from report.quantities import Origin, Quantity, mixed
 from report.records import load_record, write_record
 from report.results import Results
@@ -169,6 +169,14 @@ def test_machines_mix_as_little_as_releases():
     assert mixed(here, here, frozenset()) == ""
     assert "CPU" in mixed(here, there)
     assert Quantity(1.0, "mm", "").bare.striptags() == "n/a", "a number without a place is not shown"
+
+
+def test_a_command_names_the_release_where_it_is_not_the_project_s_own():
+    own = own_release()
+    assert f'"newton[sim]=={own}"' in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert Project(own, own_release=own).rerun("gap") == "make rerun SECTION=gap"
+    other = Project("99.0", "quick", own_release=own).rerun("gap", "cpu")
+    assert other == "make rerun SECTION=gap DEVICE=cpu NEWTON=99.0 PROFILE=quick"
 
 
 def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages():
