@@ -37,9 +37,9 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         _refuse_unmeasured(project)
     states = states_of(project)
     for state in states:
-        if state.name == "damaged":
+        if state.kind == "damaged":
             print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
-    stale = [state.section for state in states if state.name != "fresh"]
+    stale = [state.section for state in states if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
@@ -74,10 +74,10 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome."""
-    from report.assemble import assemble
+    from report.assemble import assemble, derive_releases
 
     _refuse_unmeasured(project)
-    for chapter in assemble(project).chapters:
+    for chapter in assemble(project, derive_releases(project)).chapters:
         for claim in chapter.section.claims:
             print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
     return 0
@@ -115,7 +115,7 @@ def _build(project: Project, device: str | None) -> None:
 
     page = build(project)
     for state in page.left_out:
-        print(f"{state.section} is left out ({state.name}): {project.rerun(state.section)} measures it")
+        print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
     for chapter in page.chapters:
         if chapter.state.notes:
             print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
@@ -127,7 +127,7 @@ def _build(project: Project, device: str | None) -> None:
 
 def _refuse_unmeasured(project: Project) -> None:
     """Where nothing is to be measured, a release that has no results is taken for a mistake; the own one is not."""
-    if not project.is_own and not any(state.name != "missing" for state in states_of(project)):
+    if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
         there = [release for release in project.releases if release != project.release]
         raise UsageError(f"NEWTON={project.release} has no results; there are: {', '.join(there) or 'none'}")
 

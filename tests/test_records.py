@@ -53,7 +53,7 @@ def test_a_damaged_record_is_refused_in_one_line(toy, spoil):
     with pytest.raises(RecordError) as error:
         load_record(toy.record_path)
     assert "\n" not in str(error.value)
-    assert toy.state().name == "damaged"
+    assert toy.state().kind == "damaged"
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])

@@ -9,7 +9,7 @@ from conftest import MODULE, ROWS, Toy
 
 import build
 from report import ROOT
-from report.assemble import assemble
+from report.assemble import assemble, derive_releases
 from report.check import check_site
 from report.claims import at_most, greater
 from report.compare import Floor, compare_projects, is_beyond
@@ -34,7 +34,7 @@ def newer(toy) -> Toy:
 
 
 def test_a_release_is_judged_without_being_installed(toy, newer):
-    assert newer.state().name == "fresh"
+    assert newer.state().kind == "fresh"
     write_record(newer.record_path, newer.record(BETTER, identity=toy.record().identity))
     assert newer.state().notes == ("packages: newton 1.4.0 → 1.8.0",)
 
@@ -228,7 +228,7 @@ EXPERIMENT_OF_RELEASES = "from experiments.scene import slip\n"
 
 
 def outcomes(project: Project) -> dict[str, str]:
-    chapters = {chapter.name: chapter for chapter in assemble(project).chapters}
+    chapters = {chapter.name: chapter for chapter in assemble(project, derive_releases(project)).chapters}
     return {claim.name: claim.outcome.name for claim in chapters["upgrade"].section.claims}
 
 
