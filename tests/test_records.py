@@ -24,10 +24,6 @@ def test_the_file_keeps_the_contract(toy):
     assert data["rows"][0] == {"case": "soft", "slip_mm": 6.3617, "dropped": False}
 
 
-def damage(data: dict, **changes) -> str:
-    return json.dumps({**data, **changes})
-
-
 @pytest.mark.parametrize(
     "spoil",
     [

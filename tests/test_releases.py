@@ -233,8 +233,8 @@ def outcomes(project: Project) -> dict[str, str]:
 
 
 def test_the_cause_is_what_brings_the_old_number_back(upgraded):
+    upgraded.of("1.8.0").measure()
     for release, slips in UPGRADE_ROWS.items():
-        upgraded.of(release).measure() if release != "1.4.0" else None
         measure_upgrade(upgraded, release, slips)
     found = outcomes(upgraded.project)
     assert found["slip_is_the_same"] == "fails"
@@ -251,11 +251,13 @@ def test_the_cause_is_what_brings_the_old_number_back(upgraded):
 def test_claims_that_turned_are_said_in_both_ways(upgraded):
     for release, slips in UPGRADE_ROWS.items():
         measure_upgrade(upgraded, release, slips)
+    upgraded.write("report/sections/toy.py", MODULE.replace("It does not.", "It does not, {gain} times."))
     upgraded.of("1.8.0").measure(BETTER)
     upgraded.build()
     turned = upgraded.page.partition('class="turns"')[2]
-    assert "toy: helps" in turned and "It helps" in turned and "It does not." in turned
-    assert 'data-src="newton-1.8.0/values.json' not in turned.partition("</dl>")[0]
+    assert "toy: helps" in turned and "It helps" in turned and "It does not" in turned
+    assert 'data-src="values.json#/toy/gain"' in turned
+    assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned
     assert check_site(upgraded.project.site) == []
 
 
