@@ -6,25 +6,27 @@ READY := .venv/.ready
 endif
 
 PORT ?= 8000
-OPTIONS = $(if $(NEWTON),--newton '$(NEWTON)') $(if $(DEVICE),--device '$(DEVICE)') $(if $(PROFILE),--profile '$(PROFILE)')
+NEWTON_OPTION = $(if $(NEWTON),--newton '$(NEWTON)')
+DEVICE_OPTION = $(if $(DEVICE),--device '$(DEVICE)')
+PROFILE_OPTION = $(if $(PROFILE),--profile '$(PROFILE)')
 
 .PHONY: report status rerun check diff publish serve test lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
-	@$(PYTHON) build.py report $(OPTIONS)
+	@$(PYTHON) build.py report $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION)
 
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
-	@$(PYTHON) build.py status $(OPTIONS)
+	@$(PYTHON) build.py status $(NEWTON_OPTION) $(PROFILE_OPTION)
 
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE]
-	@$(PYTHON) build.py rerun --section '$(SECTION)' $(OPTIONS)
+	@$(PYTHON) build.py rerun --section '$(SECTION)' $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION)
 
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
-	@$(PYTHON) build.py check $(OPTIONS)
+	@$(PYTHON) build.py check $(NEWTON_OPTION) $(PROFILE_OPTION)
 
 diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE]
-	@$(PYTHON) build.py diff --a '$(A)' --b '$(B)' $(OPTIONS)
+	@$(PYTHON) build.py diff --a '$(A)' --b '$(B)' $(PROFILE_OPTION)
 
 publish: $(READY) ## Check site/ and put it at TARGET=dir:PATH in one step [TARGET]
 	@$(PYTHON) build.py publish --target '$(TARGET)'
@@ -33,7 +35,7 @@ serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
 	@$(PYTHON) -m http.server --directory site --bind 127.0.0.1 $(PORT)
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
-	@$(PYTHON) build.py test $(OPTIONS)
+	@$(PYTHON) build.py test $(NEWTON_OPTION)
 
 lint: $(READY) ## Check the style of the sources
 	@$(PYTHON) -m ruff check .

@@ -4,22 +4,22 @@ import argparse
 import os
 import subprocess
 import sys
+from functools import partial
 
 from report import ReportError, UsageError
 from report.environment import python_of, refuse_bad_release
-from report.identity import installed_release, sections
-from report.measure import measure, measuring_device
-from report.project import PROFILES, Project
+from report.identity import sections
+from report.measure import NO_CUDA, measure, measuring_device
+from report.project import PROFILES, Project, own_release
 from report.status import expected_packages, states_of, status_matrix, status_table
 
 
 def main() -> int:
-    arguments = _parse_arguments()
     try:
-        _refuse_bad_input(arguments)
-        own = installed_release()
+        arguments = _parse_arguments()
+        own = own_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
-        result = COMMANDS[arguments.command](project, arguments)
+        result = arguments.run(project, arguments)
         sys.stdout.flush()
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
@@ -37,10 +37,10 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         _refuse_unmeasured(project)
     states = states_of(project)
     for state in states:
-        if state.name == "damaged":
+        if state.kind == "damaged":
             print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
-    stale = [state.section for state in states if state.name != "fresh"]
-    status = 0
+    stale = [state.section for state in states if state.kind != "fresh"]
+    failed = False
     if stale and device:
         try:
             measure(project, stale, device)
@@ -48,18 +48,18 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
             raise
         except ReportError as error:
             print(error, file=sys.stderr)
-            status = 1
-    _build(project)
-    return status
+            failed = True
+    _build(project, device)
+    return int(failed)
 
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
     """Measure one section, fresh or not, and build the site."""
     device = measuring_device(arguments.device, project.profile)
     if not device:
-        raise UsageError("this machine has no CUDA device; DEVICE=cpu measures on its CPU")
+        raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    _build(project)
+    _build(project, device)
     return 0
 
 
@@ -74,10 +74,10 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome."""
-    from report.assemble import assemble
+    from report.assemble import assemble, derive_releases
 
     _refuse_unmeasured(project)
-    for chapter in assemble(project).chapters:
+    for chapter in assemble(project, derive_releases(project)).chapters:
         for claim in chapter.section.claims:
             print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
     return 0
@@ -87,19 +87,19 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs between two releases; 1 when a claim flipped."""
     from report.compare import compare_projects
 
-    releases = [project.of(arguments.a), project.of(arguments.b)]
-    for release in releases:
-        _refuse_unmeasured(release)
-    comparison = compare_projects(*releases)
+    sides = [project.of(arguments.a), project.of(arguments.b)]
+    for side in sides:
+        _refuse_unmeasured(side)
+    comparison = compare_projects(*sides)
     print(comparison.text)
     return 1 if comparison.flips else 0
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
     """Put a checked copy of the site at the target."""
-    from report import publish
+    from report.publish import publish as publish_site
 
-    print(f"published at {publish.publish(project.site, arguments.target or '')}")
+    print(f"published at {publish_site(project.site, arguments.target)}")
     return 0
 
 
@@ -109,64 +109,85 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
-COMMANDS = {
-    "report": report,
-    "rerun": rerun,
-    "status": status,
-    "check": check,
-    "diff": diff,
-    "publish": publish,
-    "test": test,
-}
-
-
-def _build(project: Project) -> None:
+def _build(project: Project, device: str | None) -> None:
+    """Build the site, and say what it lacks; ``device`` is what was measured on, if anything was."""
     from report.site import build
 
-    report = build(project)
-    for state in report.left_out:
-        print(f"{state.section} is left out ({state.name}): {project.rerun(state.section)} measures it")
-    for chapter in report.chapters:
+    page = build(project)
+    for state in page.left_out:
+        print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
+    for chapter in page.chapters:
         if chapter.state.notes:
             print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
-    unmeasured = report.left_out or any(chapter.state.notes for chapter in report.chapters)
-    if unmeasured and not measuring_device(None, project.profile):
-        print("this machine has no CUDA device: with DEVICE=cpu these commands measure here, in up to hours")
+    unmeasured = page.left_out or any(chapter.state.notes for chapter in page.chapters)
+    if unmeasured and not device:
+        print(f"{NO_CUDA}, in up to hours")
     print(f"built {project.site / 'index.html'}")
-
-
-def _parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="build.py", description=__doc__)
-    parser.add_argument("command", choices=COMMANDS)
-    parser.add_argument("--section", help="section to measure")
-    parser.add_argument("--newton", help="Newton release, where it is not the project's own")
-    parser.add_argument("--a", help="Newton release to compare from")
-    parser.add_argument("--b", help="Newton release to compare with it")
-    parser.add_argument("--device", help="cuda or cpu, to measure there on purpose")
-    parser.add_argument("--profile", default="full", help="quick: small grids and short runs, kept apart")
-    parser.add_argument("--target", help="where to publish, as dir:PATH")
-    return parser.parse_args()
-
-
-def _refuse_bad_input(arguments: argparse.Namespace) -> None:
-    if arguments.profile not in PROFILES:
-        raise UsageError(f"PROFILE={arguments.profile} is no profile; use one of: {', '.join(PROFILES)}")
-    if arguments.command == "rerun" and arguments.section not in sections():
-        raise UsageError(f"SECTION={arguments.section or ''} is no section; use one of: {', '.join(sections())}")
-    if arguments.newton:
-        refuse_bad_release("NEWTON", arguments.newton)
-    if arguments.command == "diff":
-        for name in ("a", "b"):
-            refuse_bad_release(name.upper(), getattr(arguments, name) or "")
-    if arguments.device:
-        measuring_device(arguments.device, arguments.profile)
 
 
 def _refuse_unmeasured(project: Project) -> None:
     """Where nothing is to be measured, a release that has no results is taken for a mistake; the own one is not."""
-    if not project.is_own and not any(state.name != "missing" for state in states_of(project)):
+    if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
         there = [release for release in project.releases if release != project.release]
         raise UsageError(f"NEWTON={project.release} has no results; there are: {', '.join(there) or 'none'}")
+
+
+def _section(name: str) -> str:
+    if name not in sections():
+        raise UsageError(f"SECTION={name} is no section; use one of: {', '.join(sections())}")
+    return name
+
+
+def _release(option: str, release: str) -> str:
+    refuse_bad_release(option, release)
+    return release
+
+
+def _profile(name: str) -> str:
+    if name not in PROFILES:
+        raise UsageError(f"PROFILE={name} is no profile; use one of: {', '.join(PROFILES)}")
+    return name
+
+
+# An option's type checks its default as well, so one that must be given has a default that is refused.
+OPTIONS = {
+    "section": {"type": _section, "default": "", "help": "section to measure"},
+    "newton": {"type": partial(_release, "NEWTON"), "help": "Newton release, where it is not the project's own"},
+    "a": {"type": partial(_release, "A"), "default": "", "help": "Newton release to compare from"},
+    "b": {"type": partial(_release, "B"), "default": "", "help": "Newton release to compare with it"},
+    "device": {"help": "cuda or cpu, to measure there on purpose"},
+    "profile": {"type": _profile, "default": "full", "help": "quick: small grids and short runs, kept apart"},
+    "target": {"default": "", "help": "where to publish, as dir:PATH"},
+}
+COMMANDS = {
+    report: ("newton", "device", "profile"),
+    rerun: ("section", "newton", "device", "profile"),
+    status: ("newton", "profile"),
+    check: ("newton", "profile"),
+    diff: ("a", "b", "profile"),
+    publish: ("target",),
+    test: ("newton",),
+}
+"""What there is to run, and the options that each has."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """One that says in one line what it can't read."""
+
+    def error(self, message: str):
+        raise UsageError(f"{message}; see {self.prog} --help")
+
+
+def _parse_arguments() -> argparse.Namespace:
+    parser = _Parser(prog="build.py", description=__doc__)
+    parser.set_defaults(newton=None, profile="full")
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    for run, options in COMMANDS.items():
+        command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__)
+        command.set_defaults(run=run)
+        for option in options:
+            command.add_argument(f"--{option}", **OPTIONS[option])
+    return parser.parse_args()
 
 
 if __name__ == "__main__":

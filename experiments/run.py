@@ -16,9 +16,11 @@ import pandas as pd
 import warp as wp
 
 from experiments.measurement import Conditions
-from report import ROOT, ReportError
-from report.identity import identity_of, installed_release, sections
-from report.records import Record, record_path, units_of, write_record
+from report import ReportError
+from report.identity import identity_of, package_versions, sections
+from report.measure import NO_CUDA
+from report.project import Project, own_release
+from report.records import Record, units_of, write_record
 from report.traces import write_traces
 
 
@@ -56,7 +58,7 @@ def measuring_device(name: str | None) -> wp.Device:
     if name is None:
         name = "cuda" if wp.is_cuda_available() else "cpu"
     if name == "cuda" and not wp.is_cuda_available():
-        raise ReportError("DEVICE=cuda: this machine has no CUDA device; use DEVICE=cpu")
+        raise ReportError(f"DEVICE=cuda: {NO_CUDA}")
     return wp.get_device("cuda:0" if name == "cuda" else "cpu")
 
 
@@ -71,6 +73,7 @@ def section_module(section: str) -> ModuleType:
 
 def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
     """Let the section's module measure, and write its record and traces."""
+    project = Project(package_versions()["newton"], profile, own_release=own_release())
     start = time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
@@ -80,16 +83,20 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
         measured={
             "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
             "commit": commit(),
-            "command": command(section, device, profile),
+            "command": project.rerun(section, device_kind(device)),
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
         rows=measurement.rows,
     )
-    path = record_path(section, installed_release(), profile)
+    path = project.record_path(section)
     write_traces(path, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
     write_record(path, record)
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
+
+
+def device_kind(device: wp.Device) -> str:
+    return "cuda" if device.is_cuda else "cpu"
 
 
 def machine(device: wp.Device) -> dict[str, str | None]:
@@ -102,7 +109,7 @@ def machine(device: wp.Device) -> dict[str, str | None]:
             subprocess.run(query, capture_output=True, text=True, check=False).stdout.split("\n")[0].strip() or None
         )
     return {
-        "device": "cuda" if device.is_cuda else "cpu",
+        "device": device_kind(device),
         "gpu": gpu,
         "driver": driver,
         "cpu": cpu_name(),
@@ -128,14 +135,6 @@ def commit() -> str | None:
     git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
     told = os.environ.get("GIT_COMMIT")
     return told or subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or None
-
-
-def command(section: str, device: wp.Device, profile: str) -> str:
-    parts = ["make rerun", f"SECTION={section}", f"DEVICE={'cuda' if device.is_cuda else 'cpu'}"]
-    release = installed_release()
-    if f"newton[sim]=={release}" not in (ROOT / "pyproject.toml").read_text(encoding="utf-8"):
-        parts.append(f"NEWTON={release}")
-    return " ".join(parts + ([] if profile == "full" else [f"PROFILE={profile}"]))
 
 
 if __name__ == "__main__":

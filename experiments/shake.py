@@ -16,6 +16,7 @@ import warp as wp
 from experiments.case import AS_SHIPPED, Case, CaseError
 from experiments.measurement import summarize
 from experiments.simulation import Simulation
+from experiments.trace import Trace
 
 SLIP_LIMIT_MM = 20.0
 """Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
@@ -33,7 +34,6 @@ class Example:
         self.state_0 = self.simulation.state
         self.control = self.simulation.control
         self.contacts = self.simulation.contacts
-        self.json_path = args.json
         self.frame_count = 0
         viewer.set_model(self.model)
 
@@ -50,7 +50,7 @@ class Example:
         """The measured summary of each world so far."""
         frame_count = min(self.frame_count, self.case.frame_count)
         traces = self.simulation.recorder.traces(self.simulation.frame_dt, frame_count, wall_s=0.0)
-        return [summarize(self.case, trace) for trace in traces]
+        return [summary_of(self.case, trace) for trace in traces]
 
     def test_final(self) -> None:
         """The cube must still be in the grasp, in every world."""
@@ -61,6 +61,13 @@ class Example:
                 raise ValueError(f"world {world}: {summary['slip_mm_reason']} in {self.frame_count} frames")
             if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
                 raise ValueError(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
+
+
+def summary_of(case: Case, trace: Trace) -> dict[str, object]:
+    """The row of a trace, in which a cube that was not shaken, and perhaps not grasped yet, is not called dropped."""
+    row = summarize(case, trace)
+    reason = row.get("slip_mm_reason")
+    return row | ({"dropped": None, "dropped_reason": reason} if reason else {})
 
 
 def create_parser():
@@ -114,12 +121,19 @@ def check_device(name: str | None) -> None:
         raise CaseError(f"--device {name} is not there; this machine has {known}") from None
 
 
+def check_json(path: Path | None) -> None:
+    """CaseError when no file can be written there, which would be found out only at the end."""
+    if path and (path.is_dir() or not path.parent.is_dir()):
+        raise CaseError(f"--json {path} is no file in a folder that is there")
+
+
 def main() -> int:
     parser = create_parser()
     args = parser.parse_args()
     try:
         case_of(args)
         check_device(args.device)
+        check_json(args.json)
     except CaseError as error:
         print(error, file=sys.stderr)
         return 2

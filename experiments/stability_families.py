@@ -54,7 +54,7 @@ SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
 BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})
 """None, then less than the grasp needs."""
 OVERFLOW_FRAME_COUNT = 4
-"""An overflow shows in the first frame, and the engine prints a line for each substep that has one."""
+"""An overflow shows in the first frame."""
 LARGEST_PENETRATION = 0.01
 """Of the edge, with stiff pads."""
 FINGER_FORCE_N = 1.0

@@ -1,9 +1,10 @@
 """Assembling: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
-import importlib.util
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -36,6 +37,21 @@ class Derived:
         return {name: value.entry for name, value in self.results.derived.items()}
 
 
+Sections = Mapping[str, Derived]
+"""The sections of one release by name, in the order of the page."""
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """What the results of one release make."""
+
+    sections: Sections
+    left_out: Sequence[State]
+    """Sections whose results are missing, damaged, or too old to be derived from."""
+    values_file: str
+    """Where the derived values lie below the site's ``data/``."""
+
+
 @dataclass(frozen=True)
 class Chapter(Derived):
     """A section that is shown."""
@@ -62,51 +78,47 @@ class Report:
         return [chapter.name for chapter in self.chapters]
 
 
-Release = Mapping[str, Derived]
-"""The sections of one release by name, in the order of the page."""
-
-
-def assemble(project: Project, others: Mapping[str, Release] | None = None, values_file: str = VALUES_FILE) -> Report:
-    """Derive all that the report of one release shows and render every template.
+def assemble(project: Project, derivations: Mapping[str, Derivation]) -> Report:
+    """Render every template of one release's report.
 
     Args:
         project: The report.
-        others: What the other releases' results make, where that is known already.
-        values_file: Where the values that are derived here lie below the site's ``data/``.
+        derivations: What the results of every release make, by release, oldest first.
     """
-    own, left_out = derive_release(project, values_file)
-    if others is None:
-        others = derive_others(project)
-    releases = {name: own if name == project.release else others[name] for name in project.releases}
+    own = derivations[project.release]
+    releases = {name: derivation.sections for name, derivation in derivations.items()}
+    left_out = list(own.left_out)
     templates = Templates(project.templates)
     chapters: dict[str, Chapter] = {}
-    for name, derived in own.items():
-        module = _module(project, name)
+    for name, derived in own.sections.items():
+        results, section = derived.results, derived.section
         try:
-            section = module.derive(derived.results, releases) if _compares(module) else derived.section
-            names = _names(derived.results, section)
+            module = _module(project, name)
+            if _compares(module):
+                results = replace(results, derived={})  # what is derived here is of this page alone
+                section = module.derive(results, releases)
+            names = _names(results, section)
             prose = templates.prose(f"sections/{name}.md.j2", name, names)
         except Exception as error:
             left_out.append(_left_out(project, derived.state, error))
         else:
-            chapters[name] = Chapter(derived.state, derived.results, section, names, prose)
+            chapters[name] = Chapter(derived.state, results, section, names, prose)
     return Report(
         project=project,
         chapters=list(chapters.values()),
         left_out=left_out,
         summary=_summary(templates, chapters),
-        values_file=values_file,
+        values_file=own.values_file,
     )
 
 
-def derive_others(project: Project) -> dict[str, Release]:
-    """What the results of every other release make, oldest first."""
-    others = [project.of(release) for release in project.releases if release != project.release]
-    return {other.release: derive_release(other, values_file_of(other.release))[0] for other in others}
+def derive_releases(project: Project) -> dict[str, Derivation]:
+    """What the results of every release make, oldest first."""
+    return {name: derive_release(project.of(name), values_file_of(name)) for name in project.releases}
 
 
-def derive_release(project: Project, values_file: str) -> tuple[Release, list[State]]:
-    """What the results of one release make, and which sections have none that could be used.
+def derive_release(project: Project, values_file: str) -> Derivation:
+    """What the results of one release make.
 
     A section that compares releases is derived only for the page that it stands on; here it has its results alone.
     """
@@ -123,7 +135,7 @@ def derive_release(project: Project, values_file: str) -> tuple[Release, list[St
             left_out.append(_left_out(project, state, error))
         else:
             found[state.section] = Derived(state, results, section)
-    return found, left_out
+    return Derivation(found, left_out, values_file)
 
 
 def values_file_of(release: str) -> str:
@@ -138,7 +150,7 @@ def _compares(module: ModuleType) -> bool:
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """A section that can't be shown: a record of older code or of another release may lack anything."""
-    if state.name == "fresh" and project.is_own:
+    if state.kind == "fresh" and project.is_own:
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     return replace(state, record=None, notes=(" ".join(words.split()),))
@@ -179,7 +191,11 @@ def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str
 
 def _module(project: Project, section: str) -> ModuleType:
     path = project.root / "report" / "sections" / f"{section}.py"
-    spec = importlib.util.spec_from_file_location(f"report.sections.{section}", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    return _run_module(path, path.read_text(encoding="utf-8"))
+
+
+@cache  # by the text itself: one module derives every release
+def _run_module(path: Path, text: str) -> ModuleType:
+    module = ModuleType(f"report.sections.{path.stem}")
+    exec(compile(text, path, "exec"), vars(module))
     return module

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from statistics import fmean
 from typing import Any
 
-from report.assemble import Derived, Release, derive_release, values_file_of
+from report.assemble import Derived, Sections, derive_release, values_file_of
 from report.claims import Claim
 from report.project import Project
 from report.quantities import Quantity
@@ -96,11 +96,11 @@ class Comparison:
 
 def compare_projects(before: Project, after: Project) -> Comparison:
     """Compare the results of two releases."""
-    sides = [derive_release(project, values_file_of(project.release))[0] for project in (before, after)]
+    sides = [derive_release(project, values_file_of(project.release)).sections for project in (before, after)]
     return compare(*sides, (before.release, after.release))
 
 
-def compare(before: Release, after: Release, releases: tuple[str, str]) -> Comparison:
+def compare(before: Sections, after: Sections, releases: tuple[str, str]) -> Comparison:
     floors = noise_floors([before, after])
     moves, notes = [], []
     for section in dict.fromkeys([*before, *after]):
@@ -117,7 +117,7 @@ def compare(before: Release, after: Release, releases: tuple[str, str]) -> Compa
     return Comparison(releases, moves, flips(before, after), notes)
 
 
-def flips(before: Release, after: Release) -> list[Flip]:
+def flips(before: Sections, after: Sections) -> list[Flip]:
     """Claims that one release upholds and the other doesn't.
 
     One that can't be told any more, or can be told now, is among them unless that is for want of a section.
@@ -168,7 +168,7 @@ class Floor:
         return self.spread * max(1.0, scale)
 
 
-def noise_floors(releases: Iterable[Release]) -> dict[str, Floor]:
+def noise_floors(releases: Iterable[Sections]) -> dict[str, Floor]:
     """The noise of every column that the section on noise has, the largest of the releases."""
     floors: dict[str, Floor] = {}
     for release in releases:

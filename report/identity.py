@@ -3,8 +3,7 @@
 import ast
 import hashlib
 import json
-import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import metadata
@@ -84,14 +83,6 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 def sections(root: Path = ROOT) -> list[str]:
     """Names of the sections: those that have a module on the report's side."""
     return sorted(path.stem for path in (root / "report" / "sections").glob("[!_]*.py"))
-
-
-def installed_release() -> str:
-    """The Newton release of this environment."""
-    release = package_versions()["newton"]
-    if release == MISSING:
-        raise ReportError(f"newton is not installed for {sys.executable}; make sets up an environment that has it")
-    return release
 
 
 def package_versions() -> dict[str, str]:
@@ -177,6 +168,16 @@ def _named_assets(tree: ast.Module) -> Iterator[str]:
         text = node.value if isinstance(node, ast.Constant) else None
         if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
             yield text
+
+
+def files_digest(paths: Iterable[Path], root: Path) -> str:
+    """Digest of files, by their names below ``root`` and what they hold; folders are passed over."""
+    digest = hashlib.sha256()
+    for path in sorted(paths):
+        if path.is_file():
+            content = path.read_bytes()
+            digest.update(f"{_name(path, root)}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
 
 
 def _digest(data: Any) -> str:

@@ -9,6 +9,7 @@ from report.project import Project
 from report.status import expected_packages
 
 DEVICES = ("cuda", "cpu")
+NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
 
 
 def has_cuda() -> bool:
@@ -31,7 +32,7 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
     if has_cuda():
         return "cuda"
     if asked:
-        raise UsageError("DEVICE=cuda: this machine has no CUDA device; DEVICE=cpu measures on its CPU")
+        raise UsageError(f"DEVICE=cuda: {NO_CUDA}")
     return "cpu" if profile == "quick" else None
 
 

@@ -4,11 +4,12 @@ import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from report import ROOT
+from report import ROOT, ReportError
 from report.records import record_path, results_folder
 
 PROFILES = ("full", "quick")
 FOLDER = re.compile(r"newton-([0-9]+(?:\.[0-9]+)*)")
+REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
 
 @dataclass(frozen=True)
@@ -52,10 +53,23 @@ class Project:
     def record_path(self, section: str) -> Path:
         return record_path(section, self.release, self.profile, self.root)
 
-    def rerun(self, section: str) -> str:
-        """The command that measures a section."""
-        newton = "" if self.is_own else f" NEWTON={self.release}"
-        return f"make rerun SECTION={section}{newton}" + ("" if self.profile == "full" else f" PROFILE={self.profile}")
+    def rerun(self, section: str, device: str | None = None) -> str:
+        """The command that measures a section, on ``device`` where one is named."""
+        options = {
+            "SECTION": section,
+            "DEVICE": device,
+            "NEWTON": None if self.is_own else self.release,
+            "PROFILE": None if self.profile == "full" else self.profile,
+        }
+        return " ".join(["make rerun", *(f"{name}={value}" for name, value in options.items() if value)])
+
+
+def own_release(root: Path = ROOT) -> str:
+    """The project's own Newton release, which is meant where none is named: the one that pyproject.toml asks for."""
+    found = REQUIREMENT.search((root / "pyproject.toml").read_text(encoding="utf-8"))
+    if not found:
+        raise ReportError('pyproject.toml asks for no Newton release; a line "newton[sim]==1.4.0" does')
+    return found[1]
 
 
 def _version(release: str) -> tuple[int, ...]:

@@ -5,13 +5,14 @@ publishing replaces the link, so a reader gets the old build or the new one and 
 before stays, for those who are reading it.
 """
 
-import hashlib
 import os
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 from report import ReportError, UsageError
 from report.check import check_site
+from report.identity import files_digest
 
 SCHEME = "dir:"
 QUICK = '<meta name="profile" content="quick">'
@@ -19,40 +20,49 @@ QUICK = '<meta name="profile" content="quick">'
 
 
 def publish(site: Path, target: str) -> Path:
-    """Put a checked copy of ``site`` at ``target`` and return where it lies."""
-    path = _target_path(target)
-    versions = path.with_name(f".{path.name}.versions")
-    _refuse_foreign(path, versions)
-    if not (site / "index.html").is_file():
-        raise UsageError(f"{site.name}/ holds no report; make report builds it")
-    if QUICK in (site / "index.html").read_text(encoding="utf-8"):
-        raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
-    copy = versions / f"new-{os.getpid()}"
+    """Put a checked copy of ``site`` at ``target`` and return where it lies; what can't be put there leaves nothing."""
+    try:
+        path = _target_path(target)
+        versions = path.with_name(f".{path.name}.versions")
+        _refuse_foreign(path, versions)
+        if not (site / "index.html").is_file():
+            raise UsageError(f"{site.name}/ holds no report; make report builds it")
+        if QUICK in (site / "index.html").read_text(encoding="utf-8"):
+            raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
+        _put(site, path, versions)
+    except OSError as error:
+        raise UsageError(f"TARGET={target}: {_reason(error)}") from None
+    return path
+
+
+def _put(site: Path, path: Path, versions: Path) -> None:
+    before = path.resolve() if path.is_symlink() else None
+    copy = unused = versions / f"new-{os.getpid()}"
     try:
         shutil.copytree(site, copy)
         problems = check_site(copy)
         if problems:
             raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
-        version = versions / _digest(copy)
+        version = versions / files_digest(copy.rglob("*"), copy)[:16]
         if not version.exists():
-            os.rename(copy, version)
+            unused = copy.rename(version)
+        _switch(path, version)
+        unused = copy
     finally:
-        shutil.rmtree(copy, ignore_errors=True)
-        if not any(versions.iterdir()):
+        shutil.rmtree(unused, ignore_errors=True)
+        with suppress(OSError):  # there and empty only when nothing was ever published here
             versions.rmdir()
-    before = path.resolve() if path.is_symlink() else None
-    _switch(path, version)
     for old in versions.iterdir():
         if old.resolve() not in (version.resolve(), before):
-            shutil.rmtree(old)
-    return path
+            shutil.rmtree(old, ignore_errors=True)
 
 
 def _target_path(target: str) -> Path:
     place = target.removeprefix(SCHEME)
     if place == target or not place:
         raise UsageError(f"TARGET={target!r} is no place to publish to; use TARGET=dir:PATH")
-    path = Path(os.path.abspath(Path(place).expanduser()))
+    # Path.expanduser would raise for a user that does not exist.
+    path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
         raise UsageError(f"TARGET={target}: there is no folder {path.parent}")
     return path
@@ -73,13 +83,12 @@ def _switch(path: Path, version: Path) -> None:
     link = version.with_name(f"link-{os.getpid()}")
     # Relative to where the link ends up, so that the folder above can move.
     link.symlink_to(Path(version.parent.name) / version.name)
-    os.replace(link, path)
+    try:
+        os.replace(link, path)
+    finally:
+        link.unlink(missing_ok=True)
 
 
-def _digest(folder: Path) -> str:
-    digest = hashlib.sha256()
-    for path in sorted(folder.rglob("*")):
-        if path.is_file():
-            content = path.read_bytes()
-            digest.update(f"{path.relative_to(folder).as_posix()}\0{len(content)}\0".encode() + content)
-    return digest.hexdigest()[:16]
+def _reason(error: OSError) -> str:
+    # Of a folder all that could not be copied is said at once: source, target and reason of each file.
+    return error.args[0][0][2] if isinstance(error, shutil.Error) else error.strerror

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from report.assemble import Derived, Release, Report, assemble, derive_release, values_file_of
+from report.assemble import Derivation, Derived, Report, assemble, derive_release, derive_releases, values_file_of
 from report.drawing import draw_all
 from report.format import format_time
-from report.identity import package_versions
+from report.identity import files_digest, package_versions
 from report.page import Templates
 from report.project import Project
 from report.quantities import VALUES_FILE
@@ -43,19 +43,20 @@ def build(project: Project) -> Report:
     only when something that they are made from has changed.
     """
     fresh = project.root / f".site-{os.getpid()}"
-    names = [project.release, *(release for release in project.releases if release != project.release)]
-    derived = {name: derive_release(project.of(name), values_file_of(name))[0] for name in project.releases}
-    reports = [assemble(project, derived)]
-    reports += [assemble(project.of(name), derived, values_file_of(name)) for name in names[1:]]
+    derivations = derive_releases(project)
+    # The first page has its values in another place than it has them on the others.
+    first = derive_release(project, VALUES_FILE)
+    reports = [assemble(project, derivations | {project.release: first})]
+    reports += [assemble(project.of(name), derivations) for name in derivations if name != project.release]
     try:
-        _write_site(fresh, reports, derived)
+        _write_site(fresh, reports, derivations)
         _replace(project.site, fresh)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
     return reports[0]
 
 
-def _write_site(folder: Path, reports: Sequence[Report], derived: Mapping[str, Release]) -> None:
+def _write_site(folder: Path, reports: Sequence[Report], derivations: Mapping[str, Derivation]) -> None:
     site, digest = reports[0].project.site, _digest(reports[0].project)
     places = {report.project.release: f"newton-{report.project.release}/" for report in reports}
     places[reports[0].project.release] = ""
@@ -66,7 +67,7 @@ def _write_site(folder: Path, reports: Sequence[Report], derived: Mapping[str, R
     for report, drawn in zip(to_write, _draw(to_write), strict=True):
         here = folder / places[report.project.release]
         _write_page(here, report, _editions(reports, places, report), drawn)
-        _write_data(here / "data", report, derived)
+        _write_data(here / "data", report, derivations)
         (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
     (folder / ".gitkeep").touch()
 
@@ -74,7 +75,7 @@ def _write_site(folder: Path, reports: Sequence[Report], derived: Mapping[str, R
 def _editions(reports: Sequence[Report], places: Mapping[str, str], page: Report) -> list[Edition]:
     """All releases as seen from one page, oldest first."""
     up = "../" if places[page.project.release] else ""
-    shown = {report.project.release: [chapter.name for chapter in report.chapters] for report in reports}
+    shown = {report.project.release: report.shown for report in reports}
     addresses = {name: "" if name == page.project.release else f"{up}{places[name]}index.html" for name in shown}
     return [Edition(name, addresses[name], shown[name]) for name in page.project.releases]
 
@@ -106,18 +107,18 @@ def _write_page(folder: Path, report: Report, editions: Sequence[Edition], drawn
             path.write_text(download.text, encoding="utf-8")
 
 
-def _write_data(folder: Path, report: Report, derived: Mapping[str, Release]) -> None:
+def _write_data(folder: Path, report: Report, derivations: Mapping[str, Derivation]) -> None:
     """All that a page names: its own results and values, and those of the other releases."""
-    for release, sections in derived.items():
+    for release, derivation in derivations.items():
         own = release == report.project.release
-        for section in sections.values():
+        for section in derivation.sections.values():
             path = section.results.path
             there = folder / path.parent.name
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path) if own else ())):
                 shutil.copyfile(file, there / file.name)
         if not own:
-            _write_values(folder / values_file_of(release), sections.values())
+            _write_values(folder / values_file_of(release), derivation.sections.values())
     for name in {VALUES_FILE, report.values_file}:
         _write_values(folder / name, report.chapters)
 
@@ -131,13 +132,10 @@ def _write_values(path: Path, sections: Iterable[Derived]) -> None:
 
 def _digest(project: Project) -> str:
     """Of all that the pages are made from."""
-    digest = hashlib.sha256(repr((project, package_versions())).encode())
-    for folder in INPUTS:
-        for path in sorted((project.root / folder).rglob("*")):
-            if path.is_file() and "__pycache__" not in path.parts:
-                content = path.read_bytes()
-                digest.update(f"{path.relative_to(project.root).as_posix()}\0{len(content)}\0".encode() + content)
-    return digest.hexdigest()
+    files = (path for folder in INPUTS for path in (project.root / folder).rglob("*"))
+    sources = [path for path in files if "__pycache__" not in path.parts]
+    made_from = (project, package_versions(), files_digest(sources, project.root))
+    return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 
 def _read_digest(folder: Path) -> str | None:

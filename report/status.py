@@ -16,7 +16,7 @@ class State:
     """How a section's record stands against the code that would measure it now."""
 
     section: str
-    name: str
+    kind: str
     """``fresh``, ``stale``, ``missing`` or ``damaged``."""
     record: Record | None = None
     notes: tuple[str, ...] = ()
@@ -25,8 +25,8 @@ class State:
     @property
     def summary(self) -> str:
         """The state in a few words: of a stale record, which parts of its identity changed."""
-        parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.name == "stale" else ()
-        return f"{self.name}: {', '.join(parts)}" if parts else self.name
+        parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.kind == "stale" else ()
+        return f"{self.kind}: {', '.join(parts)}" if parts else self.kind
 
 
 def states_of(project: Project) -> list[State]:
@@ -87,7 +87,7 @@ def status_table(states: Iterable[State], profile: str) -> str:
     for state in states:
         record = state.record
         where, when = (record.processor, format_time(record.measured["date"])) if record else ("–", "–")
-        lines.append((state.section, state.name, where, when, profile, "; ".join(state.notes)))
+        lines.append((state.section, state.kind, where, when, profile, "; ".join(state.notes)))
     return _aligned(lines)
 
 

@@ -13,11 +13,10 @@ from report.check import check_site
 REPORT = """
 import sys
 from pathlib import Path
-from report.identity import installed_release
-from report.project import Project
+from report.project import Project, own_release
 from report.site import build
 
-build(Project(installed_release(), root=Path(sys.argv[1])))
+build(Project(own_release(), root=Path(sys.argv[1])))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
 """
 
@@ -42,6 +41,9 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["rerun", "--section", ""], "reproduction"),
         (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
         (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
+        (["check", "--section", "nothing"], "--section nothing"),
+        (["status", "--device", "cuda"], "--device cuda"),
+        (["nothing"], "report"),
         (["report", "--device", "tpu"], "DEVICE=tpu"),
         (["report", "--device", "cuda"], "no CUDA device"),
         (["report", "--profile", "slow"], "PROFILE=slow"),

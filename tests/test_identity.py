@@ -22,19 +22,19 @@ def replace_in(toy, name: str, old: str, new: str) -> None:
 
 
 def test_a_record_of_this_code_is_fresh(toy):
-    assert toy.state().name == "fresh"
+    assert toy.state().kind == "fresh"
 
 
 def test_comments_docstrings_and_layout_change_nothing(toy):
     replace_in(toy, "experiments/scene.py", '"""How far it slips."""', '"""Something else."""  # a remark')
     replace_in(toy, "experiments/scene.py", "1.0", "(\n        1.0\n    )")
     replace_in(toy, "experiments/toy.py", "def measure", "# why\ndef measure")
-    assert toy.state().name == "fresh"
+    assert toy.state().kind == "fresh"
 
 
 def test_a_helper_counts(toy):
     replace_in(toy, "experiments/scene.py", "1.0", "2.0")
-    assert toy.state().name == "stale"
+    assert toy.state().kind == "stale"
     assert changed(toy) == ("code: experiments/scene.py",)
 
 
@@ -51,7 +51,7 @@ def test_the_profile_counts(toy):
 
 def test_a_module_that_is_not_imported_does_not_count(toy):
     toy.write("experiments/other.py", "x = 1\n")
-    assert toy.state().name == "fresh"
+    assert toy.state().kind == "fresh"
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_package_versions_count(toy, monkeypatch):
 def test_the_machine_does_not_count(toy):
     text = toy.record_path.read_text().replace("A processor", "Another")
     toy.record_path.write_text(text)
-    assert toy.state().name == "fresh"
+    assert toy.state().kind == "fresh"
 
 
 def test_every_python_agrees_on_the_identity():

@@ -24,10 +24,6 @@ def test_the_file_keeps_the_contract(toy):
     assert data["rows"][0] == {"case": "soft", "slip_mm": 6.3617, "dropped": False}
 
 
-def damage(data: dict, **changes) -> str:
-    return json.dumps({**data, **changes})
-
-
 @pytest.mark.parametrize(
     "spoil",
     [
@@ -53,7 +49,7 @@ def test_a_damaged_record_is_refused_in_one_line(toy, spoil):
     with pytest.raises(RecordError) as error:
         load_record(toy.record_path)
     assert "\n" not in str(error.value)
-    assert toy.state().name == "damaged"
+    assert toy.state().kind == "damaged"
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])

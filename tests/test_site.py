@@ -1,6 +1,7 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
+import shutil
 from dataclasses import replace
 
 import pytest
@@ -114,7 +115,7 @@ def test_a_figure_links_only_the_data_that_is_there(toy):
     assert check_site(toy.project.site) == []
 
 
-def test_a_figure_follows_the_page_and_hides_nothing(toy):
+def test_a_figure_follows_the_page_and_hides_nothing():
     def draw():
         drawing, axes = new_figure()
         axes.plot([0, 1], label="<b>")
@@ -189,14 +190,32 @@ def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
         f"dir:{tmp_path}/mine",
         f"dir:{tmp_path}/link",
         f"dir:{tmp_path}/no/where",
+        f"dir:{tmp_path}/{'long' * 62}",
+        "dir:/proc/www",
+        "dir:~no-one/www",
         "dir:",
         "ftp:x",
         "",
     ):
-        with pytest.raises(UsageError):
+        with pytest.raises(UsageError) as error:
             publish(toy.project.site, target)
+        assert "\n" not in str(error.value)
     assert (tmp_path / "mine/letter.txt").read_text() == "dear"
     assert not list(tmp_path.glob(".*.versions"))
+
+
+@pytest.mark.parametrize("step", ["shutil.copytree", "os.replace"])
+def test_nothing_is_left_behind_when_publishing_fails(toy, tmp_path, monkeypatch, step):
+    toy.build()
+
+    def fail(source, target):
+        failed = (str(source), str(target), "No space left on device")
+        raise shutil.Error([failed] * 2) if step == "shutil.copytree" else OSError(28, failed[2])
+
+    monkeypatch.setattr(step, fail)
+    with pytest.raises(UsageError, match=r"^TARGET=dir:.*/www: No space left on device$"):
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert [path.name for path in tmp_path.iterdir()] == ["project"]
 
 
 def test_an_empty_folder_may_become_the_site(toy, tmp_path):

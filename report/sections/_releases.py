@@ -6,7 +6,8 @@ from itertools import groupby
 
 from markupsafe import Markup
 
-from report.assemble import Derived, Release
+from report.assemble import Derived
+from report.assemble import Sections as Release
 from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
