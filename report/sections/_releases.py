@@ -6,15 +6,14 @@ from itertools import groupby
 
 from markupsafe import Markup
 
-from report.assemble import Derived
-from report.assemble import Sections as Release
+from report.assemble import Derived, Sections
 from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results
 from report.sections._common import cell_or_absent
 
-Releases = Mapping[str, Release]
+Releases = Mapping[str, Sections]
 """The sections of every release that has results, oldest first."""
 
 
@@ -96,8 +95,8 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
     return found
 
 
-def _claims(release: Release) -> dict[tuple[str, str], Claim]:
-    derived: list[Derived] = list(release.values())
+def _claims(sections: Sections) -> dict[tuple[str, str], Claim]:
+    derived: list[Derived] = list(sections.values())
     return {(each.name, claim.name): claim for each in derived for claim in each.section.claims}
 
 
