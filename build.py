@@ -128,13 +128,15 @@ def _build(project: Project, device: str | None) -> None:
 def _refuse_unmeasured(project: Project) -> None:
     """Where nothing is to be measured, a release that has no results is taken for a mistake; the own one is not."""
     if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
-        there = [release for release in project.releases if release != project.release]
-        raise UsageError(f"NEWTON={project.release} has no results; there are: {', '.join(there) or 'none'}")
+        there = ", ".join(release for release in project.releases if release != project.release) or "none"
+        measuring = f"make report NEWTON={project.release} DEVICE=cpu measures it here"
+        raise UsageError(f"NEWTON={project.release} has no results (there are: {there}); {measuring}")
 
 
 def _section(name: str) -> str:
     if name not in sections():
-        raise UsageError(f"SECTION={name} is no section; use one of: {', '.join(sections())}")
+        fault = f"SECTION={name} is no section" if name else "SECTION is missing"
+        raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
 
 

@@ -16,7 +16,7 @@ import pandas as pd
 import warp as wp
 
 from experiments.measurement import Conditions
-from report import ReportError
+from report import ROOT, ReportError
 from report.identity import identity_of, package_versions, sections
 from report.measure import NO_CUDA
 from report.project import Project, own_release
@@ -33,7 +33,9 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     failures = 0
-    for section, module in modules.items():
+    print("Kernels that this machine has not compiled yet come first, for a minute or two.")
+    for number, (section, module) in enumerate(modules.items(), start=1):
+        print(f"[{number}/{len(modules)}] {section}")
         try:
             measure_section(section, module, device, arguments.profile)
         except Exception:  # one section's fault must not cost the others
@@ -104,10 +106,7 @@ def machine(device: wp.Device) -> dict[str, str | None]:
     gpu = driver = None
     if device.is_cuda:
         gpu = device.name
-        query = ["nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader"]
-        driver = (
-            subprocess.run(query, capture_output=True, text=True, check=False).stdout.split("\n")[0].strip() or None
-        )
+        driver = _said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
     return {
         "device": device_kind(device),
         "gpu": gpu,
@@ -132,9 +131,19 @@ def commit() -> str | None:
 
     Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
     """
-    git = ["git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty"]
-    told = os.environ.get("GIT_COMMIT")
-    return told or subprocess.run(git, capture_output=True, text=True, check=False).stdout.strip() or None
+    if told := os.environ.get("GIT_COMMIT"):
+        return told
+    found = _said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    untracked = _said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
+    return f"{found.removesuffix('-dirty')}-dirty" if found and untracked else found or None
+
+
+def _said(*command: str) -> str:
+    """What a command prints; nothing when it fails or is not there."""
+    try:
+        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+    except OSError:
+        return ""
 
 
 if __name__ == "__main__":

@@ -22,6 +22,10 @@ SLIP_LIMIT_MM = 20.0
 """Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
 
 
+class TestFailed(ValueError):
+    """The scene's own test failed; the message is one line."""
+
+
 class Example:
     """What ``newton.examples.run`` drives: one frame a step, drawn after it, judged at the end."""
 
@@ -53,19 +57,20 @@ class Example:
         return [summary_of(self.case, trace) for trace in traces]
 
     def test_final(self) -> None:
-        """The cube must still be in the grasp, in every world."""
+        """The cube must still be in the grasp, in every world; TestFailed when it is not."""
         for world, summary in enumerate(self.summaries()):
             if summary["failure"]:
-                raise ValueError(f"world {world}: {summary['failure']}")
+                raise TestFailed(f"world {world}: {summary['failure']}")
             if summary["slip_mm"] is None:
-                raise ValueError(f"world {world}: {summary['slip_mm_reason']} in {self.frame_count} frames")
+                raise TestFailed(f"world {world}: {summary['slip_mm_reason']} in {self.frame_count} frames")
             if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
-                raise ValueError(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
+                raise TestFailed(f"world {world}: the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
 
 
 def summary_of(case: Case, trace: Trace) -> dict[str, object]:
     """The row of a trace, in which a cube that was not shaken, and perhaps not grasped yet, is not called dropped."""
     row = summarize(case, trace)
+    del row["wall_s"]  # nothing is timed here
     reason = row.get("slip_mm_reason")
     return row | ({"dropped": None, "dropped_reason": reason} if reason else {})
 
@@ -139,10 +144,24 @@ def main() -> int:
         return 2
     viewer, args = newton.examples.init(parser)
     example = Example(viewer, args)
-    newton.examples.run(example, args)
+    status = 0
+    try:
+        newton.examples.run(example, args)
+    except TestFailed as failure:
+        print(f"the test failed: {failure}", file=sys.stderr)
+        status = 1
+    summary = plain(example.summaries()[0])
     if args.json:
-        args.json.write_text(json.dumps(plain(example.summaries()[0]), indent=1) + "\n")
-    return 0
+        args.json.write_text(json.dumps(summary, indent=1) + "\n")
+    print(headline(summary))
+    return status
+
+
+def headline(summary: dict[str, object]) -> str:
+    """The summary in a line."""
+    if summary["slip_mm"] is None:
+        return f"no slip: {summary['slip_mm_reason']}"
+    return f"slip {summary['slip_mm']:.3g} mm, drift {summary['drift_mm_s']:.3g} mm/s"
 
 
 def plain(row: dict[str, object]) -> dict[str, object]:
