@@ -133,6 +133,7 @@ def test_a_figure_follows_the_page_and_hides_nothing():
     ("old", "new", "problem"),
     [
         (">0.312<", ">0.313<", "is shown"),
+        (">0.312<", ">0.3124<", "is shown"),
         ('value="0.3124"', 'value="0.31"', "is shown"),
         ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "resolves to nothing"),
         ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),

@@ -1,6 +1,8 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+
+from markupsafe import Markup
 
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -36,6 +38,11 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     if other and name in other.derived:
         return other.derived[name]
     return absent(unit, f"section {section} does not say")
+
+
+def in_code(names: Iterable[str]) -> Markup:
+    """Names of cases in a sentence; ``none`` where there are none."""
+    return Markup(", ").join(map(Markup("<code>{}</code>").format, names)) or Markup("none")
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

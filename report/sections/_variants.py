@@ -12,7 +12,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import noise_floor, share
+from report.sections._common import in_code, noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Variants:
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
         numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        most = Markup("<code>{}</code>").format(self.most)
+        most = in_code([self.most])
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
@@ -78,7 +78,7 @@ def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: st
 
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
-    named = {Markup("<code>{}</code>").format(case): value for case, value in variants.difference.items()}
+    named = {in_code([case]): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
         at_most(variants.largest, variants.floor),

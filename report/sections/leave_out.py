@@ -3,14 +3,12 @@
 import math
 from collections.abc import Sequence
 
-from markupsafe import Markup
-
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
 from report.format import format_number
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
-from report.sections._common import DEVICES, noise_floor, ratio
+from report.sections._common import DEVICES, in_code, noise_floor, ratio
 from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of
 from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, same_table
 from report.sections._timing import cell, frame_spread
@@ -154,7 +152,7 @@ def _same_slip(
         *(differences[variant.name] for variant in mine),
         unit="mm",
     )
-    named = {Markup("<code>{}</code>").format(variant.case): differences[variant.name] for variant in mine}
+    named = {in_code([variant.case]): differences[variant.name] for variant in mine}
     return Claim(
         f"same_slip_on_{DEVICES[device].lower()}",
         at_most(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
@@ -181,10 +179,10 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         "each_helps",
         HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
         holds="Each that was left out alone makes a frame faster by more than frames of one run spread: {helping}.",
-        fails="Alone, not each makes a frame faster by more than frames of one run spread: {helping} do, {idle} do "
-        "not.",
+        fails="Left out alone, these make a frame faster by more than frames of one run spread: {helping}. These do "
+        "not: {idle}.",
         unknown="Which of it helps cannot be told.",
-        numbers={"helping": _named(helping), "idle": _named(idle)},
+        numbers={"helping": in_code(helping), "idle": in_code(idle)},
     )
 
 
@@ -196,8 +194,8 @@ def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     return Claim(
         "rest_helps",
         _is_faster(results, variants, device, worlds, BASELINE, ALL),
-        holds="Together they count: what <code>{baseline}</code> still has of it takes a frame with {worlds} on the "
-        "{device} from {after} to {before}.",
+        holds="Together they count: without what <code>{baseline}</code> still has of it, a frame with {worlds} on the "
+        "{device} takes {after} in place of {before}.",
         fails="Together they count no more: with {worlds} on the {device} a frame takes {before} as this report's "
         "baseline has it and {after} without it all.",
         unknown="Whether they count together cannot be told.",
@@ -249,16 +247,12 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
         "was.",
         unknown="Whether the trajectories are the same to the last bit cannot be told.",
         numbers={
-            "same": _named(same),
-            "apart": _named(apart),
-            "reference": _named([reference.case] if reference else []),
+            "same": in_code(same),
+            "apart": in_code(apart),
+            "reference": in_code([reference.case] if reference else []),
             "largest": largest,
         },
     )
-
-
-def _named(cases: Sequence[str]) -> Markup:
-    return Markup(", ").join(map(Markup("<code>{}</code>").format, cases)) or Markup("none")
 
 
 def _panels(variants: Sequence[Variant]) -> list[tuple[str, int]]:

@@ -12,7 +12,7 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Trace
-from report.sections._common import DEVICES, SETTLES, ratio, spread
+from report.sections._common import DEVICES, SETTLES, in_code, ratio, spread
 
 order = 10
 
@@ -199,7 +199,7 @@ def _same_on_both_engines(results: Results) -> Claim:
             "shipped": _listed(shipped),
             "stiff": _listed(stiff),
             "difference": difference,
-            "lost": Markup(", ").join(map(Markup("<code>{}</code>").format, lost)),
+            "lost": in_code(lost),
             "reason": results.row[lost[0]].slip_mm.reason if lost else "",
         },
         explanation="The slip comes from what they have in common, not from the code of one of them.",
