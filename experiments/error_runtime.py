@@ -13,9 +13,9 @@ from experiments import metrics
 from experiments.case import FIXED, Case, differences
 from experiments.error_settings import FRAME_COUNT, MODEL_FIELDS, PADS, Setting, native_of, reference_of, settings
 from experiments.measurement import Conditions, Measurement
-from experiments.reference import NativeShake, Start
-from experiments.scene import ROBOT_DOF_COUNT
+from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, run
+from experiments.task import FRAME_RATE
 from experiments.timing import WARMUP_COUNT, elapsed_ms, frame_ms, put_in_state_of
 from experiments.trace import Trace
 
@@ -25,8 +25,6 @@ WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16
 REPEAT_COUNT = 40
 """Frames that are timed, each by itself."""
 TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
-SETUP_FRAME_LIMIT = 600
-FRAMES_PER_S = 60
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
 FRONT_COLUMNS = ("on_front", "on_backend_front", "on_grasp_front", "on_grasp_backend_front")
@@ -40,11 +38,11 @@ def measure(conditions: Conditions) -> Measurement:
     counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
-    pilot = pilot_at_shake(device)
+    pilot = pilot_at_shake(PADS.values(), device)
     shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
     # Many worlds start where the pilot is now, so they are timed before it runs on.
     worlds = [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
-    starts = starts_of(pilot)
+    starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT + TIMED_FRAME_COUNT), strict=True))
     natives = {
         point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
     }
@@ -59,35 +57,6 @@ def measure(conditions: Conditions) -> Measurement:
     mark_fronts(rows)
     rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
     return Measurement([*rows, *worlds, one_core_row(starts["stiff"])])
-
-
-def pilot_at_shake(device: wp.Device) -> Simulation:
-    """A world for each of PADS, run to where the shake begins."""
-    pilot = Simulation([replace(case, frame_count=SETUP_FRAME_LIMIT) for case in PADS.values()], device)
-    for _ in range(SETUP_FRAME_LIMIT):
-        pilot.step()
-        wp.synchronize_device(device)
-        if pilot.task.phase.numpy().min() >= metrics.SHAKE:
-            return pilot
-    raise RuntimeError(f"the shake was not reached within {SETUP_FRAME_LIMIT} frames")
-
-
-def starts_of(pilot: Simulation) -> dict[str, Start]:
-    """The pilot's state, and the targets of the frames that follow: for these it is run on.
-
-    In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
-    """
-    data = pilot.solver.mjw_data
-    state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
-    targets = np.zeros((FRAME_COUNT + TIMED_FRAME_COUNT, pilot.world_count, ROBOT_DOF_COUNT))
-    for frame in range(len(targets)):
-        pilot.step()
-        wp.synchronize_device(pilot.device)
-        targets[frame] = pilot.joint_target.numpy()[:, :ROBOT_DOF_COUNT]
-    return {
-        pads: Start(**{name: values[world] for name, values in state.items()}, targets=targets[:, world])
-        for world, pads in enumerate(PADS)
-    }
 
 
 class WarpShake:
@@ -167,7 +136,7 @@ def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, obj
         "method": point.method,
         "knob": point.knob,
         "substeps": case.substeps,
-        "substep_ms": 1e3 / FRAMES_PER_S / case.substeps,
+        "substep_ms": 1e3 / FRAME_RATE / case.substeps,
         "timeconst_ms": 1e3 * native.pad_timeconst_s,
         "valid": reason is None,
         "invalid_reason": reason,
@@ -207,7 +176,7 @@ def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
 
 def spread(frames_ms: np.ndarray) -> dict[str, float | int]:
     """Median and percentiles of the time of a frame, per simulated second."""
-    values = FRAMES_PER_S * np.percentile(frames_ms, (50, 5, 95))
+    values = FRAME_RATE * np.percentile(frames_ms, (50, 5, 95))
     return dict(zip(TIME_COLUMNS, map(float, values), strict=True)) | {"repeat_count": len(frames_ms)}
 
 

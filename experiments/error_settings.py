@@ -3,10 +3,8 @@
 from dataclasses import dataclass, replace
 
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
-from experiments.compat import kf_is_read
+from experiments.reference import ENGINES_AGREE
 
-ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
-"""MuJoCo's C engine cannot have the timeconst that kf gives to friction rows, and a reference must be of one model."""
 PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
 LADDERS = {

@@ -14,6 +14,7 @@ from experiments.measurement import (
     summarize,
 )
 from experiments.precision import measure_precision
+from experiments.reference import ENGINES_AGREE
 from experiments.task import FRAME_RATE
 from experiments.trace import Trace
 
@@ -24,8 +25,9 @@ CASES = (
     replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
     replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
     AS_SHIPPED,
-    replace(HOLD, name="hold-mujoco-c", backend="mujoco"),
-    replace(HOLD, name="hold-substeps-4", substeps=4),
+    replace(HOLD, name="hold-warp", **ENGINES_AGREE),
+    replace(HOLD, name="hold-mujoco-c", backend="mujoco", **ENGINES_AGREE),
+    *(replace(HOLD, name=f"hold-substeps-{n}", substeps=n) for n in (4, 32)),
 )
 
 
@@ -36,17 +38,17 @@ def measure(conditions: Conditions) -> Measurement:
     return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
 
 
+CREEP_COLUMNS = (*(f"creep_{axis}_mm_s" for axis in "xyz"), "increment_first_mm", "increment_final_mm", "monotonic")
+
+
 def creep(trace: Trace) -> dict[str, object]:
-    """Rates of all three axes, and whether the cube goes the same way in every second."""
+    """Rates of all three axes, and whether the cube goes the same way in every second; None without a whole second."""
     moved = metrics.displacement(trace)
+    if trace.failure or len(moved.time_s) <= FRAME_RATE:
+        reason = str(trace.failure or "the time after the lift is shorter than a second")
+        return dict.fromkeys(CREEP_COLUMNS) | {f"{name}_reason": reason for name in CREEP_COLUMNS}
     slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
     increments = np.diff(way[::FRAME_RATE])
-    return {
-        "creep_x_mm_s": float(slope[0]),
-        "creep_y_mm_s": float(slope[1]),
-        "creep_z_mm_s": float(slope[2]),
-        "increment_first_mm": 1e3 * float(increments[0]),
-        "increment_final_mm": 1e3 * float(increments[-1]),
-        "monotonic": bool((increments > 0.0).all()),
-    }
+    ends = 1e3 * increments[[0, -1]]
+    return dict(zip(CREEP_COLUMNS, (*map(float, (*slope, *ends)), bool((increments > 0.0).all())), strict=True))

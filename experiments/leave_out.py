@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from experiments import metrics
 from experiments.audit import audit, audit_rows
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
-from experiments.measurement import Conditions, Measurement, summarize
+from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, summarize
+from experiments.reference import NativeShake, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, simulate
 from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of
 
@@ -25,6 +27,8 @@ WITHOUT = {
     "broad-phase": {"broad_phase": "explicit"},
 }
 """What is left out, by name, and the parameters that do it."""
+IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
+"""What of it is in the engine's model. The rest is about how the model is run."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
 REPEAT_COUNT = {"cuda": 30, "cpu": 10}
 RUN_COUNT = {"cuda": 8, "cpu": 1}
@@ -52,7 +56,7 @@ def measure(conditions: Conditions) -> Measurement:
                 rows.append(row | trajectories[case.name])
     frame_count = AUDIT_FRAME_COUNT["quick" if conditions.quick else "full"]
     items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
-    return Measurement(rows + audit_rows(items))
+    return Measurement(rows + double_rows(conditions) + audit_rows(items))
 
 
 def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]]:
@@ -74,12 +78,37 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     traces = simulate([case for case in cases for _ in range(run_count)], device=kind, title=f"leave_out on {kind}")
     for index, case in enumerate(cases):
         worlds = traces[index * run_count : (index + 1) * run_count]
-        apart = np.abs(worlds[0].poses[..., :3] - traces[0].poses[..., :3]).max()
-        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds]) | {
-            "bit_identical": bool(np.array_equal(worlds[0].poses, traces[0].poses)),
-            "pose_difference_mm": 1e3 * float(apart),
-        }
+        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds])
+        found[case.name] |= likeness(worlds[0].poses, traces[0].poses)
     return found
+
+
+def double_rows(conditions: Conditions) -> list[dict[str, object]]:
+    """The shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left out?
+
+    Where it is, differences that single precision shows are rounding. All runs start from the same state.
+    """
+    wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
+    cases = [case for case in variants(conditions.quick) if case.name in wanted]
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
+    [start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
+    traces = [NativeShake(replace(case, frame_count=frame_count), start).run() for case in cases]
+    return [
+        {
+            "case": f"double-{case.name}",
+            "of": case.name,
+            "failure": str(trace.failure) if trace.failure else None,
+            "slip_mm": metrics.slip_mm(metrics.displacement(trace)),
+            **likeness(trace.poses, traces[0].poses),
+        }
+        for case, trace in zip(cases, traces, strict=True)
+    ]
+
+
+def likeness(poses: np.ndarray, reference: np.ndarray) -> dict[str, object]:
+    """Whether a trajectory is the reference's to the last bit, and the largest distance of any body in any frame."""
+    apart = np.abs(poses[..., :3] - reference[..., :3]).max()
+    return {"bit_identical": bool(np.array_equal(poses, reference)), "pose_difference_mm": 1e3 * float(apart)}
 
 
 def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:

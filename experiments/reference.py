@@ -1,6 +1,7 @@
 """The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import mujoco
@@ -9,12 +10,16 @@ import warp as wp
 
 from experiments import metrics
 from experiments.case import Case
+from experiments.compat import kf_is_read
 from experiments.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
 from experiments.timing import WARMUP_COUNT
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
 
+ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
+"""What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
+SETUP_FRAME_LIMIT = 600
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 """Bodies that a trace of the native loop keeps."""
 BAD_STATE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
@@ -30,6 +35,39 @@ class Start:
     qacc_warmstart: np.ndarray
     targets: np.ndarray
     """Joint position targets of each frame, shape [frames, 9]."""
+
+
+def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
+    """A world for each case, run to where the shake begins in all of them.
+
+    Raises:
+        RuntimeError: The shake was not reached within SETUP_FRAME_LIMIT frames.
+    """
+    pilot = Simulation([replace(case, frame_count=SETUP_FRAME_LIMIT) for case in cases], device)
+    for _ in range(SETUP_FRAME_LIMIT):
+        pilot.step()
+        wp.synchronize_device(device)
+        if pilot.task.phase.numpy().min() >= metrics.SHAKE:
+            return pilot
+    raise RuntimeError(f"the shake was not reached within {SETUP_FRAME_LIMIT} frames")
+
+
+def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
+    """The state of each of the pilot's worlds, and the targets of the frames that follow: for these it is run on.
+
+    In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
+    """
+    data = pilot.solver.mjw_data
+    state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
+    targets = np.zeros((frame_count, pilot.world_count, ROBOT_DOF_COUNT))
+    for frame in range(frame_count):
+        pilot.step()
+        wp.synchronize_device(pilot.device)
+        targets[frame] = pilot.joint_target.numpy()[:, :ROBOT_DOF_COUNT]
+    return [
+        Start(**{name: values[world] for name, values in state.items()}, targets=targets[:, world])
+        for world in range(pilot.world_count)
+    ]
 
 
 class NativeShake:

@@ -10,7 +10,7 @@ import warp as wp
 from experiments import error_runtime, metrics
 from experiments.case import AS_SHIPPED, FIXED
 from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
-from experiments.reference import NativeShake
+from experiments.reference import NativeShake, pilot_at_shake, starts_of
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
 from report.sections._error_runtime_worlds import crossing
 
@@ -111,7 +111,7 @@ def test_every_point_has_its_own_name_and_its_like_in_c(profile):
 
 @pytest.fixture(scope="module")
 def pilot():
-    return error_runtime.pilot_at_shake(wp.get_device("cpu"))
+    return pilot_at_shake(PADS.values(), wp.get_device("cpu"))
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +119,7 @@ def shakes(pilot):
     """One setting of each pads in Warp, with its traces and the states from which C starts."""
     points = [setting(base, pads, "newton", "substeps") for pads, base in PADS.items()]
     simulations = {point: error_runtime.WarpShake(point, pilot, pilot.device) for point in points}
-    starts = error_runtime.starts_of(pilot)  # runs the pilot on
+    starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT), strict=True))  # runs the pilot on
     return error_runtime.run_shakes(simulations), starts
 
 

@@ -23,14 +23,16 @@ PRECISION = {
     "c-single": "MuJoCo C, rounded to single precision",
     "warp": "MuJoCo Warp, single precision",
 }
-
-
-TWO_MODELS = Outcome("unknown", "C and MuJoCo Warp are two models in this release")
-OTHER_MODEL = " Here they are two models: friction rows have a time constant of their own in MuJoCo Warp, in C none."
+SUBSTEPS = ("hold-substeps-4", "hold", "hold-substeps-32")
+"""Cases with fewer, as many and more substeps than as shipped."""
+ONE_MODEL = (
+    " In this comparison friction rows have no time constant of their own in MuJoCo Warp either (kf of the pads is "
+    "negative), since MuJoCo's C engine has none."
+)
 
 
 def derive(results: Results) -> Section:
-    other = friction_rows_differ(results.others.get("contacts"))
+    note = ONE_MODEL if friction_rows_differ(results.others.get("contacts")) else ""
     traces = {case: results.trace(case) for case in NAMES}
     long, stiff = results.row["hold-60s"], results.row["hold-60s-stiff"]
     motion = Figure(
@@ -54,8 +56,8 @@ def derive(results: Results) -> Section:
             _creep_goes_on(results, long),
             _creep_is_monotonic(long),
             _stiff_pads_keep_creep(results, long, stiff),
-            _same_creep_in_c(results, other),
-            _creep_is_rounding(results, other),
+            _same_creep_in_c(results, note),
+            _creep_is_rounding(results, note),
             _joint_stands_still(results),
             _longer_steps_creep_less(results),
         ],
@@ -137,12 +139,14 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
 
 
 def _creep_is_monotonic(long: Row) -> Claim:
+    outcome = HOLDS if long.monotonic else FAILS
     return Claim(
         "creep_is_monotonic",
-        HOLDS if long.monotonic else FAILS,
+        Outcome("unknown", long.monotonic_reason) if long.monotonic is None else outcome,
         holds="It goes the same way in every second.",
         fails="It does not go the same way in every second: along the way from start to end, the first second counts "
         "{first}, the last {last}.",
+        unknown="Whether it goes the same way in every second cannot be told.",
         numbers={"first": long.increment_first_mm, "last": long.increment_final_mm},
     )
 
@@ -162,8 +166,8 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     )
 
 
-def _same_creep_in_c(results: Results, other: bool) -> Claim:
-    warp, c = results.row["hold"].slip_mm, results.row["hold-mujoco-c"].slip_mm
+def _same_creep_in_c(results: Results, note: str) -> Claim:
+    warp, c = results.row["hold-warp"].slip_mm, results.row["hold-mujoco-c"].slip_mm
     difference = results.value(
         "engine_creep_difference",
         "size of the difference between the engines' slips with the arm held still, of MuJoCo Warp's",
@@ -176,17 +180,16 @@ def _same_creep_in_c(results: Results, other: bool) -> Claim:
     return Claim(
         "same_creep_in_c",
         at_most(difference, bound),
-        holds="MuJoCo's C engine creeps as well: {c} against {warp} in the same time.",
-        fails="MuJoCo's C engine creeps differently: {c} against {warp} in the same time."
-        + (OTHER_MODEL if other else ""),
+        holds="MuJoCo's C engine creeps as well: {c} against {warp} in the same time." + note,
+        fails="MuJoCo's C engine creeps differently: {c} against {warp} in the same time." + note,
         unknown="Whether MuJoCo's C engine creeps as well cannot be told.",
         numbers={"c": c, "warp": warp},
-        explanation="There it is run through Newton, which hands it the state in single precision before every step.",
+        explanation="The C engine is run through Newton here, which hands it the state in single precision before "
+        "every step.",
     )
 
 
-def _creep_is_rounding(results: Results, other: bool) -> Claim:
-    """Nothing can be told where MuJoCo Warp and C are two models: rounding in one proves nothing of the other."""
+def _creep_is_rounding(results: Results, note: str) -> Claim:
     double, single, warp = (results.row[f"precision-{name}"] for name in PRECISION)
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
     remaining = share(results, "double_share", formula, double.creep_mm_s, single.creep_mm_s)
@@ -202,14 +205,13 @@ def _creep_is_rounding(results: Results, other: bool) -> Claim:
     same = results.chosen("rounded_departure_bound", "the same creep", 10.0, unit="%")
     return Claim(
         "creep_is_rounding",
-        TWO_MODELS if other else all_of(at_most(remaining, bound), at_most(departure, same)),
+        all_of(at_most(remaining, bound), at_most(departure, same)),
         holds="Most of it is rounding. With positions in double precision MuJoCo's C engine creeps at {double}; with "
         "the same positions rounded to single precision after every step, and nothing else changed, at {single}. "
-        "MuJoCo Warp, which computes in single precision, creeps at {warp}.",
+        "MuJoCo Warp, which computes in single precision, creeps at {warp}." + note,
         fails="Rounding does not account for it: with positions in double precision MuJoCo's C engine creeps at "
-        "{double}, with positions rounded to single precision at {single}, MuJoCo Warp at {warp}.",
-        unknown="Whether rounding causes it cannot be told. MuJoCo's C engine creeps at {double} with positions in "
-        "double precision and at {single} with positions rounded to single precision, MuJoCo Warp at {warp}.",
+        "{double}, with positions rounded to single precision at {single}, MuJoCo Warp at {warp}." + note,
+        unknown="Whether rounding causes it cannot be told.",
         numbers={"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s},
     )
 
@@ -244,16 +246,17 @@ def _joint_stands_still(results: Results) -> Claim:
 
 
 def _longer_steps_creep_less(results: Results) -> Claim:
-    few, many = results.row["hold-substeps-4"].increment_final_mm, results.row["hold"].increment_final_mm
+    few, shipped, many = (results.row[case].increment_final_mm for case in SUBSTEPS)
+    floor = noise_floor(results, "slip_floor")
     return Claim(
         "longer_steps_creep_less",
-        greater(many, few, noise=noise_floor(results, "slip_floor")),
-        holds="With a longer step it creeps less: with a quarter of the substeps {few} in the last second, in place of "
-        "{many}.",
-        fails="A longer step does not help: with a quarter of the substeps the cube creeps {few} in the last second, "
-        "against {many}.",
+        all_of(greater(shipped, few, noise=floor), greater(many, shipped, noise=floor)),
+        holds="The longer the step, the less it creeps: in the last second {few} with a quarter of the substeps, "
+        "{shipped} as shipped, {many} with twice as many.",
+        fails="A longer step does not always help: in the last second the cube creeps {few} with a quarter of the "
+        "substeps, {shipped} as shipped, {many} with twice as many.",
         unknown="Whether a longer step helps cannot be told.",
-        numbers={"few": few, "many": many},
+        numbers={"few": few, "shipped": shipped, "many": many},
         explanation="Over this range, more substeps make the held grasp worse, not better.",
     )
 
