@@ -2,6 +2,7 @@
 
 import argparse
 import importlib.util
+import math
 import os
 import platform
 import subprocess
@@ -20,7 +21,7 @@ from report import ROOT, ReportError
 from report.identity import identity_of, package_versions, sections
 from report.measure import NO_CUDA
 from report.project import Project, own_release
-from report.records import Record, units_of, write_record
+from report.records import Record, check_record, units_of, write_record
 from report.traces import write_traces
 
 
@@ -89,12 +90,19 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
-        rows=measurement.rows,
+        rows=[finite(row) for row in measurement.rows],
     )
     path = project.record_path(section)
+    check_record(record, path.name)  # before traces take the place of those that are there
     write_traces(path, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
     write_record(path, record)
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
+
+
+def finite(row: dict[str, object]) -> dict[str, object]:
+    """The row with None, and the reason beside it, for each number that is not finite: one must not cost the others."""
+    lost = [name for name, value in row.items() if isinstance(value, float) and not math.isfinite(value)]
+    return row | dict.fromkeys(lost) | {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
 
 
 def device_kind(device: wp.Device) -> str:

@@ -121,13 +121,13 @@ def load_record(path: Path) -> Record:
         raise RecordError(f"{path.name} has schema {schema!r}, not {SCHEMA}")
     if record.section != path.stem:
         raise RecordError(f"{path.name} is a record of {record.section!r}")
-    _check(record, path.name)
+    check_record(record, path.name)
     return record
 
 
 def write_record(path: Path, record: Record) -> None:
     """Put ``record`` at ``path``: whole, or not at all."""
-    _check(record, path.name)
+    check_record(record, path.name)
     data = {"schema": SCHEMA, **asdict(record)}
     rows = data.pop("rows")
     try:
@@ -154,7 +154,8 @@ def atomic_file(path: Path):
         temporary.unlink(missing_ok=True)
 
 
-def _check(record: Record, name: str) -> None:
+def check_record(record: Record, name: str) -> None:
+    """RecordError, with the first thing that is wrong, when ``record`` can't be kept as file ``name``."""
     parts = (record.machine, record.measured, record.units, *record.rows)
     if not record.rows or not all(isinstance(part, Mapping) for part in parts):
         raise RecordError(f"{name} lacks rows, or holds something else in the place of one")

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from experiments.run import finite
 from report.records import RecordError, load_record, record_path, unit_of, units_of, write_record
 from report.traces import load_trace, trace_path, write_traces
 
@@ -132,3 +133,16 @@ def test_a_half_written_trace_is_refused(toy, keep):
 def test_a_case_that_is_no_file_name_has_no_trace(toy):
     with pytest.raises(RecordError):
         trace_path(toy.record_path, "../soft")
+
+
+def test_a_number_that_is_not_finite_is_kept_as_missing_with_its_reason():
+    rows = [{"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}]
+    assert [finite(row) for row in rows] == [
+        {
+            "case": "freed",
+            "growth_mm": None,
+            "growth_mm_reason": "the measurement gave nan",
+            "slip_mm": 6.36,
+            "passes": True,
+        }
+    ]
