@@ -328,7 +328,7 @@ def passing_overlap(rows: Sequence[Mapping]) -> list[bool]:
 
 
 def passing_gravity(rows: Sequence[Mapping]) -> list[bool]:
-    return [row["finite"] and not row.get("gains_energy") for row in rows]
+    return [row["finite"] and (not row["freed"] or row["energy_growth"] <= 1.01) for row in rows]
 
 
 def passing_buffers(rows: Sequence[Mapping]) -> list[bool]:
