@@ -4,6 +4,7 @@ python -m experiments.shake --viewer gl
 python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
 """
 
+import importlib.util
 import json
 import sys
 from dataclasses import replace
@@ -126,6 +127,12 @@ def check_device(name: str | None) -> None:
         raise CaseError(f"--device {name} is not there; this machine has {known}") from None
 
 
+def check_viewer(name: str) -> None:
+    """CaseError when the viewer can't open a window."""
+    if name == "gl" and importlib.util.find_spec("pyglet") is None:
+        raise CaseError("--viewer gl needs pyglet, which comes with newton[examples]; --viewer null opens no window")
+
+
 def check_json(path: Path | None) -> None:
     """CaseError when no file can be written there, which would be found out only at the end."""
     if path and (path.is_dir() or not path.parent.is_dir()):
@@ -138,6 +145,7 @@ def main() -> int:
     try:
         case_of(args)
         check_device(args.device)
+        check_viewer(args.viewer)
         check_json(args.json)
     except CaseError as error:
         print(error, file=sys.stderr)

@@ -37,6 +37,7 @@ def test_every_option_of_the_contract_is_there():
         (["--num-frames", "0"], "frame_count"),
         (["--world-count", "2"], "--world-count"),
         (["--device", "cuda:99"], "--device cuda:99"),
+        (["--viewer", "gl"], "--viewer gl needs pyglet"),
         (["--json", "/no/where/summary.json"], "--json /no/where/summary.json"),
     ],
 )

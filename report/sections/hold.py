@@ -290,7 +290,8 @@ def _table(rows: list[Row]) -> Table:
     return Table(
         pd.DataFrame(columns, index=index),
         "The arm held still, against the shake: drift along the shake's main axis and along the tool, which points "
-        "down, and whether every second moves the cube the same way.",
+        "down, and whether every second moves the cube the same way. The cases hold-warp and hold-mujoco-c are one "
+        "model in both engines.",
     )
 
 
