@@ -88,20 +88,6 @@ def same_table(variants: Sequence[Variant], differences: dict[str, Value]) -> Ta
     return Table(pd.DataFrame(columns, index=index), caption)
 
 
-def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
-    columns = {
-        "slip": [row.slip_mm for row in rows],
-        "change": changes,
-        "same bits": ["reference" if row.of == REFERENCE else row.bit_identical for row in rows],
-        "apart": [row.pose_difference_mm for row in rows],
-    }
-    caption = (
-        "The shake from one and the same state through MuJoCo's own loop in C, in double precision, for what changes "
-        "the engine's model. Apart: as above, of cube and TCP."
-    )
-    return Table(pd.DataFrame(columns, index=pd.Index([row.of for row in rows], name="case")), caption)
-
-
 def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
     if variant is reference_of(variants, variant.device):
         return "reference"

@@ -7,10 +7,11 @@ from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, great
 from report.format import format_number
 from report.parts import Section
 from report.quantities import Value
-from report.results import Results, Row
+from report.results import Results
 from report.sections._common import DEVICES, in_code, noise_floor, ratio
 from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of
-from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, double_table, same_table
+from report.sections._leave_out_double import change_in_double, double_table, same_in_double
+from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, same_table
 from report.sections._timing import cell, frame_spread
 from report.sections._variants import beyond_noise
 
@@ -27,7 +28,7 @@ def derive(results: Results) -> Section:
     differences = {variant.name: _difference(results, variants, variant) for variant in variants}
     panels = _panels(variants)
     doubles = [row for row in results.rows if row.case.startswith("double-")]
-    changes = [_change_in_double(results, row) for row in doubles]
+    changes = [change_in_double(results, row) for row in doubles]
     return Section(
         tables={
             "cases": case_table(variants),
@@ -45,7 +46,7 @@ def derive(results: Results) -> Section:
             _each_helps(results, variants, panels),
             _rest_helps(results, variants, panels),
             _same_bits(results, variants),
-            _same_in_double(results, doubles, changes),
+            same_in_double(results, doubles, changes),
         ],
     )
 
@@ -256,37 +257,6 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
             "reference": in_code([reference.case] if reference else []),
             "largest": largest,
         },
-    )
-
-
-def _change_in_double(results: Results, row: Row) -> Value:
-    return results.value(
-        f"{row.case}_change".replace("-", "_"),
-        f"slip of {row.of} less that of {REFERENCE}, both in double precision",
-        lambda slip, before: slip - before,
-        row.slip_mm,
-        results.row[f"double-{REFERENCE}"].slip_mm,
-        unit="mm",
-    )
-
-
-def _same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Value]) -> Claim:
-    """Whether what is left out is none of the model: then differences in single precision are rounding."""
-    formula = "largest change of the slip in double precision, either way"
-    largest = results.value("double_largest", formula, lambda *change: max(map(abs, change)), *changes, unit="mm")
-    floor = noise_floor(results, "slip_floor")
-    others = [row for row in rows if row.of != REFERENCE]
-    same, moved = ([row.of for row in others if row.bit_identical == identical] for identical in (True, False))
-    return Claim(
-        "same_in_double",
-        at_most(largest, floor),
-        holds="In double precision, through MuJoCo's own loop in C, leaving out what is in the engine's model changes "
-        "the slip by at most {largest}: not a bit of the trajectory for {same}, and that little for {moved}.",
-        fails="In double precision, through MuJoCo's own loop in C, the slip does change, by up to {largest}, where "
-        "single runs of one and the same case differ by up to {floor} in single precision.",
-        unknown="Whether double precision shows a difference cannot be told.",
-        numbers={"largest": largest, "floor": floor, "same": in_code(same), "moved": in_code(moved)},
-        explanation="So it is the same model, and what single precision shows beyond that is rounding.",
     )
 
 
