@@ -158,7 +158,8 @@ def missing_table(results: Results) -> Table:
     index = pd.Index([row.case.removesuffix("-missing-term") for row in left_out], name="case")
     return Table(
         pd.DataFrame(columns, index=index),
-        "Slide along the main axis over two periods of the shake, in runs through MuJoCo C: J̇·q̇ / b at the loaded "
-        "contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of the same contacts' friction rows; how far the cube "
-        "has moved; and the last two again in a run whose contact rows ask for −b·v − J̇·q̇.",
+        "Slide along the main axis over the first two periods of the whole motion, which repeats every second cycle, "
+        "in runs through MuJoCo C: J̇·q̇ / b at the loaded contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of "
+        "the same contacts' friction rows; how far the cube has moved; and the last two again in a run whose contact "
+        "rows ask for −b·v − J̇·q̇.",
     )

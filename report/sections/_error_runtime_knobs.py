@@ -172,8 +172,8 @@ def _pads_decide(points: Points) -> Claim:
     return Claim(
         "pads_decide",
         at_least(gain, bound),
-        holds="What the grasp loses in a cycle is a matter of the model and not of its solution: solved to the end, "
-        "the scene as shipped still drifts by {soft}, with stiff pads by {stiff}.",
+        holds="What the grasp loses in a cycle does not go away with a better solution: solved to the end, the scene "
+        "as shipped still drifts by {soft}, with stiff pads by {stiff}.",
         fails="Solved to the end, the scene as shipped drifts by {soft} and with stiff pads by {stiff}: the pads make "
         "less than {bound} times the difference.",
         unknown="What the model converges to cannot be told.",
@@ -240,10 +240,11 @@ def _cone_not_left(points: Points) -> Claim:
     return Claim(
         "cone_not_left",
         at_least(margin, bound),
-        holds="No contact slides: with the shipped substeps and finer at least {margin} of the friction cone is left "
-        "in every frame of every run that counts." + (" All of it is used by {edge}." if at_edge else ""),
-        fails="Some contact comes near sliding: with the shipped substeps and finer as little as {margin} of the "
-        "friction cone is left.",
-        unknown="How near the contacts come to sliding cannot be told.",
+        holds="No contact reaches the limit of friction: with the shipped substeps and finer at least {margin} of the "
+        "friction cone is left in every frame of every run that counts."
+        + (" All of it is used by {edge}." if at_edge else ""),
+        fails="Some contact comes near the limit of friction: with the shipped substeps and finer as little as "
+        "{margin} of the friction cone is left.",
+        unknown="How near the contacts come to the limit of friction cannot be told.",
         numbers={"margin": margin, "edge": named(at_edge)},
     )

@@ -97,8 +97,9 @@ def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
 def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:
     return Figure(
         draw=lambda: _draw_cost(variants, panels),
-        caption="Time of a frame, of that of the scene exactly as shipped (line) on the same device with as many "
-        "worlds. The whisker is from the 5th to the 95th percentile; a case without a bar was not timed there.",
+        caption="Time of a frame as a share of that of the scene exactly as shipped (line) on the same device with as "
+        "many worlds. The whisker is from the 5th to the 95th percentile; a case without a bar was not timed "
+        "there.",
         alt="; ".join(
             f"{variant.case} on the {DEVICES[variant.device]} with {row.worlds} worlds: {row.frame_ms}"
             for variant in variants
@@ -128,5 +129,5 @@ def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -
         axes.grid(axis="y", visible=False)
     grid[0][0].set_yticks(range(len(names)), names)
     grid[0][0].invert_yaxis()
-    drawing.supxlabel("time of a frame, of that exactly as shipped [%]", fontsize=10)
+    drawing.supxlabel("time of a frame as a share of that exactly as shipped [%]", fontsize=10)
     return drawing

@@ -79,7 +79,7 @@ def steps(results: Results) -> Claim:
         "not pass, for they "
         + ("" if all(map(is_stable, rows)) else "lose it or ")
         + "drift more than twice, or less than half, as much as with the smallest step: {failed}. Stiff pads pass up "
-        "to a step of {step}; above it the clamp gives them a longer timeconst with every longer step.",
+        "to a step of {step}; beyond half their timeconst the clamp gives them a longer one with every longer step.",
         numbers={"stable": stable, "step": step},
     )
 
@@ -106,8 +106,8 @@ def boundary(results: Results, rows: Sequence[Row]) -> Claim:
         rows,
         holds="With kd at its default, theory says where it ends: all {count} runs that are farther than a factor of "
         "two from dt² ke + 2 dt kd = 4 end on the side that the bound puts them.",
-        fails="With kd at its default, the bound dt² ke + 2 dt kd = 4 is off by more than a factor of two in "
-        "{failed_count} of the {count} runs that are farther from it: {failed}.",
+        fails="With kd at its default, the bound dt² ke + 2 dt kd = 4 is off by more than a factor of two: of {count} "
+        "runs that are farther from it than that, {failed_count} end on the wrong side: {failed}.",
         explanation="It is the bound of a semi-implicit Euler step for a spring and a damper on a unit mass, which is "
         "what ke and kd are here.",
     )

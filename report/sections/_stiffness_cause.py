@@ -7,7 +7,7 @@ from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_most, greater
 from report.quantities import Value
 from report.results import Results
 from report.sections._common import noise_floor, other_value, ratio
-from report.sections._stiffness import SHIPPED, Runs, has_slip, hold_drift, is_held
+from report.sections._stiffness import SHIPPED, Runs, drift_without_slide, has_slip, is_held
 
 HARDEST = "solimp-dmax-0.9999"
 DRIVEN = (
@@ -34,7 +34,7 @@ def cause(results: Results, proportional: Claim) -> Claim:
     fails = (
         "What was found does not make the friction rows the cause of the slip of {slip}: their largest position "
         "residual is {residual}, their velocity is {departure} off the motion measured and {missing} off what a "
-        "left-out acceleration gives, and without the load cycle the drift is {share} of what it is with it, in size."
+        "left-out acceleration gives, and with the arm held still the drift is {share} of that when shaken, in size."
     )
     if outcomes[0] == FAILS:  # then the others need not be known, and a number that is not there is no finding
         fails = "As shipped the slip is {slip}: there is none to explain in this release."
@@ -44,8 +44,8 @@ def cause(results: Results, proportional: Claim) -> Claim:
         holds="The cube walks out because the contact rows leave out an acceleration of the moving arm, and their "
         "friction is a brake and not a spring: it slides until it balances that acceleration. The friction rows carry "
         "no position residual ({residual}), so what has slid is never brought back; how fast it slides goes with the "
-        "contact's timeconst, which Newton makes from the pads' kd; and it needs the load cycle: without it the drift "
-        "is {share} of what it is with it, in size.",
+        "contact's timeconst, which Newton makes from the pads' kd; and it needs the load cycle: with the arm held "
+        "still the drift is {share} of that when shaken, in size.",
         fails=fails,
         unknown="The cause cannot be named from what has been measured.",
         numbers={"slip": slip, "residual": residual, "departure": departure, "share": share, "missing": missing},
@@ -53,7 +53,7 @@ def cause(results: Results, proportional: Claim) -> Claim:
 
 
 def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim:
-    hold = hold_drift(results)
+    rest = drift_without_slide(results)
     rows = [*runs.held, *(row for row in runs.named if "pad_dmax" in row and is_held(row))]
     times = [
         results.value(
@@ -72,10 +72,10 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
     rates = [
         results.value(
             f"rate_{row.case}",
-            "drift less that of the held arm, over dmax times timeconst",
+            "drift less that with the left-out acceleration put back, over dmax times timeconst",
             lambda drift, still, time: (drift - still) / time,
             row.drift_mm_s,
-            hold,
+            rest,
             time,
             unit="mm/s²",
         )
@@ -94,23 +94,25 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
     bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
     wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
     outcome, unknown = at_most(spread, bound), "Whether the drift is proportional to dmax · timeconst cannot be told."
-    if width.value is not None and width.value < wide.value:
+    if None not in (width.value, spread.value) and width.value < wide.value:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
         unknown = (
             "In all of these runs the friction rows brake alike: their dmax · timeconst changes only {ratio} times. "
-            "The drift, less the creep of the held arm, is within {spread} of one common ratio to it."
+            "The drift, less what stays of it when nothing slides, is within {spread} of one common ratio to it."
         )
     return Claim(
         "drift_follows_timeconst",
         outcome,
-        holds="The drift is proportional to dmax · timeconst: less the creep of the held arm, no run that keeps the "
-        "cube departs by more than {spread} from one common ratio, while dmax · timeconst changes {ratio} times.",
-        fails="The drift is not quite proportional to dmax · timeconst: less the creep of the held arm, runs depart by "
-        "up to {spread} from one common ratio, while dmax · timeconst changes {ratio} times.",
+        holds="The drift is proportional to dmax · timeconst: less what stays of it when nothing slides, no run that "
+        "keeps the cube departs by more than {spread} from one common ratio, while dmax · timeconst changes {ratio} "
+        "times.",
+        fails="The drift is not quite proportional to dmax · timeconst: less what stays of it when nothing slides, "
+        "runs depart by up to {spread} from one common ratio, while dmax · timeconst changes {ratio} times.",
         unknown=unknown,
         numbers={"spread": spread, "ratio": width},
         explanation="That is what a brake does. A friction row asks for the acceleration −b·v with b = 2 / (dmax · "
-        "timeconst), so a steady disturbance a ends in a steady velocity a / b.",
+        "timeconst), so a steady disturbance a ends in a steady velocity a / b. What stays when nothing slides is what "
+        "was measured above with the left-out acceleration put back.",
     )
 
 

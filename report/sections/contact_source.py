@@ -22,8 +22,8 @@ def derive(results: Results) -> Section:
         holds="The slip does not come from the contact points. Found more often, found by MuJoCo instead of Newton, "
         "found on convex meshes instead of boxes, or solved by MuJoCo's C engine, they leave the slip of {baseline} "
         "where it is, to within {share}.",
-        fails="It matters who finds the contacts, how often, on which shape, or which engine solves them: the slip of "
-        "{baseline} changes by up to {largest}, for {most}.",
+        fails="Not every way to find and solve the contacts leaves the slip of {baseline} where it is: it changes by "
+        "up to {largest}, for {most}.",
         unknown="Whether the slip comes from the contact points cannot be told.",
     )
     caption = "One thing changed at a time. Drift is along the shake's main axis."

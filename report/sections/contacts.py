@@ -70,14 +70,14 @@ def _departure(results: Results, run: Row, gap: Value) -> Value:
 
 
 def _far_inside_cone(results: Results, run: Row) -> Claim:
-    bound = results.chosen("cone_use_bound", "far from sliding, which is 1", 0.1)
+    bound = results.chosen("cone_use_bound", "far from the limit, which is 1", 0.1)
     return Claim(
         "far_inside_cone",
         at_most(run.cone_use_max, bound),
         holds="The grasp is nowhere near the limit of friction: through the whole shake no contact uses more than "
-        "{use} of its friction cone, where sliding would be {one}.",
+        "{use} of its friction cone, where the limit is {one}.",
         fails="The grasp does come near the limit of friction: a contact uses up to {use} of its friction cone, where "
-        "sliding is {one}.",
+        "the limit is {one}.",
         unknown="How much of the friction cone the grasp uses cannot be told.",
         numbers={"use": run.cone_use_max, "one": results.value("cone_limit", "by definition", lambda: 1.0)},
         explanation="The grasp is not too weak, so what the cube slips is not for want of friction or of grip.",

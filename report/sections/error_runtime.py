@@ -42,8 +42,8 @@ PARAMETERS = (
 
 FRONT_WORDS = (
     "What is not named is as shipped; from and to are 5th and 95th percentile. Clamped: MuJoCo raises the contacts' "
-    "timeconst, so it is another model. Cone use: the most of its friction cone that a contact takes, of which all is "
-    "sliding."
+    "timeconst, so it is another model. Cone use: the most of its friction cone that a contact takes; all of it is the "
+    "limit of friction."
 )
 
 

@@ -97,10 +97,11 @@ def _same_as_report(results: Results) -> Claim:
     return Claim(
         "same_as_report",
         at_most(difference, bound),
-        holds="They are the scene of this report: their slip is what was measured above, to within {difference}.",
-        fails="They are not quite the scene of this report: their slip differs from what was measured above by up to "
+        holds="The scripts are the scene of this report: their slip is what was measured above, to within "
         "{difference}.",
-        unknown="Whether they are the scene of this report cannot be told.",
+        fails="The scripts are not quite the scene of this report: their slip differs from what was measured above by "
+        "up to {difference}.",
+        unknown="Whether the scripts are the scene of this report cannot be told.",
         numbers={"difference": difference},
     )
 

@@ -46,11 +46,11 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
     return Claim(
         "cube_moves_in_fingers",
         at_least(share, bound),
-        holds="It is the cube that slides on the pads: of the {whole} that it drifts against the TCP, it drifts {left} "
-        "against the left finger and {right} against the right one.",
-        fails="The cube's sliding on the pads is not all of it: against the TCP it drifts {whole}, against the left "
+        holds="It is the cube that moves in the fingers: of the {whole} that it drifts against the TCP, it drifts "
+        "{left} against the left finger and {right} against the right one.",
+        fails="The cube's motion in the fingers is not all of it: against the TCP it drifts {whole}, against the left "
         "finger {left} and against the right one {right}.",
-        unknown="Whether it is the cube that slides on the pads cannot be told.",
+        unknown="Whether it is the cube that moves in the fingers cannot be told.",
         numbers={"whole": whole, "left": left, "right": right},
     )
 

@@ -161,11 +161,13 @@ def _same_slip(
     return Claim(
         f"same_slip_on_{DEVICES[device].lower()}",
         at_most(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
-        holds=where + " the slip stays the same: it differs by at most {largest}, and single runs of one and the same "
-        "case by up to {floor}.",
-        fails=where + " the slip does not stay the same in all of them: beyond the {floor} by which single runs of one "
-        "and the same case differ, it changes for {beyond}.",
-        unknown=where + " it cannot be told whether the slip stays the same.",
+        holds=where
+        + " the slip stays within the noise: it differs by at most {largest}, and single runs of one and the same case "
+        "do by up to {floor}.",
+        fails=where
+        + " the slip does not stay within the noise in all of them: beyond the noise floor of {floor} it changes for "
+        "{beyond}.",
+        unknown=where + " it cannot be told whether the slip stays within the noise.",
         numbers={"largest": largest, "floor": floor, "beyond": beyond_noise(named, floor)},
     )
 
@@ -183,9 +185,10 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     return Claim(
         "each_helps",
         HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
-        holds="Each that was left out alone makes a frame faster by more than frames of one run spread: {helping}.",
-        fails="Left out alone, these make a frame faster by more than frames of one run spread: {helping}. These do "
-        "not: {idle}.",
+        holds="Each that was left out alone makes a frame faster, on some device with some number of worlds, by more "
+        "than frames of one run spread: {helping}.",
+        fails="Left out alone, these make a frame faster, on some device with some number of worlds, by more than "
+        "frames of one run spread: {helping}. Of these no gain beyond that was seen: {idle}.",
         unknown="Which of it helps cannot be told.",
         numbers={"helping": in_code(helping), "idle": in_code(idle)},
     )
@@ -199,11 +202,11 @@ def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     return Claim(
         "rest_helps",
         _is_faster(results, variants, device, worlds, BASELINE, ALL),
-        holds="Together they count: without what <code>{baseline}</code> still has of it, a frame with {worlds} on the "
-        "{device} takes {after} in place of {before}.",
-        fails="Together they count no more: with {worlds} on the {device} a frame takes {before} as this report's "
-        "baseline has it and {after} without it all.",
-        unknown="Whether they count together cannot be told.",
+        holds="What this report's baseline, <code>{baseline}</code>, still has of all this counts together: without it "
+        "a frame with {worlds} on the {device} takes {after} in place of {before}.",
+        fails="What this report's baseline, <code>{baseline}</code>, still has of all this does not count: with "
+        "{worlds} on the {device} a frame takes {before} with it and {after} without it.",
+        unknown="Whether what this report's baseline still has of all this counts cannot be told.",
         numbers={
             "baseline": BASELINE,
             "worlds": f"{format_number(worlds)} world{'s' * (worlds > 1)}",

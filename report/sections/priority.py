@@ -129,8 +129,10 @@ def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
         _falls(results, shipped, mixed),
         holds="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip "
         "falls by {drop} to {slip}.",
-        fails="With equal priorities the slip does not fall: it is {slip}, at a timeconst of {after}.",
-        unknown="Whether equal priorities help cannot be told.",
+        fails="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip does "
+        "not fall: it is {slip}.",
+        unknown="With equal priorities the two materials mix: timeconst goes from {before} to {after}. Whether the "
+        "slip of {slip} is another one cannot be told.",
         numbers={"before": shipped.timeconst_s, "after": mixed.timeconst_s, "drop": drop, "slip": mixed.slip_mm},
     )
 
@@ -153,10 +155,10 @@ def _cube_stiffness_is_no_lever(results: Results) -> Claim:
     return Claim(
         "cube_stiffness_is_no_lever",
         at_most(change, bound),
-        holds="Even then a stiffer cube, ke {ke}, changes the slip by only {change}: the penetration goes from {deep} "
-        "to {shallow}, but timeconst stays at {timeconst}.",
-        fails="Then a stiffer cube, ke {ke}, does change the slip, by {change}, to {slip}.",
-        unknown="Whether a stiffer cube then changes the slip cannot be told.",
+        holds="With equal priorities a stiffer cube, ke {ke}, changes the slip by only {change}: the penetration goes "
+        "from {deep} to {shallow}, but timeconst stays at {timeconst}.",
+        fails="With equal priorities a stiffer cube, ke {ke}, does change the slip, by {change}, to {slip}.",
+        unknown="Whether with equal priorities a stiffer cube changes the slip cannot be told.",
         numbers={
             "ke": stiffer.cube_ke,
             "change": change,

@@ -41,8 +41,8 @@ def derive(results: Results) -> Section:
     )
     law = Figure(
         draw=lambda: draw_law(runs, results),
-        caption="Drift, less that of the held arm, over the response time of the friction rows (their own timeconst "
-        "where they have one, and none below two substeps). The line has slope one.",
+        caption="Drift, less that with the left-out acceleration put back, over the response time of the friction rows "
+        "(their own timeconst where they have one, and none below two substeps). The line has slope one.",
         alt="Drift over response time on logarithmic axes: a mark for each run that held the cube, by whether ke, kd "
         "or dmax was changed, and a line of slope one.",
         sources=[row.drift_mm_s for row in runs.held],
