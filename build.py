@@ -25,6 +25,9 @@ def main() -> int:
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
+    except KeyboardInterrupt:
+        print("stopped; what was measured before is kept", file=sys.stderr)
+        return 130
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1

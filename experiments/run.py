@@ -43,6 +43,9 @@ def main() -> int:
             traceback.print_exc()
             print(f"{section}: measuring failed; what was there is kept", file=sys.stderr)
             failures += 1
+        except KeyboardInterrupt:
+            print(f"{section}: stopped; what was there is kept", file=sys.stderr)
+            return 130
     return 1 if failures else 0
 
 

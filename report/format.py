@@ -1,4 +1,4 @@
-"""The only place where a number or a time becomes text."""
+"""How a number or a time is written on the page."""
 
 from datetime import datetime
 

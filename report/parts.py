@@ -65,10 +65,10 @@ class PlacedFigure:
     figure: Figure
 
     def drawn(self) -> Markup:
-        absent = [source.reason for source in self.figure.sources if source.value is None]
-        if len(absent) == len(self.figure.sources):
-            return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(absent[0])
         there = [source.source for source in self.figure.sources if source.value is not None]
+        if not there:
+            reasons = [source.reason for source in self.figure.sources] or ["there is nothing to draw"]
+            return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(reasons[0])
         files = dict.fromkeys(source.partition("#")[0] for source in there)
         names = [file.rpartition("/")[2] for file in files]
         links = Markup(", ").join(
@@ -106,7 +106,7 @@ class Download:
 
 @dataclass(frozen=True)
 class Section:
-    """All that a section's template can name, besides ``row`` and ``value``."""
+    """All that a section's template can name, besides what ``assemble`` gives to all of them."""
 
     tables: Mapping[str, Table] = field(default_factory=dict)
     figures: Mapping[str, Figure] = field(default_factory=dict)

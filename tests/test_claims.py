@@ -42,7 +42,6 @@ def test_numbers_as_text(value, text):
 @pytest.mark.parametrize(("value", "text"), [(1000.0, "1000"), (1, "1"), (1e-10, "1e-10"), (0.02, "0.02")])
 def test_numbers_as_one_types_them(value, text):
     assert quantity(value).code.striptags() == text
-    assert float(text) == value
 
 
 def quantity(value, reason="") -> Quantity:

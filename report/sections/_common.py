@@ -1,7 +1,8 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
+import numpy as np
 from markupsafe import Markup
 
 from report.quantities import Quantity, Value, absent
@@ -23,8 +24,17 @@ def share(results: Results, name: str, formula: str, part: Quantity, whole: Quan
 
 
 def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
-    """Largest less smallest."""
-    return results.value(name, formula, lambda *found: max(found) - min(found), *cells, unit=unit)
+    """Largest less smallest; without a number when there is none."""
+    return results.value(name, formula, lambda *found: max(found) - min(found) if found else np.nan, *cells, unit=unit)
+
+
+def extreme(
+    results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
+) -> Value:
+    """``choose`` of the cells that there are; without a number when there is none."""
+    there = [cell for cell in cells if cell.value is not None]
+    unit = there[0].unit if there else "1"
+    return results.value(name, formula, lambda *found: choose(found) if found else np.nan, *there, unit=unit)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:

@@ -82,7 +82,7 @@ def _term_restored(results: Results) -> Claim:
     ]
     largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
     bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
-    numbers = {"share": largest}
+    numbers = {}
     for name, without, put_back in zip(("", "_stiff"), left_out, restored, strict=True):
         numbers |= {f"slide{name}": without.slide_mm, f"restored{name}": put_back.slide_mm}
     return Claim(

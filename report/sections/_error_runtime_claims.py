@@ -70,7 +70,7 @@ def _rk4(points: Points, name: str, method: str, engine: str, opening: str) -> C
     cost = ratio(points.results, f"{name}_cost", "run time of RK4 over that as shipped", time, time_before)
     enough = points.results.chosen(f"{name}_bound", "worth a change", 2.0)
     dear = points.results.chosen(f"{name}_cost_bound", "hardly dearer", 1.5)
-    numbers = {"engine": engine, "gain": gain, "cost": cost, "error": error, "before": before}
+    numbers = {"engine": engine, "cost": cost, "error": error, "before": before}
     numbers |= {"few": points.cell(coarse, "substeps"), "many": points.cell(shipped, "substeps")}
     return Claim(
         name,

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
 from markupsafe import Markup
 
 from report.claims import Claim, Outcome, at_most
@@ -27,13 +26,6 @@ def is_stable(row: Row) -> bool:
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
     """How many rows there are, as a value that points to them."""
     return results.value(name, formula, lambda *steps: len(steps), *(row.step_ms for row in rows))
-
-
-def extreme(results: Results, name: str, formula: str, choose, cells: Sequence[Quantity]) -> Value:
-    """``choose`` of the cells that there are; without a number when there is none."""
-    there = [cell for cell in cells if cell.value is not None]
-    unit = there[0].unit if there else "1"
-    return results.value(name, formula, lambda *found: choose(found) if found else np.nan, *there, unit=unit)
 
 
 def family_claim(

@@ -7,7 +7,7 @@ import numpy as np
 from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most
 from report.quantities import Value
 from report.results import Results
-from report.sections._common import SETTLES, noise_floor, ratio, share, spread
+from report.sections._common import SETTLES, extreme, noise_floor, ratio, share, spread
 from report.sections._stiffness import FIX, SHIPPED, Runs, has_slip, is_held
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
@@ -53,9 +53,9 @@ def _ke_is_no_spring(results: Results, stiffness: Mapping[str, Value]) -> Claim:
 
 def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     held = [row for row in runs.ke_alone if is_held(row)]
-    slips = [row.slip_mm for row in held]
-    low = results.value("ke_alone_least", "least slip of the runs with kd at its default", min, *slips, unit="mm")
-    high = results.value("ke_alone_most", "largest slip of these runs", max, *slips, unit="mm")
+    slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
+    low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
+    high = extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
     formula = "least slip with kd at its default, of the slip as shipped"
     of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
     bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
@@ -72,8 +72,8 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
             "share": of_shipped,
             "low": low,
             "high": high,
-            "first": held[0].pad_ke,
-            "last": held[-1].pad_ke,
+            "first": extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses),
+            "last": extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses),
         },
     )
 
@@ -88,7 +88,7 @@ def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value])
     times = ratio(results, "alone_over_fix", formula, stiffness[alone.case], stiffness[fix.case])
     formula = "slip of that run, of the slip as shipped"
     of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
-    one = results.value("alone_over_fix_bound", "at least as stiff", lambda: 1.0)
+    one = results.chosen("alone_over_fix_bound", "at least as stiff", 1.0)
     outcome = all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"]))
     if not kept:
         outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
@@ -107,7 +107,7 @@ def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value])
 def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
     lost = [row for row in runs.ke_alone if not is_held(row)]
     count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
-    none = results.value("ke_alone_lost_bound", "at least one", lambda: 1)
+    none = results.chosen("ke_alone_lost_bound", "at least one", 1)
     first = lost[0].pad_ke if lost else count
     return Claim(
         "ke_alone_fails",

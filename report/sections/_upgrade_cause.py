@@ -37,7 +37,7 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
     same = results.chosen("elsewhere_bound", "the same slip", 2.0, unit="%")
     brings_back, ends_it, switches = (ends.one or at_least(share, bound) for share in shares.values())
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new}
-    numbers |= {"taken": taken, "given": given, "off": off, **shares}
+    numbers |= {"taken": taken, "given": given, "off": off}
     return [
         Claim(
             "friction_timeconst_is_new",

@@ -72,8 +72,7 @@ def _difference(results: Results, row: Row, reference: Row) -> Value:
 def not_the_cause(results: Results, variants: Variants, *, holds: str, fails: str, unknown: str) -> Claim:
     """Whether every variant leaves most of the slip in place; the wordings can name ``Variants.numbers``."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
-    numbers = variants.numbers | {"bound": bound}
-    return Claim("not_the_cause", at_most(variants.largest_share, bound), holds, fails, unknown, numbers)
+    return Claim("not_the_cause", at_most(variants.largest_share, bound), holds, fails, unknown, variants.numbers)
 
 
 def within_noise(variants: Variants) -> Claim:

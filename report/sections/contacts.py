@@ -100,7 +100,7 @@ def _no_friction_residual(results: Results) -> Claim:
         *(row.normal_residual_mm for row in frames if row.case == "as-shipped"),
         unit="mm",
     )
-    bound = results.value("friction_residual_bound", "none at all", lambda: 0.0, unit="mm")
+    bound = results.chosen("friction_residual_bound", "none at all", 0.0, unit="mm")
     return Claim(
         "no_friction_residual",
         at_most(largest, bound),

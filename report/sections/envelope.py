@@ -14,7 +14,7 @@ from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row, Trace
-from report.sections._common import SETTLES, ratio
+from report.sections._common import SETTLES, extreme, ratio
 
 order = 120
 
@@ -98,8 +98,8 @@ def _nothing_dropped(results: Results, row: Row) -> Claim:
 
 def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Claim:
     there = [gain for gain in gains.values() if gain.value is not None]
-    least = results.value("gain_least", "least of the points' ratios", lambda *gain: min(gain, default=np.nan), *there)
-    most = results.value("gain_most", "largest of the points' ratios", lambda *gain: max(gain, default=np.nan), *there)
+    least = extreme(results, "gain_least", "least of the points' ratios", min, there)
+    most = extreme(results, "gain_most", "largest of the points' ratios", max, there)
     held = results.value(
         "gain_count", "points where the cube is held before and after", lambda *gain: len(gain), *there
     )

@@ -26,7 +26,11 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"cases": _table(rows)},
         figures={"contacts": contacts},
-        claims=[*_slip_claims(results, rows), _more_contacts(results, rows), _none_near(results, rows[0])],
+        claims=[
+            *_slip_claims(results, rows),
+            _same_contacts_carry(results, rows),
+            _idle_contacts_are_far(results, rows[0]),
+        ],
     )
 
 
@@ -59,7 +63,7 @@ def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
     ]
 
 
-def _more_contacts(results: Results, rows: list[Row]) -> Claim:
+def _same_contacts_carry(results: Results, rows: list[Row]) -> Claim:
     default, small, zero = rows
     formula = "largest minus smallest mean number of contacts that carry force"
     difference = spread(results, "loaded_spread", formula, [row.mean_loaded_row_count for row in rows])
@@ -84,7 +88,7 @@ def _more_contacts(results: Results, rows: list[Row]) -> Claim:
     )
 
 
-def _none_near(results: Results, default: Row) -> Claim:
+def _idle_contacts_are_far(results: Results, default: Row) -> Claim:
     touching = results.chosen("touching", "surfaces that touch", 0.0, unit="mm")
     return Claim(
         "idle_contacts_are_far",

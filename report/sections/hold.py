@@ -98,7 +98,7 @@ def _creep_goes_the_other_way(results: Results) -> Claim:
         shaken,
         unit="mm/s",
     )
-    bound = results.value("hold_drift_bound", "no motion that way", lambda: 0.0, unit="mm/s")
+    bound = results.chosen("hold_drift_bound", "no motion that way", 0.0, unit="mm/s")
     return Claim(
         "creep_goes_the_other_way",
         at_most(along, bound),

@@ -23,7 +23,7 @@ def derive(results: Results) -> Section:
             _names_the_material(shipped),
             _names_the_gap(shipped),
             _names_the_buffers(shipped),
-            _fewer_in_the_fix(results, fixed),
+            _gap_and_buffers_mended(results, fixed),
             _names_the_clamp(fixed),
         ],
     )
@@ -69,7 +69,7 @@ def _names_the_buffers(findings: list[Row]) -> Claim:
     )
 
 
-def _fewer_in_the_fix(results: Results, findings: list[Row]) -> Claim:
+def _gap_and_buffers_mended(results: Results, findings: list[Row]) -> Claim:
     shipped, fixed = (results.row[scene].finding_count for scene in SCENES)
     mended = not any(row.rule in ("default-gap", "buffer") for row in findings)
     return Claim(

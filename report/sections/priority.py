@@ -52,7 +52,7 @@ def _cube_does_not_count(results: Results) -> Claim:
         for column in RESOLVED
     ]
     largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
-    bound = results.value("cube_resolved_bound", "no difference at all", lambda: 0.0)
+    bound = results.chosen("cube_resolved_bound", "no difference at all", 0.0)
     return Claim(
         "cube_does_not_count",
         at_most(largest, bound),

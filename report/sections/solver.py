@@ -54,11 +54,11 @@ def _converged(results: Results, variants: Variants) -> Claim:
         "solver_has_converged",
         at_most(largest, variants.floor),
         holds="The solver has converged: {iterations} iterations, or a tolerance of {tolerance}, change the slip by "
-        "{largest} at most, which is within the noise.",
+        "{change} at most, which is within the noise.",
         fails="The solver has not quite converged: {iterations} iterations, or a tolerance of {tolerance}, change the "
-        "slip by up to {largest}, more than the noise of {floor}.",
+        "slip by up to {change}, more than the noise of {floor}.",
         unknown="Whether the solver has converged cannot be told.",
-        numbers=variants.numbers | {"iterations": more.iterations, "tolerance": tighter.tolerance, "largest": largest},
+        numbers=variants.numbers | {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest},
         explanation="The slip is in the contact problem that the solver is given, not in an error of solving it.",
     )
 

@@ -30,14 +30,14 @@ def derive(results: Results) -> Section:
     give = {
         row.case: results.value(f"give_{row.case}", "1 - dmax", lambda dmax: 1 - dmax, row.dmax) for row in runs.named
     }
-    stiffness = {row.case: _stiffness(results, row) for row in runs.named}
+    stiffness = {row.case: row.stiffness_n_m for row in runs.named}
     sweep = Figure(
         draw=lambda: draw_sweep(runs, clamp.value),
         caption="Slip over pad stiffness, kd left alone and kd raised along. On the upper edge: runs with no slip to "
         "show.",
         alt=f"As shipped the slip is {results.row[SHIPPED].slip_mm}, with ke and kd raised together "
         f"{results.row[FIX].slip_mm}. A line marks the stiffness from which kd is beyond {clamp}.",
-        sources=[row.slip_mm for row in results.rows],
+        sources=[row.slip_mm for row in runs.held],
     )
     law = Figure(
         draw=lambda: draw_law(runs, results),
@@ -61,16 +61,6 @@ def derive(results: Results) -> Section:
 
 def _by_ke(rows: Iterable[Row]) -> list[Row]:
     return sorted(rows, key=lambda row: row.pad_ke.value)
-
-
-def _stiffness(results: Results, row: Row) -> Value:
-    return results.value(
-        f"stiffness_{row.case}",
-        "normal force over penetration of a loaded contact, mean",
-        lambda found: found,
-        row.stiffness_n_m,
-        unit="N/m",
-    )
 
 
 def _table(rows: Sequence[Row], give: Mapping[str, Value], stiffness: Mapping[str, Value]) -> Table:
