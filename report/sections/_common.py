@@ -1,10 +1,12 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
+import pandas as pd
 from markupsafe import Markup
 
+from report.parts import Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
@@ -21,6 +23,21 @@ def ratio(results: Results, name: str, formula: str, above: Quantity, below: Qua
 def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
     """In percent."""
     return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
+
+
+def size_share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent, signs left out."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b), part, whole, unit="%")
+
+
+def departure(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """Size of the difference, of the reference, in percent."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b - 1), found, reference, unit="%")
+
+
+def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
+    """In the unit of both."""
+    return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
 def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
@@ -48,6 +65,11 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     if other and name in other.derived:
         return other.derived[name]
     return absent(unit, f"section {section} does not say")
+
+
+def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], caption: str) -> Table:
+    """A table with a row for each of ``rows``, under the name of its case."""
+    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), caption)
 
 
 def in_code(names: Iterable[str]) -> Markup:

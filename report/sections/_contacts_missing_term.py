@@ -5,7 +5,7 @@ import pandas as pd
 from report.claims import Claim, at_most, greater
 from report.parts import Table
 from report.results import Results, Row
-from report.sections._common import ratio
+from report.sections._common import departure, ratio, size_share
 
 CASES = ("as-shipped", "stiff-pads")
 
@@ -27,13 +27,12 @@ def _in_c(results: Results, kind: str) -> list[Row]:
 def _missing_term(results: Results) -> Claim:
     rows = _in_c(results, "missing-term")
     departures = [
-        results.value(
+        departure(
+            results,
             f"missing_term_departure_{row.case}",
             "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter",
-            lambda predicted, slide: 100 * abs(predicted / slide - 1),
             row.predicted_slide_mm,
             row.slide_mm,
-            unit="%",
         )
         for row in rows
     ]
@@ -70,13 +69,12 @@ def _term_restored(results: Results) -> Claim:
     """The intervention: the same runs, with the left-out acceleration in the contact rows."""
     left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     shares = [
-        results.value(
+        size_share(
+            results,
             f"restored_share_{without.case.removesuffix('-missing-term')}",
             "size of the slide of the friction rows with the term put back, of that without it",
-            lambda put_back, slide: 100 * abs(put_back / slide),
             put_back.slide_mm,
             without.slide_mm,
-            unit="%",
         )
         for without, put_back in zip(left_out, restored, strict=True)
     ]

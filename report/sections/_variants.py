@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
@@ -12,7 +11,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import in_code, noise_floor, share
+from report.sections._common import by_case, difference, in_code, noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -59,13 +58,12 @@ def variants_of(results: Results, baseline: str) -> Variants:
 
 
 def _difference(results: Results, row: Row, reference: Row) -> Value:
-    return results.value(
+    return difference(
+        results,
         f"{row.case}_difference",
         f"slip of {row.case} less that of {reference.case}",
-        lambda slip, of_reference: slip - of_reference,
         row.slip_mm,
         reference.slip_mm,
-        unit="mm",
     )
 
 
@@ -105,7 +103,7 @@ def variant_table(variants: Variants, labels: Mapping[str, str], caption: str) -
         "against baseline": [variants.difference.get(row.case, "") for row in rows],
         "drift": [row.drift_mm_s for row in rows],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), caption)
+    return by_case(rows, columns, caption)
 
 
 def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:

@@ -1,6 +1,5 @@
 """The solver's live contact rows in the middle of the shake: forces, residuals, and what their velocities add up to."""
 
-import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most
@@ -8,6 +7,7 @@ from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row, Trace
+from report.sections._common import by_case, difference, size_share
 from report.sections._contacts_missing_term import CASES, missing_table, missing_term_claims
 
 order = 70
@@ -48,24 +48,18 @@ def _of_kind(results: Results, kind: str) -> list[Row]:
 
 
 def _gap(results: Results, run: Row) -> Value:
-    return results.value(
+    return difference(
+        results,
         f"slide_gap_{run.case}",
         "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis",
-        lambda slide, along: slide - along,
         run.slide_mm,
         run.along_mm,
-        unit="mm",
     )
 
 
 def _departure(results: Results, run: Row, gap: Value) -> Value:
-    return results.value(
-        f"slide_departure_{run.case}",
-        "size of that difference, of the motion measured",
-        lambda difference, along: 100 * abs(difference / along),
-        gap,
-        run.along_mm,
-        unit="%",
+    return size_share(
+        results, f"slide_departure_{run.case}", "size of that difference, of the motion measured", gap, run.along_mm
     )
 
 
@@ -179,9 +173,9 @@ def _force_table(frames: list[Row]) -> Table:
         "penetration": [row.penetration_mm for row in frames],
         "sliding": [row.friction_velocity_mm_s for row in frames],
     }
-    index = pd.Index([row.case for row in frames], name="case")
-    return Table(
-        pd.DataFrame(columns, index=index),
+    return by_case(
+        frames,
+        columns,
         "Three looks at the live contacts, a quarter of a cycle apart. Normal and tangential forces are sums over the "
         "loaded contacts, the penetration is their mean, cone use and sliding velocity are the largest among them.",
     )
@@ -199,9 +193,9 @@ def _parameter_table(frames: list[Row]) -> Table:
         "friction": [row.friction for row in rows],
         "dim": [row.dim for row in rows],
     }
-    index = pd.Index([row.case for row in rows], name="case")
-    return Table(
-        pd.DataFrame(columns, index=index),
+    return by_case(
+        rows,
+        columns,
         "What the strongest contact really has: solref (timeconst, dampratio), a timeconst of its friction rows (zero: "
         "that of solref), solimp (dmin, dmax), friction and dimension, read from the solver and not from what was "
         "authored.",
@@ -216,8 +210,7 @@ def _row_table(rows: list[Row]) -> Table:
         "velocity": [row.velocity_mm_s for row in rows],
         "force": [row.force_n for row in rows],
     }
-    index = pd.Index([row.case for row in rows], name="case")
-    return Table(pd.DataFrame(columns, index=index), "The three rows of the contact that carries most force.")
+    return by_case(rows, columns, "The three rows of the contact that carries most force.")
 
 
 def _draw_contacts(tables: dict[str, Trace], runs: dict[str, Row]) -> Drawing:

@@ -3,7 +3,7 @@
 from report.claims import Claim, at_most
 from report.parts import Section
 from report.results import Results, Row
-from report.sections._common import ratio
+from report.sections._common import difference, ratio
 from report.sections._variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 40
@@ -34,13 +34,12 @@ def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> C
     """Sliding friction would let go sooner the lower the coefficient."""
     formula = "highest over lowest coefficient of the pads"
     factor = ratio(results, "coefficient_factor", formula, high.pad_mu, low.pad_mu)
-    excess = results.value(
+    excess = difference(
+        results,
         "low_friction_excess",
         "slip with the lowest coefficient of the pads less that with the highest",
-        lambda at_low, at_high: at_low - at_high,
         low.slip_mm,
         high.slip_mm,
-        unit="mm",
     )
     return Claim(
         "less_friction_slips_no_more",

@@ -1,14 +1,13 @@
 """The contact gap: it makes contacts, but none of those that it adds carries force."""
 
 import numpy as np
-import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
-from report.sections._common import noise_floor, share, spread
+from report.sections._common import by_case, noise_floor, share, spread
 
 order = 110
 
@@ -110,9 +109,8 @@ def _table(rows: list[Row]) -> Table:
         "slip": [row.slip_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
     }
-    index = pd.Index([row.case for row in rows], name="case")
     caption = "Contacts through the shake, mean and most, and how far those that carry no force are from touching."
-    return Table(pd.DataFrame(columns, index=index), caption)
+    return by_case(rows, columns, caption)
 
 
 def _draw_contacts(rows: list[Row]) -> Drawing:

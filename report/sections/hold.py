@@ -8,7 +8,7 @@ from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_mos
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row, Trace
-from report.sections._common import friction_rows_differ, noise_floor, share
+from report.sections._common import by_case, departure, friction_rows_differ, noise_floor, share, size_share
 
 order = 80
 
@@ -66,13 +66,12 @@ def derive(results: Results) -> Section:
 
 def _drift_needs_cycle(results: Results) -> Claim:
     held, shaken = results.row["hold"].drift_mm_s, results.row["as-shipped"].drift_mm_s
-    part = results.value(
+    part = size_share(
+        results,
         "hold_share",
         "size of the drift along the main axis with the arm held still, of the drift as shipped",
-        lambda still, moving: 100 * abs(still / moving),
         held,
         shaken,
-        unit="%",
     )
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
@@ -160,13 +159,12 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
 
 def _same_creep_in_c(results: Results, note: str) -> Claim:
     warp, c = results.row["hold-warp"].slip_mm, results.row["hold-mujoco-c"].slip_mm
-    difference = results.value(
+    difference = departure(
+        results,
         "engine_creep_difference",
         "size of the difference between the engines' slips with the arm held still, of MuJoCo Warp's",
-        lambda slip, slip_c: 100 * abs(slip_c / slip - 1),
-        warp,
         c,
-        unit="%",
+        warp,
     )
     bound = results.chosen("engine_creep_bound", "the same creep", 25.0, unit="%")
     return Claim(
@@ -185,19 +183,18 @@ def _creep_is_rounding(results: Results) -> Claim:
     double, single, warp = (results.row[f"precision-{name}"] for name in PRECISION)
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
     remaining = share(results, "double_share", formula, double.creep_mm_s, single.creep_mm_s)
-    departure = results.value(
+    rounded = departure(
+        results,
         "rounded_departure",
         "difference between the creep with rounded positions and MuJoCo Warp's, of the latter",
-        lambda rounded, measured: 100 * abs(rounded / measured - 1),
         single.creep_mm_s,
         warp.creep_mm_s,
-        unit="%",
     )
     bound = results.chosen("double_share_bound", "most of it is gone", 50.0, unit="%")
     same = results.chosen("rounded_departure_bound", "the same creep", 10.0, unit="%")
     return Claim(
         "creep_is_rounding",
-        all_of(at_most(remaining, bound), at_most(departure, same)),
+        all_of(at_most(remaining, bound), at_most(rounded, same)),
         holds="Most of it is rounding. With positions in double precision MuJoCo's C engine creeps at {double}; with "
         "the same positions rounded to single precision after every step, and nothing else changed, at {single}. "
         "MuJoCo Warp, which computes in single precision, creeps at {warp}.",
@@ -210,13 +207,12 @@ def _creep_is_rounding(results: Results) -> Claim:
 
 def _joint_stands_still(results: Results) -> Claim:
     warp = results.row["precision-warp"]
-    followed = results.value(
+    followed = size_share(
+        results,
         "joint_motion_share",
         "how much of its velocity the fastest arm joint's position follows",
-        lambda moved, velocity: 100 * abs(moved / velocity),
         warp.joint_motion_mrad_s,
         warp.joint_velocity_mrad_s,
-        unit="%",
     )
     bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
     return Claim(
@@ -279,9 +275,9 @@ def _table(rows: list[Row]) -> Table:
         "drift down": [row.creep_z_mm_s for row in rows],
         "monotonic": [row.monotonic for row in rows],
     }
-    index = pd.Index([row.case for row in rows], name="case")
-    return Table(
-        pd.DataFrame(columns, index=index),
+    return by_case(
+        rows,
+        columns,
         "The arm held still, against the shake: drift along the shake's main axis and along the tool, which points "
         "down, and whether every second moves the cube the same way. The cases hold-warp and hold-mujoco-c are one "
         "model in both engines.",

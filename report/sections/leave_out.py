@@ -8,7 +8,7 @@ from report.format import format_number
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
-from report.sections._common import DEVICES, in_code, noise_floor, ratio
+from report.sections._common import DEVICES, difference, in_code, noise_floor, ratio
 from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of
 from report.sections._leave_out_double import change_in_double, double_table, same_in_double
 from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, same_table
@@ -134,13 +134,12 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
 def _difference(results: Results, variants: Sequence[Variant], variant: Variant) -> Value:
     reference = reference_of(variants, variant.device)
     of_reference = cell(results, reference and reference.run, "slip_mm", "a run to the end")
-    return results.value(
+    return difference(
+        results,
         f"{variant.name}_difference",
         f"slip of {variant.case} less that of {reference.case if reference else REFERENCE}, on the same device",
-        lambda slip, before: slip - before,
         variant.run.slip_mm,
         of_reference,
-        unit="mm",
     )
 
 

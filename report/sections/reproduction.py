@@ -12,7 +12,7 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Trace
-from report.sections._common import DEVICES, SETTLES, in_code, ratio, spread
+from report.sections._common import DEVICES, SETTLES, by_case, in_code, ratio, size_share, spread
 
 order = 10
 
@@ -141,13 +141,12 @@ def _alternates(results: Results, shipped: Row, trace: Trace) -> Claim:
 
 
 def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
-    share = results.value(
+    share = size_share(
+        results,
         "hold_share",
         "drift with the arm held still, of the drift as shipped, signs left out",
-        lambda still, shaken: 100 * abs(still / shaken),
         hold.drift_mm_s,
         shipped.drift_mm_s,
-        unit="%",
     )
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
     return Claim(
@@ -292,8 +291,7 @@ def _table(results: Results) -> Table:
         "wander": [row.wander_mm for row in rows],
         "dropped": [row.dropped for row in rows],
     }
-    index = pd.Index([row.case for row in rows], name="case")
-    return Table(pd.DataFrame(columns, index=index), "The cases, each run to the end and measured alike.")
+    return by_case(rows, columns, "The cases, each run to the end and measured alike.")
 
 
 def _engine(results: Results, row: Row) -> str:

@@ -11,7 +11,7 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import ratio, share
+from report.sections._common import departure, difference, ratio, share
 from report.sections._timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
@@ -161,13 +161,12 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
 
 def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
     before, last = rows[-2:]
-    change = results.value(
+    change = departure(
+        results,
         "memory_change",
         "change of the memory per world from the second most worlds to the most, either way",
-        lambda a, b: 100 * abs(b / a - 1),
-        before.bytes_per_world,
         last.bytes_per_world,
-        unit="%",
+        before.bytes_per_world,
     )
     bound = results.chosen("memory_bound", "the same memory per world", 10.0, unit="%")
     formula = "contact and constraint buffers, of the memory per world with the most worlds"
@@ -211,13 +210,12 @@ def _table(results: Results, rows: Sequence[Row], over_floor: Mapping[int, Value
 
 
 def _beside(results: Results, row: Row) -> Value:
-    return results.value(
+    return difference(
+        results,
         f"beside_{row.worlds.value}",
         "time of a whole frame less that of its substeps as bare engine steps",
-        lambda whole, bare: whole - bare,
         row.frame_ms,
         row.mjw_step_ms,
-        unit="ms",
     )
 
 

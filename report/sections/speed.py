@@ -3,14 +3,13 @@
 from collections.abc import Sequence
 
 import numpy as np
-import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most, greater
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
-from report.sections._common import ratio
+from report.sections._common import by_case, ratio
 from report.sections._timing import cell, frame_spread
 
 order = 160
@@ -114,7 +113,7 @@ def _table(rows: Sequence[Row]) -> Table:
         "slip": [row.slip_mm for row in rows],
     }
     caption = "One world through the shake. The slip is that of the timed run, which ends at its last timed frame."
-    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), caption)
+    return by_case(rows, columns, caption)
 
 
 def _draw_frames(rows: Sequence[Row]) -> Drawing:

@@ -12,7 +12,7 @@ from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 from report.sections import _stability_extremes as extremes
 from report.sections import _stability_steps as limits
-from report.sections._common import cell_or_absent
+from report.sections._common import by_case, cell_or_absent
 from report.sections._stability import CLASSES, family, is_stable
 from report.sections._stability_figures import (
     draw_loads,
@@ -219,8 +219,9 @@ def _others_table(results: Results) -> Table:
         "friction used": [_friction_used(row) for row in rows],
         "passes": [bool(row.passes) or extremes.lies_still(row) for row in rows],
     }
-    return Table(
-        pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")),
+    return by_case(
+        rows,
+        columns,
         "The other extremes, the worst repeat of each: how the run ends, drift along the shake's main axis, creep in "
         "any direction, depth in the pads, and friction needed over friction there is. A run passes when it stays "
         "finite, drops if there is no friction at all, gains no energy if the cube is let go, and names the buffer if "

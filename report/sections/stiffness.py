@@ -2,11 +2,10 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-import pandas as pd
-
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
+from report.sections._common import by_case
 from report.sections._stiffness import FIX, SHIPPED, Runs, is_held
 from report.sections._stiffness_cause import cause, drift_follows_timeconst, not_creep_under_load
 from report.sections._stiffness_figures import draw_law, draw_sweep
@@ -79,9 +78,9 @@ def _table(rows: Sequence[Row], give: Mapping[str, Value], stiffness: Mapping[st
     }
     for name in list(columns)[4:]:  # the contacts of a cube that was lost are with the ground
         columns[name] = [cell if is_held(row) else "" for row, cell in zip(rows, columns[name], strict=True)]
-    index = pd.Index([row.case for row in rows], name="case")
-    return Table(
-        pd.DataFrame(columns, index=index),
+    return by_case(
+        rows,
+        columns,
         "What is authored (ke, kd, dmax), how the cube fares, the solref that the contact has, mean penetration "
         "(depth) and total normal force, and the stiffness: force over penetration of one loaded contact.",
     )
