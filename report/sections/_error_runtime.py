@@ -8,6 +8,7 @@ from markupsafe import Markup
 
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections._common import SHIPPED_SUBSTEPS
 from report.sections._timing import cell
 
 PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
@@ -23,13 +24,17 @@ LABELS = {
 }
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 MODEL_KNOBS = ("cone", "impratio")
-SHIPPED_SUBSTEPS = 16
 ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
     """The case with the substeps as shipped."""
     return f"{pads}/{method}/substeps-{SHIPPED_SUBSTEPS}"
+
+
+def hit_iteration_limit(row: Row) -> bool:
+    """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
+    return "iterations" in row.invalid_reason
 
 
 SHIPPED = with_shipped_steps("as-shipped", "newton")

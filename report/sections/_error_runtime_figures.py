@@ -10,7 +10,17 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.format import format_number
 from report.quantities import Quantity
 from report.results import Row
-from report.sections._error_runtime import ENGINES, ERROR, GRASP, LABELS, PADS, Points, is_clamped, is_own_model
+from report.sections._error_runtime import (
+    ENGINES,
+    ERROR,
+    GRASP,
+    LABELS,
+    PADS,
+    Points,
+    hit_iteration_limit,
+    is_clamped,
+    is_own_model,
+)
 from report.sections._timing import decade_axis, world_axis
 
 STYLES = {
@@ -137,11 +147,11 @@ def _mark_failures(axes: Axes, rows: Sequence[Row], right: float, top: float) ->
 
 
 def _limited(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and "iterations" in row.invalid_reason]
+    return [row for row in rows if not row.valid and hit_iteration_limit(row)]
 
 
 def _lost(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and "iterations" not in row.invalid_reason]
+    return [row for row in rows if not row.valid and not hit_iteration_limit(row)]
 
 
 def _legend(drawing: Drawing, points: Points, orders: Mapping[tuple[str, str], Quantity]) -> None:

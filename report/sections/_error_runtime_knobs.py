@@ -3,15 +3,15 @@
 from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater
 from report.quantities import Quantity
 from report.results import Row
-from report.sections._common import ratio
+from report.sections._common import SHIPPED_SUBSTEPS, ratio
 from report.sections._error_runtime import (
     ERROR,
     GRASP,
     PADS,
     SHIPPED,
-    SHIPPED_SUBSTEPS,
     TIME,
     Points,
+    hit_iteration_limit,
     named,
     with_shipped_steps,
 )
@@ -124,7 +124,7 @@ def _contact_source(points: Points) -> Claim:
 def _too_little(points: Points) -> Claim:
     """Which settings fail."""
     failed = [row for row in points.settings if not row.valid]
-    lost = [row for row in failed if row[ERROR].value is None or "iterations" not in row.invalid_reason]
+    lost = [row for row in failed if row[ERROR].value is None or not hit_iteration_limit(row)]
     twins = [points.results.row.get(row.case.replace("/c/", "/newton/")) for row in lost]
     kept = all(twin and twin not in lost and twin[ERROR].value is not None for twin in twins)
     return Claim(

@@ -118,10 +118,10 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
     steps = sorted({row.substeps.value for row in rows})
     for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
         mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
+        label = f"{format_code(mine[0].step_ms.value, digits=2)} ms"
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
         x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
-        label = f"{format_code(1e3 / 60 / substeps, digits=2)} ms"
         axes.plot(x, y, color=colour, linestyle=style, marker="", label=label)
         for is_clamped in (False, True):
             at = [i for i, row in enumerate(mine) if row.clamped is is_clamped]

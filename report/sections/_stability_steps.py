@@ -7,10 +7,9 @@ import numpy as np
 from report.claims import Claim, Outcome, all_of, at_least, at_most
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections._common import extreme, friction_rows_differ, ratio
+from report.sections._common import SHIPPED_SUBSTEPS, extreme, friction_rows_differ, ratio
 from report.sections._stability import count, family, family_claim, is_stable
 
-SHIPPED_SUBSTEPS = 16
 SHIPPED_KE, STIFF_KE = 2.5e3, 2.5e5
 CLAMPED_MS = 1e3
 """Over kd: half a timeconst of 2 / kd, the step [ms] from which the clamp is at work."""

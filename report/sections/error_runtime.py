@@ -16,6 +16,7 @@ from report.sections._error_runtime import (
     assignment,
     distinct,
     front_of,
+    hit_iteration_limit,
     is_clamped,
     order_of,
     points_of,
@@ -160,4 +161,4 @@ def _failure_table(points: Points) -> Table:
 
 def _shown(row: Row) -> Quantity | str:
     """How far away a cube lies that has left the grasp is no error."""
-    return row.numerical_error_mm if "iterations" in row.invalid_reason else "gone"
+    return row.numerical_error_mm if hit_iteration_limit(row) else "gone"

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections._common import by_case
+from report.sections._common import SHIPPED_SUBSTEPS, by_case
 from report.sections._stiffness import FIX, SHIPPED, Runs, is_held
 from report.sections._stiffness_cause import cause, drift_follows_timeconst, not_creep_under_load
 from report.sections._stiffness_figures import draw_law, draw_sweep
@@ -22,7 +22,9 @@ def derive(results: Results) -> Section:
         ke_alone=_by_ke(row for row in plain if row.pad_kd.value == default_kd),
         together=_by_ke(row for row in plain if row.pad_kd.value != default_kd or row.case == SHIPPED),
     )
-    substep = results.value("substep", "given by the scene: frame time over substeps", lambda: 1 / 60 / 16, unit="s")
+    substep = results.value(
+        "substep", "given by the scene: frame time over substeps", lambda: 1 / 60 / SHIPPED_SUBSTEPS, unit="s"
+    )
     least = results.value("least_timeconst", "two substeps", lambda step: 2 * step, substep, unit="s")
     clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)
     proportional = drift_follows_timeconst(results, runs, least)
