@@ -3,7 +3,7 @@
 from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater
 from report.quantities import Quantity
 from report.results import Row
-from report.sections._common import SHIPPED_SUBSTEPS, ratio
+from report.sections._common import SHIPPED_SUBSTEPS, departure, difference, other_cell, ratio
 from report.sections._error_runtime import (
     ERROR,
     GRASP,
@@ -30,7 +30,13 @@ def knob_claims(points: Points) -> list[Claim]:
 
 
 def model_claims(points: Points) -> list[Claim]:
-    return [_pads_decide(points), _coarse_steps_flatter(points), _impratio(points), _cone_not_left(points)]
+    return [
+        _pads_decide(points),
+        _coarse_steps_flatter(points),
+        _rest_is_step_error(points),
+        _impratio(points),
+        _cone_not_left(points),
+    ]
 
 
 def _more_substeps(points: Points) -> Claim:
@@ -198,6 +204,42 @@ def _coarse_steps_flatter(points: Points) -> Claim:
         unknown="Whether coarse steps flatter the grasp with stiff pads cannot be told: {coarse} as shipped, "
         "{converged} converged.",
         numbers={"coarse": coarse, "converged": converged},
+    )
+
+
+def _rest_is_step_error(points: Points) -> Claim:
+    """Whether what stays of the drift when nothing slides is what the shipped step adds to the converged solution."""
+    results, numbers, departures = points.results, {}, []
+    frequency = other_cell(results, "reproduction", "as-shipped", "shake_frequency_hz", unit="Hz")
+    for name, pads, case in (("shipped", "as-shipped", "as-shipped"), ("stiff", "stiff", "stiff-pads")):
+        rest = results.value(
+            f"rest_{name}",
+            "drift with the left-out acceleration put back, in a cycle",
+            lambda drift, cycles: drift / cycles,
+            other_cell(results, "contacts", f"{case}-term-restored", "drift_mm_s", unit="mm/s"),
+            frequency,
+            unit="mm/cycle",
+        )
+        formula = "grasp error in C with the shipped step, less that of the converged solution"
+        shipped, converged = points.cell(with_shipped_steps(pads, "c"), GRASP), _reference_cell(points, pads)
+        step = difference(results, f"step_part_{name}", formula, shipped, converged)
+        formula = "size of the difference between the two, of the motion that stays"
+        departures.append(departure(results, f"rest_departure_{name}", formula, step, rest))
+        numbers |= {f"rest_{name}": rest, f"step_{name}": step}
+    largest = results.value("rest_departure", "larger of both departures", max, *departures, unit="%")
+    bound = results.chosen("rest_departure_bound", "the same motion", 25.0, unit="%")
+    return Claim(
+        "rest_is_step_error",
+        at_most(largest, bound),
+        holds="The motion that stays when nothing slides is about what the step adds. With the left-out acceleration "
+        "put back into the contact rows the cube still moves by {rest_shipped} as shipped and {rest_stiff} with stiff "
+        "pads; the shipped step makes a difference of {step_shipped} and {step_stiff}.",
+        fails="The motion that stays when nothing slides is no step error: with the left-out acceleration put back "
+        "into the contact rows the cube moves by {rest_shipped} as shipped and {rest_stiff} with stiff pads, and the "
+        "shipped step makes a difference of {step_shipped} and {step_stiff}.",
+        unknown="Whether the motion that stays when nothing slides is a step error cannot be told.",
+        numbers=numbers,
+        explanation="It goes against the slide and hides a part of it.",
     )
 
 
