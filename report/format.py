@@ -37,7 +37,9 @@ def format_code(value: float | int | None, *, digits: int = 6) -> str:
 
 
 def format_short(value: float) -> str:
-    """``value`` from 0.01 to 99 in two digits and three characters at most, for where there is no room."""
+    """``value`` up to 99 in two digits and as few characters as can be, for where there is no room."""
+    if value < 0.005:
+        return "<.01"
     if value >= 9.95:
         return f"{value:.0f}"
     return f"{value:.1f}" if value >= 0.095 else f"{value:.2f}".removeprefix("0")

@@ -12,7 +12,17 @@ from report.quantities import Quantity, absent
 from report.records import load_record, record_path
 from report.results import Results, ResultsError
 from report.sections import fix
-from report.sections._common import SETTLES, cell_or_absent, other_cell, ratio, share, spread
+from report.sections._common import (
+    SETTLES,
+    cell_or_absent,
+    departure,
+    difference,
+    other_cell,
+    ratio,
+    share,
+    size_share,
+    spread,
+)
 from report.sections._variants import beyond_noise
 
 
@@ -153,12 +163,16 @@ def test_a_chosen_value_says_why(results):
     assert results.chosen("gain_bound", *SETTLES).formula == "chosen: a change that settles the matter"
 
 
-def test_ratio_share_and_spread(results):
+def test_ratios_shares_and_differences(results):
     cells = [quantity(value) for value in (2.0, 8.0, 5.0)]
     assert (ratio(results, "a", "", *cells[:2]).value, ratio(results, "b", "", *cells[:2]).unit) == (0.25, "1")
     assert str(share(results, "c", "", *cells[:2])) == "25.0 %"
     assert str(spread(results, "d", "", cells, unit="mm")) == "6.00 mm"
     assert spread(results, "e", "", cells[:1]).value == 0.0
+    assert spread(results, "none", "", []).value is None
+    assert size_share(results, "g", "", quantity(-1.0), quantity(4.0)).value == 25.0
+    assert departure(results, "h", "", quantity(3.0), quantity(4.0)).value == 25.0
+    assert difference(results, "i", "", quantity(3.0), quantity(4.0)).value == -1.0
     assert ratio(results, "f", "", cells[0], quantity(0.0)).value is None
 
 
@@ -179,7 +193,9 @@ def test_only_what_is_beyond_the_noise_is_named():
     assert beyond_noise(found, quantity(None, "it fell")) == Markup()
 
 
-@pytest.mark.parametrize(("value", "text"), [(0.014, ".01"), (0.096, "0.1"), (9.94, "9.9"), (9.96, "10"), (42.4, "42")])
+@pytest.mark.parametrize(
+    ("value", "text"), [(0.004, "<.01"), (0.014, ".01"), (0.096, "0.1"), (9.94, "9.9"), (9.96, "10"), (42.4, "42")]
+)
 def test_short_numbers(value, text):
     assert format_short(value) == text
 

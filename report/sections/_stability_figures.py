@@ -95,16 +95,27 @@ def _edges(centres: Sequence[float]) -> np.ndarray:
 
 
 def draw_steps(rows: Sequence[Row]) -> Drawing:
-    """Drift over the step, one line for each kind of pads."""
+    """Size of the drift over the step, one line for each kind of pads; marks are open where it goes the other way."""
     drawing, axes = new_figure(7.2, 3.4)
     for pads in dict.fromkeys(row.pads for row in rows):
         mine = [row for row in rows if row.pads == pads and row.drift_mm_s.value is not None]
         if not mine:
             continue
-        last = mine[-1].drift_mm_s.value
+        last = abs(mine[-1].drift_mm_s.value)
         axes.axhspan(0.5 * last, 2.0 * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-        x, y = [row.step_ms.value for row in mine], [row.drift_mm_s.value for row in mine]
-        axes.plot(x, y, label=pads.replace("-", " "), markevery=1)
+        x, y = [row.step_ms.value for row in mine], [abs(row.drift_mm_s.value) for row in mine]
+        back = [i for i, row in enumerate(mine) if row.drift_mm_s.value < 0.0]
+        forward = [i for i in range(len(mine)) if i not in back]
+        [line] = axes.plot(x, y, label=pads.replace("-", " "), markevery=forward)
+        axes.plot(
+            [x[i] for i in back],
+            [y[i] for i in back],
+            linestyle="",
+            marker=line.get_marker(),
+            markevery=1,
+            color=line.get_color(),
+            markerfacecolor="none",
+        )
     axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)

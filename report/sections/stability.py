@@ -46,8 +46,8 @@ def derive(results: Results) -> Section:
             "steps": _figure(
                 lambda: draw_steps(family(results, "steps")),
                 family(results, "steps"),
-                "Drift over the step, with the pads as shipped and with stiff pads. The bands are a factor of two "
-                "either way about the drift with the smallest step.",
+                "Size of the drift over the step, with the pads as shipped and with stiff pads. The bands are a factor "
+                "of two either way about the drift with the smallest step; open marks: it goes the other way.",
                 "Drift over the step for pads as shipped and stiff pads.",
             ),
             "plateau": _figure(
