@@ -94,13 +94,10 @@ class Comparison:
         return "\n".join([*lines, *(flip.text for flip in self.flips)])
 
 
-def compare_projects(before: Project, after: Project) -> Comparison:
+def compare_projects(older: Project, newer: Project) -> Comparison:
     """Compare the results of two releases."""
-    sides = [derive_release(project, values_file_of(project.release)).sections for project in (before, after)]
-    return compare(*sides, (before.release, after.release))
-
-
-def compare(before: Sections, after: Sections, releases: tuple[str, str]) -> Comparison:
+    releases = older.release, newer.release
+    before, after = (derive_release(project, values_file_of(project.release)).sections for project in (older, newer))
     floors = noise_floors([before, after])
     moves, notes = [], []
     for section in dict.fromkeys([*before, *after]):

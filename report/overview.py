@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -83,13 +84,11 @@ def _lines(section: str, results: Results) -> Iterator[Line]:
     A row that does not say whether the run failed is no run of the whole task, but a look at a part of one.
     """
     rows = [row for row in results.rows if "slip_mm" in row and "failure" in row]
-    stems: dict[str, list[Row]] = {}
-    for row in rows:
-        stems.setdefault(NUMBER.sub("…", row.case), []).append(row)
+    stems = [NUMBER.sub("…", row.case) for row in rows]
+    counts = Counter(stems)
     lines: dict[str, list[Row]] = {}
-    for row in rows:
-        stem = NUMBER.sub("…", row.case)
-        lines.setdefault(stem if len(stems[stem]) > SERIES_LENGTH else row.case, []).append(row)
+    for row, stem in zip(rows, stems, strict=True):
+        lines.setdefault(stem if counts[stem] > SERIES_LENGTH else row.case, []).append(row)
     for label, members in lines.items():
         yield Line(section, label if len(members) == 1 else f"{label} ({len(members)})", tuple(members))
 

@@ -34,6 +34,11 @@ def find(variants: Sequence[Variant], device: str, case: str) -> Variant | None:
     return next((variant for variant in variants if (variant.device, variant.case) == (device, case)), None)
 
 
+def row_of(variants: Sequence[Variant], device: str, case: str, worlds: int = 1) -> Row | None:
+    variant = find(variants, device, case)
+    return variant and variant.at(worlds)
+
+
 def reference_of(variants: Sequence[Variant], device: str) -> Variant | None:
     """What slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
     of_device = [variant for variant in variants if variant.device == device]

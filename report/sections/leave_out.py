@@ -9,7 +9,7 @@ from report.parts import Section
 from report.quantities import Value
 from report.results import Results
 from report.sections._common import DEVICES, difference, in_code, noise_floor, ratio
-from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of
+from report.sections._leave_out import ALL, REFERENCE, Variant, find, reference_of, row_of
 from report.sections._leave_out_double import change_in_double, double_table, same_in_double
 from report.sections._leave_out_tables import audit_table, case_table, cost_figure, cost_table, same_table
 from report.sections._timing import cell, frame_spread
@@ -61,8 +61,7 @@ def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: in
     """How many times as fast the scene is with all left out."""
     times = []
     for case in (REFERENCE, ALL):
-        variant = find(variants, device, case)
-        row = variant.at(worlds) if variant else None
+        row = row_of(variants, device, case, worlds)
         times.append(
             cell(results, row, "frame_ms", f"{case} in a batch of {format_number(worlds)} on a {DEVICES[device]}")
         )
@@ -74,8 +73,7 @@ def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
     one, many = (_gain(results, variants, "cuda", worlds) for worlds in (1, MANY_COUNT))
     smaller = results.value("cuda_gain", "smaller of the gains with one world and with the most", min, one, many)
     bound = results.chosen("cuda_gain_bound", "a gain worth having on a GPU", 1.25)
-    full = find(variants, "cuda", ALL)
-    row = full.at(MANY_COUNT) if full else None
+    row = row_of(variants, "cuda", ALL, MANY_COUNT)
     return Claim(
         "faster_on_gpu",
         at_least(smaller, bound),
@@ -91,10 +89,9 @@ def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
 def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
     gain = _gain(results, variants, "cpu", 1)
     bound = results.chosen("cpu_gain_bound", "a gain worth having on a CPU", 4.0)
-    buffers = find(variants, "cpu", "without-buffers")
-    time = cell(results, buffers and buffers.run, "frame_ms", "the scene without large buffers on a CPU")
-    reference = find(variants, "cpu", REFERENCE)
-    before = cell(results, reference and reference.run, "frame_ms", "the scene exactly as shipped on a CPU")
+    buffers = row_of(variants, "cpu", "without-buffers")
+    time = cell(results, buffers, "frame_ms", "the scene without large buffers on a CPU")
+    before = cell(results, row_of(variants, "cpu", REFERENCE), "frame_ms", "the scene exactly as shipped on a CPU")
     return Claim(
         "faster_on_cpu",
         at_least(gain, bound),
@@ -196,7 +193,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
 def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
     """Whether what this report's baseline still has of it counts, where there are most worlds."""
     device, worlds = max(panels, key=lambda panel: panel[1], default=("cuda", MANY_COUNT))
-    rows = [variant and variant.at(worlds) for variant in (find(variants, device, case) for case in (BASELINE, ALL))]
+    rows = [row_of(variants, device, case, worlds) for case in (BASELINE, ALL)]
     before, after = (cell(results, row, "frame_ms", "the baseline, or the scene without it all,") for row in rows)
     return Claim(
         "rest_helps",
@@ -220,8 +217,7 @@ def _is_faster(
     results: Results, variants: Sequence[Variant], device: str, worlds: int, case: str, other: str
 ) -> Outcome:
     """Whether a frame takes longer in ``case`` than in ``other``, by more than frames of one run spread."""
-    found = [find(variants, device, name) for name in (case, other)]
-    rows = [variant and variant.at(worlds) for variant in found]
+    rows = [row_of(variants, device, name, worlds) for name in (case, other)]
     before, after = (cell(results, row, "frame_ms", f"{case} or {other}") for row in rows)
     spread = frame_spread(results, f"{device}_{case}_{other}_{worlds}_spread".replace("-", "_"), *rows)
     return greater(before, after, noise=spread)
