@@ -149,7 +149,9 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Trace, .
     if reasons:
         return None, reasons[0]
     try:
-        value = function(*(source.value for source in sources))
+        values = [source.value for source in sources]
+        # Given a single number these two would look for the largest or smallest in it.
+        value = function(values, default=math.nan) if function in (max, min) else function(*values)
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     value = getattr(value, "item", lambda: value)()
