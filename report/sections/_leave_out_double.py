@@ -44,8 +44,10 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
         "same_in_double",
         at_most(largest, floor),
         holds="In double precision, through MuJoCo's own loop in C, leaving out what is in the engine's model changes "
-        "the slip by at most {largest}: not a bit of the trajectory for {same}, and it moves cube or TCP by up to "
-        "{apart} for {moved}." + note,
+        "the slip by at most {largest}: "
+        + ("not a bit of the trajectory for {same}, and " if same else "")
+        + "it moves cube or TCP by up to {apart} for {moved}."
+        + note,
         fails="In double precision, through MuJoCo's own loop in C, leaving out what is in the engine's model changes "
         "the slip by up to {largest}, more than the noise floor of {floor}." + note,
         unknown="Whether double precision shows a difference cannot be told.",
