@@ -81,9 +81,9 @@ def _baseline(chapters: Mapping[str, Results]) -> Row | None:
 def _lines(section: str, results: Results) -> Iterator[Line]:
     """The section's runs that have a slip, those of one case or of one long series together.
 
-    A row that does not say whether the run failed is no run of the whole task, but a look at a part of one.
+    A row that has no drift, or does not say whether the run failed, is a look at a part of a run and not at all of it.
     """
-    rows = [row for row in results.rows if "slip_mm" in row and "failure" in row]
+    rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
     stems = [NUMBER.sub("…", row.case) for row in rows]
     counts = Counter(stems)
     lines: dict[str, list[Row]] = {}

@@ -16,6 +16,8 @@ SHIPPED_SUBSTEPS = 16
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
+NO_DRIFT = ("no comparable drift", 10.0)
+"""Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
 
 def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
@@ -50,10 +52,10 @@ def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity],
 def extreme(
     results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
 ) -> Value:
-    """``choose`` of the cells that there are; without a number when there is none."""
+    """``choose``, max or min, of the cells that there are; without a number when there is none."""
     there = [cell for cell in cells if cell.value is not None]
     unit = there[0].unit if there else "1"
-    return results.value(name, formula, lambda *found: choose(found) if found else np.nan, *there, unit=unit)
+    return results.value(name, formula, choose, *there, unit=unit)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:

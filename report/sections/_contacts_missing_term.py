@@ -71,12 +71,12 @@ def _term_restored(results: Results) -> Claim:
     shares = [
         size_share(
             results,
-            f"restored_share_{without.case.removesuffix('-missing-term')}",
+            f"restored_share_{case}",
             "size of the slide of the friction rows with the term put back, of that without it",
             put_back.slide_mm,
             without.slide_mm,
         )
-        for without, put_back in zip(left_out, restored, strict=True)
+        for case, without, put_back in zip(CASES, left_out, restored, strict=True)
     ]
     largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
     bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
@@ -100,7 +100,7 @@ def _rest_is_creep(results: Results) -> Claim:
     left_out, restored = _in_c(results, "missing-term"), _in_c(results, "term-restored")
     rests = [
         results.value(
-            f"rest_{without.case.removesuffix('-missing-term')}",
+            f"rest_{case}",
             "size of: measured displacement less slide of the rows, less the displacement with the term put back",
             lambda along, slide, creep: abs(along - slide - creep),
             without.along_mm,
@@ -108,7 +108,7 @@ def _rest_is_creep(results: Results) -> Claim:
             put_back.along_mm,
             unit="mm",
         )
-        for without, put_back in zip(left_out, restored, strict=True)
+        for case, without, put_back in zip(CASES, left_out, restored, strict=True)
     ]
     largest = results.value("rest", "larger of both", max, *rests, unit="mm")
     bound = results.chosen("rest_bound", "all accounted for", 0.03, unit="mm")
@@ -153,9 +153,8 @@ def missing_table(results: Results) -> Table:
         "friction rows, term put back": [row.slide_mm for row in restored],
         "displacement, term put back": [row.along_mm for row in restored],
     }
-    index = pd.Index([row.case.removesuffix("-missing-term") for row in left_out], name="case")
     return Table(
-        pd.DataFrame(columns, index=index),
+        pd.DataFrame(columns, index=pd.Index(CASES, name="case")),
         "Slide along the main axis over the first two periods of the whole motion, which repeats every second cycle, "
         "in runs through MuJoCo C: J̇·q̇ / b at the loaded contacts, with J̇ from MuJoCo's mj_jacDot; the velocity of "
         "the same contacts' friction rows; how far the cube has moved; and the last two again in a run whose contact "

@@ -282,9 +282,9 @@ def _cone_not_left(points: Points) -> Claim:
     return Claim(
         "cone_not_left",
         at_least(margin, bound),
-        holds="No contact reaches the limit of friction: with the shipped substeps and finer at least {margin} of the "
+        holds="With the shipped substeps and finer no contact reaches the limit of friction: at least {margin} of the "
         "friction cone is left in every frame of every run that counts."
-        + (" All of it is used by {edge}." if at_edge else ""),
+        + (" With fewer all of it is used by {edge}." if at_edge else ""),
         fails="Some contact comes near the limit of friction: with the shipped substeps and finer as little as "
         "{margin} of the friction cone is left.",
         unknown="How near the contacts come to the limit of friction cannot be told.",

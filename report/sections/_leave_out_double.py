@@ -8,21 +8,16 @@ from report.claims import Claim, at_most
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections._common import friction_rows_differ, in_code, noise_floor
+from report.sections._common import difference, friction_rows_differ, in_code, noise_floor
 from report.sections._leave_out import REFERENCE
 
 C_DIFFERS = " In C friction rows have no time constant of their own, so the slip is another one there."
 
 
 def change_in_double(results: Results, row: Row) -> Value:
-    return results.value(
-        f"{row.case}_change".replace("-", "_"),
-        f"slip of {row.of} less that of {REFERENCE}, both in double precision",
-        lambda slip, before: slip - before,
-        row.slip_mm,
-        results.row[f"double-{REFERENCE}"].slip_mm,
-        unit="mm",
-    )
+    name, formula = f"{row.case}_change", f"slip of {row.of} less that of {REFERENCE}, both in double precision"
+    reference = results.row[f"double-{REFERENCE}"]
+    return difference(results, name.replace("-", "_"), formula, row.slip_mm, reference.slip_mm)
 
 
 def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Value]) -> Claim:
@@ -58,8 +53,8 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
             "same": in_code(row.of for row in same),
             "moved": in_code(row.of for row in moved),
         },
-        explanation="Of the model only that much changes; larger changes of the slip in single precision come from how "
-        "it is computed.",
+        explanation="Of the model only that much changes; larger changes of the slip come from how it is run, and in "
+        "single precision.",
     )
 
 

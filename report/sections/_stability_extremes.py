@@ -154,6 +154,7 @@ def freed(results: Results) -> Claim:
         [cell_or_absent(row, "energy_growth", "1") for row in rows],
     )
     at_rest = [row.case for row in rows if lies_still(row)]
+    # The verdict in the record asks for a ratio, which a cube at rest does not have.
     return family_claim(
         results,
         "freed_cube",

@@ -115,7 +115,7 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
         at_least(least, bound),
         holds="Of {count} points, the cube stays in the grasp before and after at {held}, and there stiff pads slip "
         "{least} to {most} times less.",
-        fails="At the {held} of {count} points where the cube stays in the grasp before and after, the slip as shipped "
+        fails="At {held} of {count} points the cube stays in the grasp before and after, and there the slip as shipped "
         "is {least} to {most} times that with stiff pads; at least {bound} times was aimed for.",
         unknown="By how much stiff pads reduce the slip cannot be told.",
         numbers={"held": held, "count": count, "least": least, "most": most, "bound": bound},

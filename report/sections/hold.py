@@ -8,7 +8,7 @@ from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_mos
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row, Trace
-from report.sections._common import by_case, departure, friction_rows_differ, noise_floor, share, size_share
+from report.sections._common import NO_DRIFT, by_case, departure, friction_rows_differ, noise_floor, share, size_share
 
 order = 80
 
@@ -73,7 +73,7 @@ def _drift_needs_cycle(results: Results) -> Claim:
         held,
         shaken,
     )
-    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(
         "drift_needs_cycle",
         at_most(part, bound),

@@ -231,7 +231,7 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
     largest = results.value(
         "cpu_pose_difference",
         "largest distance of any body in any frame from where it is in the reference, on the CPU",
-        lambda *apart: max(apart, default=math.nan),
+        max,
         *(variant.run.pose_difference_mm for variant in others),
         unit="mm",
     )

@@ -12,7 +12,7 @@ from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Trace
-from report.sections._common import DEVICES, SETTLES, by_case, in_code, ratio, size_share, spread
+from report.sections._common import DEVICES, NO_DRIFT, SETTLES, by_case, in_code, ratio, size_share, spread
 
 order = 10
 
@@ -148,7 +148,7 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         hold.drift_mm_s,
         shipped.drift_mm_s,
     )
-    bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, unit="%")
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(
         "needs_shaking",
         at_most(share, bound),

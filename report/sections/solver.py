@@ -95,7 +95,7 @@ def _smaller_steps(results: Results, variants: Variants) -> Claim:
         fails="Smaller steps help: with {substeps} substeps a frame the slip is {slip}, {reduction} less.",
         unknown="Whether smaller steps help cannot be told.",
         numbers=variants.numbers | {"substeps": row.substeps, "slip": row.slip_mm, "reduction": reduction},
-        explanation="An error of the time integration would shrink with the step, and the slip with it.",
+        explanation="A slip that came from the time integration would shrink with the step.",
     )
 
 
