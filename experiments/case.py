@@ -87,6 +87,8 @@ class Case:
     ls_tolerance: float | None = None
     cone: str = "elliptic"
     impratio: float = 50.0
+    noslip_iterations: int = 0
+    """Iterations of the pass that solves friction once more, without its regularization."""
     friction_timeconst_override_s: float | None = None
     """Written over the solreffriction of Newton's contacts: a timeconst [s], or 0 for none, which leaves the friction
     rows to the normal row's solref. None keeps what the release writes."""
@@ -185,5 +187,7 @@ LEAN = replace(
 and 50 constraint rows."""
 STIFF_PADS = replace(AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3)
 """The one change that holds the cube."""
+HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
+"""The same grasp with the arm held still."""
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
 """The scene to use: stiff pads, and nothing that it does not need."""

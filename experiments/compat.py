@@ -5,6 +5,9 @@ gives a geom that collides a contype or a conaffinity, not always both; 1.8.0 re
 and deprecates ``update_data_interval`` of ``SolverMuJoCo``, which still works.
 """
 
+from dataclasses import fields
+
+import mujoco_warp
 import newton
 import warp as wp
 from newton.solvers import SolverMuJoCo
@@ -29,6 +32,11 @@ def release(version: str = newton.__version__) -> tuple[int, ...]:
 def kf_is_read() -> bool:
     """Whether ``SolverMuJoCo`` of the installed release reads ``ShapeConfig.kf``."""
     return release() >= KF_RELEASE
+
+
+def warp_has_noslip() -> bool:
+    """Whether MuJoCo Warp of the installed release has the noslip pass, as the one of 1.8.0 does; C has it in all."""
+    return any(field.name == "noslip_iterations" for field in fields(mujoco_warp.Option))
 
 
 def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = None, **options) -> SolverMuJoCo:

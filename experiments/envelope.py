@@ -29,12 +29,13 @@ def at(side: str, name: str, amplitude_m: float, frequency_hz: float) -> Case:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    profile = "quick" if conditions.quick else "full"
     points = [at(side, f"{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side in SIDES for cm, hz in POINTS]
     traces = conditions.simulate(points, title="envelope")
     rows = [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
-    cells, map_rows, table = measure_map(conditions, MAP_SIZE[profile])
-    return Measurement(rows + map_rows + measure_alone(conditions, cells, ALONE_COUNT[profile]), {"map": table})
+    cells, map_rows, table = measure_map(conditions, MAP_SIZE[conditions.profile])
+    return Measurement(
+        rows + map_rows + measure_alone(conditions, cells, ALONE_COUNT[conditions.profile]), {"map": table}
+    )
 
 
 def measure_map(conditions: Conditions, size: int) -> tuple[list[Case], list[dict], dict[str, np.ndarray]]:

@@ -12,11 +12,11 @@ import warp as wp
 from experiments import metrics
 from experiments.case import FIXED, Case, differences
 from experiments.error_settings import FRAME_COUNT, MODEL_FIELDS, PADS, Setting, native_of, reference_of, settings
-from experiments.measurement import Conditions, Measurement
+from experiments.measurement import Conditions, Measurement, absent
 from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, run
 from experiments.task import FRAME_RATE
-from experiments.timing import WARMUP_COUNT, elapsed_ms, frame_ms, put_in_state_of
+from experiments.timing import WARMUP_COUNT, elapsed_ms, frame_ms, put_in_state_of, spread
 from experiments.trace import Trace
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
@@ -31,10 +31,9 @@ FRONT_COLUMNS = ("on_front", "on_backend_front", "on_grasp_front", "on_grasp_bac
 
 
 def measure(conditions: Conditions) -> Measurement:
-    profile = "quick" if conditions.quick else "full"
     device = wp.get_device(conditions.device)
-    points = settings(profile, cpu_too=conditions.is_cuda)
-    finest = REFERENCE_SUBSTEPS[profile]
+    points = settings(conditions.profile, cpu_too=conditions.is_cuda)
+    finest = REFERENCE_SUBSTEPS[conditions.profile]
     counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
@@ -171,13 +170,7 @@ def distance_mm(trace: Trace, other: Trace) -> float:
 
 def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
     """Wall time per simulated second, from frames in the shake."""
-    return spread(shake.frame_ms(REPEAT_COUNT))
-
-
-def spread(frames_ms: np.ndarray) -> dict[str, float | int]:
-    """Median and percentiles of the time of a frame, per simulated second."""
-    values = FRAME_RATE * np.percentile(frames_ms, (50, 5, 95))
-    return dict(zip(TIME_COLUMNS, map(float, values), strict=True)) | {"repeat_count": len(frames_ms)}
+    return spread("ms_per_s", FRAME_RATE * shake.frame_ms(REPEAT_COUNT))
 
 
 def mark_fronts(rows: Sequence[dict[str, object]]) -> None:
@@ -219,11 +212,11 @@ def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[st
     case = replace(FIXED, name=f"worlds-{world_count}", frame_count=TIMED_FRAME_COUNT)
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
-    times = frame_ms(simulation, REPEAT_COUNT)
+    times = spread("ms_per_s", FRAME_RATE * frame_ms(simulation, REPEAT_COUNT))
     traces = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
     reason = next(filter(None, (invalid_reason(case, trace) for trace in traces)), None)
     row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)
-    return row | (spread(times) if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+    return row | (times if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
 
 
 def one_core_row(start: Start) -> dict[str, object]:
@@ -245,7 +238,3 @@ def timed_only(case: Case, invalid: str | None, backend: str, world_count: int) 
 def number(name: str, value: float) -> dict[str, object]:
     """A column, with the reason where the number does not exist."""
     return {name: float(value)} if np.isfinite(value) else absent((name,), "the positions are not finite")
-
-
-def absent(names: Sequence[str], reason: str) -> dict[str, object]:
-    return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}

@@ -6,7 +6,7 @@ import numpy as np
 
 from experiments import metrics
 from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement, summarize
+from experiments.measurement import Conditions, Measurement, absent, summarize
 from experiments.trace import Trace
 
 CASES = (
@@ -32,12 +32,7 @@ def contact_columns(trace: Trace) -> dict[str, object]:
         "mean_loaded_row_count": metrics.shake_mean(trace, "loaded_count"),
     }
     if np.isnan(near).all():
-        reason = "every contact carries force"
-        return (
-            columns
-            | {"unloaded_near_mm": None, "unloaded_near_mm_reason": reason}
-            | {"unloaded_far_mm": None, "unloaded_far_mm_reason": reason}
-        )
+        return columns | absent(("unloaded_near_mm", "unloaded_far_mm"), "every contact carries force")
     return columns | {
         "unloaded_near_mm": 1e3 * float(np.nanmin(near)),
         "unloaded_far_mm": 1e3 * float(np.nanmax(far)),

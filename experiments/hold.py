@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from experiments import metrics
-from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS
 from experiments.measurement import (
     SETUP_FRAME_COUNT,
     Conditions,
     Measurement,
+    absent,
     displacement_table,
     summarize,
 )
@@ -18,7 +19,6 @@ from experiments.reference import ENGINES_AGREE
 from experiments.task import FRAME_RATE
 from experiments.trace import Trace
 
-HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
 LONG_FRAME_COUNT = SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
 CASES = (
     HOLD,
@@ -34,7 +34,7 @@ CASES = (
 def measure(conditions: Conditions) -> Measurement:
     traces = conditions.simulate(CASES, title="hold")
     rows = [summarize(case, trace) | creep(trace) for case, trace in zip(CASES, traces, strict=True)]
-    rows += measure_precision(conditions.device, conditions.quick)
+    rows += measure_precision(conditions)
     return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
 
 
@@ -46,7 +46,7 @@ def creep(trace: Trace) -> dict[str, object]:
     moved = metrics.displacement(trace)
     if trace.failure or len(moved.time_s) <= FRAME_RATE:
         reason = str(trace.failure or "the time after the lift is shorter than a second")
-        return dict.fromkeys(CREEP_COLUMNS) | {f"{name}_reason": reason for name in CREEP_COLUMNS}
+        return absent(CREEP_COLUMNS, reason)
     slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
     increments = np.diff(way[::FRAME_RATE])

@@ -10,10 +10,10 @@ import warp as wp
 from experiments import metrics
 from experiments.audit import audit, audit_rows
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
-from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, summarize
+from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.reference import NativeShake, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, simulate
-from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of
+from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of, spread
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},
@@ -54,7 +54,7 @@ def measure(conditions: Conditions) -> Measurement:
                 row = {"case": case.name, "device": kind, "worlds": world_count}
                 row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
                 rows.append(row | trajectories[case.name])
-    frame_count = AUDIT_FRAME_COUNT["quick" if conditions.quick else "full"]
+    frame_count = AUDIT_FRAME_COUNT[conditions.profile]
     items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
     return Measurement(rows + double_rows(conditions) + audit_rows(items))
 
@@ -70,7 +70,7 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     found = {}
     if kind == "cpu":
         reason = "not run to the end on the CPU, where it takes minutes"
-        found[cases.pop(0).name] = dict.fromkeys(MEASURED) | {f"{name}_reason": reason for name in MEASURED}
+        found[cases.pop(0).name] = absent(MEASURED, reason)
         cases = [
             replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases
         ]
@@ -120,7 +120,7 @@ def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
     for name in ("slip_mm", "drift_mm_s"):
         values = [row[name] for row in summaries]
         missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
-        columns |= {name: None, f"{name}_reason": missing} if missing else {name: float(np.mean(values))}
+        columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
     return columns
 
 
@@ -133,12 +133,6 @@ def time_case(case: Case, world_count: int, pilot: Simulation, repeat_count: int
         times = frame_ms(simulation, repeat_count)
     except RuntimeError as error:
         reason = " ".join(str(error).split())[:120]
-        names = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
-        return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}
-    return {
-        "frame_ms": float(np.median(times)),
-        "frame_ms_p5": float(np.percentile(times, 5)),
-        "frame_ms_p95": float(np.percentile(times, 95)),
-        "repeat_count": repeat_count,
-        "buffer_bytes_per_world": buffer_bytes_per_world(simulation.solver, simulation.contacts),
-    }
+        return absent(("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world"), reason)
+    memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
+    return spread("frame_ms", times) | {"buffer_bytes_per_world": memory}

@@ -1,6 +1,6 @@
 """What a section hands over to be kept: rows of plain numbers, and long traces beside them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
@@ -31,6 +31,11 @@ class Conditions:
     def is_cuda(self) -> bool:
         return self.device.startswith("cuda")
 
+    @property
+    def profile(self) -> str:
+        """``full`` or ``quick``: the key of what is measured in either."""
+        return "quick" if self.quick else "full"
+
     def frame_count(self, full: int) -> int:
         """``full``, or fewer frames when quick."""
         return min(full, QUICK_FRAME_COUNT) if self.quick else full
@@ -59,6 +64,12 @@ class Measurement:
     traces: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
 
 
+def absent(names: Iterable[str], reason: str) -> dict[str, object]:
+    """Columns without a number: None under each name, and beside it the reason."""
+    names = tuple(names)
+    return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}
+
+
 def summarize(case: Case, trace: Trace) -> dict[str, object]:
     """One row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
 
@@ -69,19 +80,13 @@ def summarize(case: Case, trace: Trace) -> dict[str, object]:
     row |= {"failure": str(trace.failure) if trace.failure else None}
     row |= {"failure_frame": trace.failure.frame} if trace.failure else {}
     moved = metrics.displacement(trace)
-    increments = metrics.cycle_increments_mm(moved, case.shake_frequency_hz) if len(moved.time_s) else np.zeros(0)
-    reason = None
-    if trace.failure:
-        reason = str(trace.failure)
-    elif len(moved.time_s) < 2:
+    reason = str(trace.failure or "")
+    if not reason and len(moved.time_s) < 2:
         reason = "the shake was never reached"
-    numbers = {} if reason else _shake_numbers(moved, trace)
-    numbers |= _cycle_numbers(increments) if not reason and len(increments) else {}
+    row |= absent(SHAKE_COLUMNS, reason) if reason else _shake_numbers(moved, trace)
+    increments = np.zeros(0) if reason else metrics.cycle_increments_mm(moved, case.shake_frequency_hz)
     cycle_reason = reason or "the shake is shorter than one cycle"
-    for name in SHAKE_COLUMNS + CYCLE_COLUMNS:
-        row[name] = numbers.get(name)
-        if row[name] is None:
-            row[f"{name}_reason"] = cycle_reason if name in CYCLE_COLUMNS else reason
+    row |= _cycle_numbers(increments) if len(increments) else absent(CYCLE_COLUMNS, cycle_reason)
     row["dropped"] = None if trace.failure else metrics.is_dropped(trace)
     return row | {
         "frame_count": len(trace.phase),
@@ -134,6 +139,6 @@ def grasp_columns(rows: ContactRows) -> dict[str, object]:
     found = metrics.grasp(rows)
     if found is not None:
         return asdict(found)
-    columns: dict[str, object] = dict.fromkeys(field.name for field in fields(metrics.Grasp))
-    columns |= {f"{name}_reason": "no contact carries force" for name in columns}
-    return columns | {"row_count": len(rows.distance_m), "loaded_row_count": 0}
+    counts = {"row_count": len(rows.distance_m), "loaded_row_count": 0}
+    names = (field.name for field in fields(metrics.Grasp) if field.name not in counts)
+    return counts | absent(names, "no contact carries force")

@@ -10,7 +10,7 @@ from tqdm import tqdm
 
 from experiments import metrics
 from experiments.case import Case
-from experiments.measurement import SETUP_FRAME_COUNT
+from experiments.measurement import SETUP_FRAME_COUNT, absent
 from experiments.simulation import Simulation
 from experiments.trace import Trace
 
@@ -58,8 +58,7 @@ def _trace(simulation: Simulation) -> Trace:
 
 def _motion(trace: Trace) -> dict[str, object]:
     if trace.failure or trace.phase[-1] != metrics.SHAKE:
-        reason = str(trace.failure or "the shake was never reached")
-        return dict.fromkeys(MOTION) | {f"{name}_reason": reason for name in MOTION}
+        return absent(MOTION, str(trace.failure or "the shake was never reached"))
     moved = metrics.displacement(trace)
     return {
         "slide_mm": metrics.slide_mm(trace),

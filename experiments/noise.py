@@ -14,13 +14,12 @@ ALONE_COUNT = {"full": 8, "quick": 2}
 
 def measure(conditions: Conditions) -> Measurement:
     """One simulation holds all the worlds of the batch; each of the others is a simulation of its own."""
-    profile = "quick" if conditions.quick else "full"
     device = wp.get_device(conditions.device)
     shipped, stiff = (
         replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in (AS_SHIPPED, STIFF_PADS)
     )
-    batch = [shipped] * BATCH_COUNT[profile] + [stiff] * BATCH_COUNT[profile]
-    alone = [shipped] * ALONE_COUNT[profile]
+    batch = [shipped] * BATCH_COUNT[conditions.profile] + [stiff] * BATCH_COUNT[conditions.profile]
+    alone = [shipped] * ALONE_COUNT[conditions.profile]
     simulations = [Simulation(batch, device), *(Simulation([case], device) for case in alone)]
     first, *others = run(simulations, title="noise")
     rows = []

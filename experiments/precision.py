@@ -9,8 +9,8 @@ import numpy as np
 import warp as wp
 
 from experiments import metrics
-from experiments.case import AS_SHIPPED, Case
-from experiments.measurement import SETUP_FRAME_COUNT
+from experiments.case import HOLD, Case
+from experiments.measurement import SETUP_FRAME_COUNT, Conditions
 from experiments.reference import ENGINES_AGREE
 from experiments.scene import ARM_DOF_COUNT
 from experiments.simulation import Simulation
@@ -48,13 +48,13 @@ class Held:
         }
 
 
-def measure_precision(device: str, quick: bool) -> list[dict[str, object]]:
+def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
     """MuJoCo Warp, and MuJoCo's C engine on its own with positions kept in double and rounded to single precision."""
-    seconds = SECONDS["quick" if quick else "full"]
-    hold = replace(AS_SHIPPED, shake_amplitude_m=0.0, frame_count=1, **ENGINES_AGREE)
+    seconds = SECONDS[conditions.profile]
+    hold = replace(HOLD, frame_count=1, **ENGINES_AGREE)
     in_c = _settled(replace(hold, backend="mujoco"), "cpu")
     return [
-        {"case": "precision-warp", **_in_warp(_settled(hold, device), seconds).columns()},
+        {"case": "precision-warp", **_in_warp(_settled(hold, conditions.device), seconds).columns()},
         {"case": "precision-c-double", **_in_c(in_c, seconds, lambda data: None).columns()},
         {"case": "precision-c-single", **_in_c(in_c, seconds, _round_positions).columns()},
     ]

@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS
 from experiments.measurement import Conditions, Measurement, displacement_table, summarize
 
-HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
 

@@ -3,13 +3,12 @@
 import gc
 from dataclasses import replace
 
-import numpy as np
 import warp as wp
 
 from experiments.case import FIXED
-from experiments.measurement import Conditions, Measurement
+from experiments.measurement import Conditions, Measurement, absent
 from experiments.simulation import Simulation
-from experiments.timing import buffer_bytes_per_world, engine_ms, frame_ms, in_the_shake, put_in_state_of
+from experiments.timing import buffer_bytes_per_world, engine_ms, frame_ms, in_the_shake, put_in_state_of, spread
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 REPEAT_COUNT = 40
@@ -29,34 +28,27 @@ def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[
     before = memory_bytes(device)
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot)
-    frames = frame_ms(simulation, REPEAT_COUNT)
+    frames = spread("frame_ms", frame_ms(simulation, REPEAT_COUNT))
     after = memory_bytes(device)
     row = {
         "case": f"worlds-{world_count}",
         "worlds": world_count,
-        "frame_ms": float(np.median(frames)),
-        "frame_ms_p5": float(np.percentile(frames, 5)),
-        "frame_ms_p95": float(np.percentile(frames, 95)),
-        "repeat_count": REPEAT_COUNT,
-        "world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(frames))),
+        **frames,
+        "world_substeps_per_s": world_count * case.substeps / (1e-3 * frames["frame_ms"]),
         "buffer_bytes_per_world": buffer_bytes_per_world(simulation.solver, simulation.contacts),
-        "bytes_per_world": None if before is None else (after - before) // world_count,
     }
     if before is None:
-        row["bytes_per_world_reason"] = "warp counts memory on CUDA devices only"
+        row |= absent(["bytes_per_world"], "warp counts memory on CUDA devices only")
+    else:
+        row["bytes_per_world"] = (after - before) // world_count
     return row | engine_columns(simulation)
 
 
 def engine_columns(simulation: Simulation) -> dict[str, object]:
     """Time of the engine's own steps within frames of the same batch; None on the CPU."""
     if not simulation.device.is_cuda:
-        return {"mjw_step_ms": None, "mjw_step_ms_reason": "steps within a frame are timed on CUDA devices only"}
-    times = engine_ms(simulation, REPEAT_COUNT)
-    return {
-        "mjw_step_ms": float(np.median(times)),
-        "mjw_step_ms_p5": float(np.percentile(times, 5)),
-        "mjw_step_ms_p95": float(np.percentile(times, 95)),
-    }
+        return absent(["mjw_step_ms"], "steps within a frame are timed on CUDA devices only")
+    return spread("mjw_step_ms", engine_ms(simulation, REPEAT_COUNT))
 
 
 def memory_bytes(device: wp.Device) -> int | None:

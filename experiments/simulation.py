@@ -10,8 +10,8 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
-from experiments.case import Case, batch_key
-from experiments.compat import make_solver
+from experiments.case import Case, CaseError, batch_key
+from experiments.compat import make_solver, warp_has_noslip
 from experiments.recorder import Recorder
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
@@ -84,6 +84,8 @@ class Simulation:
 
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
+        if case.noslip_iterations and case.backend == "warp" and not warp_has_noslip():
+            raise CaseError("noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip")
         solver = make_solver(
             self.model,
             friction_timeconst_s=case.friction_timeconst_override_s,
@@ -102,9 +104,11 @@ class Simulation:
             # Only by being written at every step does Newton's start reach MuJoCo's C engine.
             update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
         )
-        if not case.refsafe:
-            for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
+        for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
+            if not case.refsafe:
                 option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+            if case.noslip_iterations:
+                option.noslip_iterations = case.noslip_iterations
         if not solver.update_data_interval:
             solver.reset(self.state)  # the engine starts all worlds as the first
         return solver

@@ -9,6 +9,7 @@ import warp as wp
 from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED
 from experiments.measurement import Conditions, Measurement, summarize
 from experiments.simulation import Simulation
+from experiments.timing import spread
 
 CASES = (
     replace(UNTRIMMED, name="as-shipped-untrimmed"),
@@ -24,7 +25,7 @@ CHUNK_FRAME_COUNT = 20
 
 
 def measure(conditions: Conditions) -> Measurement:
-    frame_count = FRAME_COUNT["quick" if conditions.quick else "full"]
+    frame_count = FRAME_COUNT[conditions.profile]
     # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
     cases = CASES if conditions.is_cuda else CASES[1:]
     rows = []
@@ -33,21 +34,20 @@ def measure(conditions: Conditions) -> Measurement:
         simulation = Simulation([case], wp.get_device(conditions.device))
         for _ in range(WARMUP_FRAME_COUNT):
             simulation.step()
-        times = np.array([chunk_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
-        [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=1e-3 * float(times.sum()))
-        median = float(np.median(times)) / CHUNK_FRAME_COUNT
-        row = summarize(case, trace) | {"frame_ms": median}
-        row |= {"frame_ms_p5": float(np.percentile(times, 5)) / CHUNK_FRAME_COUNT}
-        row |= {"frame_ms_p95": float(np.percentile(times, 95)) / CHUNK_FRAME_COUNT}
+        times = np.array([frame_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
+        wall_s = 1e-3 * CHUNK_FRAME_COUNT * float(times.sum())
+        [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s)
+        row = summarize(case, trace) | spread("frame_ms", times)
+        median = row["frame_ms"]
         rows.append(row | {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median})
     return Measurement(rows)
 
 
-def chunk_ms(simulation: Simulation) -> float:
-    """Wall time [ms] of the next CHUNK_FRAME_COUNT frames."""
+def frame_ms(simulation: Simulation) -> float:
+    """Wall time [ms] of a frame, mean of the next CHUNK_FRAME_COUNT."""
     wp.synchronize_device(simulation.device)
     start = time.perf_counter()
     for _ in range(CHUNK_FRAME_COUNT):
         simulation.step()
     wp.synchronize_device(simulation.device)
-    return 1e3 * (time.perf_counter() - start)
+    return 1e3 * (time.perf_counter() - start) / CHUNK_FRAME_COUNT

@@ -8,7 +8,7 @@ import numpy as np
 from experiments import metrics, stability_families
 from experiments.case import Case
 from experiments.classify import CLASSES, STABLE, classify, creep_mm_s, excess_speed_m_s, is_exploded, is_finite
-from experiments.measurement import Conditions, Measurement
+from experiments.measurement import Conditions, Measurement, absent
 from experiments.scene import cube_start
 from experiments.simulation import simulate
 from experiments.stability_families import (
@@ -38,6 +38,8 @@ GONE_M = 0.005
 EXIT_FRAMES = 15
 GROWTH_LARGEST = 1.1
 """Creep per cycle at the end of the long run over that at its beginning, at most."""
+ENERGY_GROWTH_LARGEST = 1.01
+"""Kinetic energy of a freed cube at the end over that when the fingers have opened, at most: 1, and some rounding."""
 FREED_FRAMES = 30
 """Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
 PASSING: dict[str, Callable[[Sequence[Mapping]], list[bool | None]]] = {
@@ -58,10 +60,9 @@ PASSING: dict[str, Callable[[Sequence[Mapping]], list[bool | None]]] = {
 
 
 def measure(conditions: Conditions) -> Measurement:
-    profile = "quick" if conditions.quick else "full"
-    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[profile]
-    runs = [replace_frames(found, frame_count) for found in stability_families.probes(profile)]
-    runs += [*stability_families.buffers(frame_count), stability_families.long_run(profile)]
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
+    runs = [replace_frames(found, frame_count) for found in stability_families.probes(conditions.profile)]
+    runs += [*stability_families.buffers(frame_count), stability_families.long_run(conditions.profile)]
     traces = simulate_repeats(conditions, runs, title="stability")
     floor = creep_floor_mm_s(
         [
@@ -116,7 +117,7 @@ def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
     """The starts of a run's repeats; what is as certain as an overflow, or as long as the long run, has one."""
     if run.family in SINGLE_FAMILIES:
         return (0.0,)
-    offsets = OFFSETS_M["quick" if conditions.quick else "full"]
+    offsets = OFFSETS_M[conditions.profile]
     return OFFSETS_M["full"][:2] if run.family == FLOOR_FAMILY and conditions.quick else offsets
 
 
@@ -157,7 +158,7 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
             exit_bound_mm_s=lambda: 1e3 * exit_bound_m_s(case),
         )
     if case.finger_shake_m is not None:
-        row |= numbers("" if finite else "the run ended as non-finite", energy_growth=lambda: energy_growth(trace))
+        row |= freed_columns(trace)
     peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
     return row | peaks | {"step_ms": 1e3 * step_s(case)}
 
@@ -166,7 +167,7 @@ def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
     """The value of each function under its name; with a reason, None for each and the reason beside it."""
     if not reason:
         return {name: function() for name, function in functions.items()}
-    return dict.fromkeys(functions) | {f"{name}_reason": reason for name in functions}
+    return absent(functions, reason)
 
 
 def worst(run: Probe, observed: Sequence[Mapping[str, object]]) -> dict[str, object]:
@@ -202,11 +203,19 @@ def hand_sink_m(trace: Trace) -> float:
     return float(height[0] - height[-1])
 
 
-def energy_growth(trace: Trace) -> float:
-    """Kinetic energy of a freed cube at the end over that when the fingers have opened."""
+def freed_columns(trace: Trace) -> dict[str, object]:
+    """Whether a freed cube gains kinetic energy from when the fingers have opened to the end, and how many times.
+
+    A cube that lies still has no energy to compare with, and gains none.
+    """
     position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
     energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
-    return float(energy[-FREED_FRAMES:].mean() / energy[FREED_FRAMES : 2 * FREED_FRAMES].mean())
+    first, last = energy[FREED_FRAMES : 2 * FREED_FRAMES].mean(), energy[-FREED_FRAMES:].mean()
+    reason = "" if is_finite(trace) else "the run ended as non-finite"
+    reason = reason or ("" if first > 0.0 else "the cube lay still when the fingers had opened")
+    return {"gains_energy": bool(last > ENERGY_GROWTH_LARGEST * first)} | numbers(
+        reason, energy_growth=lambda: float(last / first)
+    )
 
 
 def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
@@ -258,13 +267,12 @@ def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) 
 
     All stiffnesses are searched together: one round is one ``simulate``.
     """
-    profile = "quick" if conditions.quick else "full"
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT["quick"]
     cells: dict[tuple[str, float], dict[int, Mapping]] = {}
     for row in rows:
         if row["family"] in DAMPING:
             cells.setdefault((row["family"], row["pad_ke"]), {})[row["substeps"]] = row
-    for _ in range(BISECTION_ROUNDS[profile]):
+    for _ in range(BISECTION_ROUNDS[conditions.profile]):
         wanted = []
         for (family, ke), found in cells.items():
             ends = bracket({count: row["class"] in STABLE for count, row in found.items()})

@@ -9,6 +9,7 @@ from experiments.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
 from experiments.classify import STABLE
 from experiments.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 from experiments.stability_limits import cube_mass_kg, explicit_margin, is_clamped, step_s, target_demand_m_s2
+from experiments.task import FRAME_RATE
 
 HOLD_FRAME_COUNT = 91
 """Frames in which a cube that starts in the hand is held still."""
@@ -280,7 +281,7 @@ def passing_kd_100(rows: Sequence[Mapping]) -> list[bool | None]:
     held = {row["pad_ke"] for row in rows if is_stable(row)}
 
     def passes(row: Mapping) -> bool | None:
-        margin = explicit_margin(row["pad_ke"], row["pad_kd"], 1.0 / 60.0 / row["substeps"])
+        margin = explicit_margin(row["pad_ke"], row["pad_kd"], 1.0 / FRAME_RATE / row["substeps"])
         if margin > 2.0:
             return not is_stable(row)
         if margin >= 0.5 or row["pad_ke"] not in held:
@@ -328,7 +329,7 @@ def passing_overlap(rows: Sequence[Mapping]) -> list[bool]:
 
 
 def passing_gravity(rows: Sequence[Mapping]) -> list[bool]:
-    return [row["finite"] and (not row["freed"] or row["energy_growth"] <= 1.01) for row in rows]
+    return [row["finite"] and not row.get("gains_energy") for row in rows]
 
 
 def passing_buffers(rows: Sequence[Mapping]) -> list[bool]:

@@ -12,11 +12,11 @@ CRITICAL = ((2.5e3, 1e2), (2.5e4, 3e2), (2.5e5, 1e3), (2.5e6, 3e3))
 SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}
 
 
-def cases(quick: bool) -> list[Case]:
+def cases(profile: str) -> list[Case]:
     found = [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}", pad_ke=ke, pad_kd=kd) for ke, kd in CRITICAL]
     found += [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}-kd-100", pad_ke=ke) for ke, _ in CRITICAL[1:]]
     found += [replace(AS_SHIPPED, name=f"solimp-dmax-{dmax}", pad_dmax=dmax) for dmax in (0.99, 0.9999)]
-    for ke in (float(value) for value in SWEEP["quick" if quick else "full"]):
+    for ke in (float(value) for value in SWEEP[profile]):
         # Damping ratio 1 means kd = 2 sqrt(ke): dampratio = kd / (2 sqrt(ke)).
         found.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5))
         found.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}-kd-100", pad_ke=ke))
@@ -29,7 +29,7 @@ def name(ke: float) -> str:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    variants = cases(conditions.quick)
+    variants = cases(conditions.profile)
     middle = conditions.contact_frames()[1]
     traces = conditions.simulate(variants, contact_frames=(middle,), title="stiffness")
     return Measurement(

@@ -58,6 +58,12 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
     return 1e3 * (time.perf_counter() - start)
 
 
+def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
+    """Measured values as columns: their median under ``name``, their 5th and 95th percentiles, and how many."""
+    median, low, high = (float(value) for value in np.percentile(values, (50, 5, 95)))
+    return {name: median, f"{name}_p5": low, f"{name}_p95": high, "repeat_count": len(values)}
+
+
 def engine_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
     """Time [ms] that the engine's own steps take of a frame, all substeps together, shape [repeat_count].
 

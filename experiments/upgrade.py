@@ -8,13 +8,12 @@ import numpy as np
 import warp as wp
 
 from experiments import compat
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case
-from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, grasp_columns, summarize
+from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
+from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, grasp_columns, summarize
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
 from experiments.trace import ContactRows
 
-HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)
 REFSAFE_TIMECONST_S = 2.0 / (FRAME_RATE * AS_SHIPPED.substeps)
 """What the engine makes of any smaller timeconst: two time steps."""
 RUNS = (
@@ -59,9 +58,9 @@ def row_columns(contacts: ContactRows) -> dict[str, object]:
     """
     strongest = int(contacts.force_n[:, 0].argmax())
     velocity, reference = contacts.velocity_m_s[strongest, 1:], contacts.reference_m_s2[strongest, 1:]
-    columns = grasp_columns(contacts) | {"frame": contacts.frame, "friction_damping_per_s": None}
+    columns = grasp_columns(contacts) | {"frame": contacts.frame}
     if contacts.force_n[strongest, 0] <= 0.0:
-        return columns | {"friction_damping_per_s_reason": "no contact carries force"}
+        return columns | absent(["friction_damping_per_s"], "no contact carries force")
     faster = int(np.abs(velocity).argmax())
     return columns | {"friction_damping_per_s": float(-reference[faster] / velocity[faster])}
 
@@ -71,7 +70,7 @@ def unread(case: Case) -> dict[str, object]:
     reason = f"the contact solver of newton {newton.__version__} does not read kf"
     columns = (*SHAKE_COLUMNS, "friction_timeconst_s", "friction_damping_per_s")
     row = {"kind": "run", "case": case.name, "pad_kf": case.pad_kf}
-    return row | dict.fromkeys(columns) | {f"{name}_reason": reason for name in columns}
+    return row | absent(columns, reason)
 
 
 def setting_rows(device: str) -> list[dict[str, object]]:

@@ -7,8 +7,8 @@ import pytest
 import warp as wp
 
 from experiments import metrics
-from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
-from experiments.compat import kf_is_read
+from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
+from experiments.compat import kf_is_read, warp_has_noslip
 from experiments.simulation import Simulation, simulate
 from experiments.trace import Failure
 
@@ -105,3 +105,15 @@ def test_cases_share_a_batch_only_where_one_simulation_can_hold_them():
 def test_a_case_that_makes_no_sense_is_refused(change):
     with pytest.raises(CaseError, match=next(iter(change))):
         replace(AS_SHIPPED, **change)
+
+
+@pytest.mark.parametrize("backend", ["mujoco", "warp"])
+def test_noslip_reaches_the_engine(backend):
+    plain = replace(FIXED, backend=backend, cube_in_hand=True, frame_count=4)
+    treated = replace(plain, noslip_iterations=10)
+    if backend == "warp" and not warp_has_noslip():
+        with pytest.raises(CaseError, match="noslip"):
+            simulate([treated], device="cpu")
+    else:
+        one, other = simulate([plain, treated], device="cpu")
+        assert not np.array_equal(one.poses, other.poses)

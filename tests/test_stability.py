@@ -10,7 +10,7 @@ from experiments.case import AS_SHIPPED, FIXED
 from experiments.classify import classify
 from experiments.scene import CUBE_IN_HAND
 from experiments.simulation import is_due, simulate
-from experiments.stability import bracket, worst
+from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
 from experiments.stability_families import BASE, PADS, Probe, closed_m
 from experiments.stability_limits import (
     demand_m_s2,
@@ -150,6 +150,31 @@ def test_passing_load():
     cells = [(0.89, "creeping"), (0.89, "dropped"), (1.0, "dropped"), (1.11, "dropped"), (1.11, "creeping")]
     rows = [row(kind, load=load) for load, kind in cells] + [row("exploded", load=None)]
     assert stability_families.passing_load(rows) == [True, False, None, True, False, False]
+
+
+def freed(speeds_m_s: np.ndarray) -> dict:
+    """What is found of a cube that moves along x with these speeds, frame by frame."""
+    frame_dt = 1.0 / 60.0
+    poses = np.zeros((len(speeds_m_s) + 1, 6, 7))
+    poses[1:, metrics.CUBE, 0] = np.cumsum(speeds_m_s) * frame_dt
+    phase = np.full(len(poses), metrics.SHAKE)
+    return freed_columns(Trace(frame_dt, phase, poses, np.zeros((len(poses), len(FRAME_COLUMNS)))))
+
+
+def test_a_freed_cube_gains_energy_only_if_it_does():
+    coasting = np.full(4 * FREED_FRAMES, 0.1)
+    assert freed(coasting) == {"gains_energy": False, "energy_growth": pytest.approx(1.0)}
+    faster = np.where(np.arange(4 * FREED_FRAMES) < 2 * FREED_FRAMES, 0.1, 0.2)
+    assert freed(faster) == {"gains_energy": True, "energy_growth": pytest.approx(4.0)}
+    lying = freed(0.0 * coasting)
+    assert (lying["gains_energy"], lying["energy_growth"]) == (False, None)
+    assert freed(faster - 0.1)["gains_energy"]  # from rest, so there is no ratio
+
+
+def test_passing_gravity():
+    rows = [row("creeping"), row("non-finite")]
+    rows += [row("dropped", gains_energy=gains) for gains in (False, True)]
+    assert stability_families.passing_gravity(rows) == [True, False, True, False]
 
 
 def test_passing_buffers():

@@ -15,6 +15,7 @@ def missing_term_claims(results: Results) -> list[Claim]:
         _missing_term(results),
         _term_restored(results),
         _rest_is_creep(results),
+        _rest_goes_with_step(results),
         _slide_falls_with_timeconst(results),
     ]
 
@@ -122,6 +123,24 @@ def _rest_is_creep(results: Results) -> Claim:
         "with stiff pads, do not add up to the measured displacement: {rest} are left over.",
         unknown="Whether the rows' slide and the rest add up to the measured displacement cannot be told.",
         numbers={"creep": shipped.along_mm, "creep_stiff": stiff.along_mm, "rest": largest},
+    )
+
+
+def _rest_goes_with_step(results: Results) -> Claim:
+    """Whether what moves the cube when nothing slides is proportional to the time step."""
+    [shipped, _], double = _in_c(results, "term-restored"), results.row["double-step-term-restored"]
+    formula = "displacement with a step twice as long over that with the shipped one, both with the term put back"
+    growth = ratio(results, "rest_growth", formula, double.along_mm, shipped.along_mm)
+    off = results.value("rest_growth_off", "how far that ratio is from two", lambda found: abs(found - 2.0), growth)
+    return Claim(
+        "rest_goes_with_step",
+        at_most(off, results.chosen("rest_growth_bound", "near two", 0.25)),
+        holds="That motion goes with the time step: with steps twice as long it is {double}, {growth} times as much.",
+        fails="That motion does not go with the time step: with steps twice as long it is {double}, {growth} times as "
+        "much.",
+        unknown="Whether that motion goes with the time step cannot be told.",
+        numbers={"double": double.along_mm, "growth": growth},
+        explanation="So it is an error of the time integration and not of the contacts.",
     )
 
 

@@ -217,7 +217,7 @@ def _others_table(results: Results) -> Table:
         "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
         "depth": [row.penetration_mm for row in rows],
         "friction used": [_friction_used(row) for row in rows],
-        "passes": [bool(row.passes) or extremes.lies_still(row) for row in rows],
+        "passes": [bool(row.passes) for row in rows],
     }
     return by_case(
         rows,

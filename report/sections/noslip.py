@@ -1,0 +1,85 @@
+"""Does MuJoCo's own remedy for slip help? With noslip and without, in C and, where it is there, in Warp."""
+
+from collections.abc import Mapping
+
+import pandas as pd
+
+from report.claims import Claim, at_most
+from report.parts import Section, Table
+from report.quantities import Value
+from report.results import Results, Row
+from report.sections._common import departure
+
+order = 75
+
+ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
+PADS = ("as-shipped", "stiff-pads")
+WHY = (
+    "What <code>noslip</code> leaves out is the regularization, by which friction gives way a little under a steady "
+    "load. The acceleration that its friction rows ask for is still −b·v, without J̇·q̇."
+)
+
+
+def derive(results: Results) -> Section:
+    pairs = {
+        f"{pads}-{engine}": (results.row[f"{pads}-{engine}"], results.row[f"{pads}-{engine}-noslip"])
+        for engine in ENGINES
+        for pads in PADS
+    }
+    changes = {case: _change(results, case, *pair) for case, pair in pairs.items()}
+    bound = results.chosen("change_bound", "it is the same drift", 10.0, unit="%")
+    return Section(
+        tables={"cases": _table(pairs, changes)},
+        claims=[_does_not_help(results, engine, pairs, changes, bound) for engine in ENGINES],
+    )
+
+
+def _change(results: Results, case: str, without: Row, treated: Row) -> Value:
+    formula = f"size of the difference that noslip makes in the drift of {case}, of that drift"
+    return departure(results, f"{case}_change", formula, treated.drift_mm_s, without.drift_mm_s)
+
+
+def _does_not_help(
+    results: Results,
+    engine: str,
+    pairs: Mapping[str, tuple[Row, Row]],
+    changes: Mapping[str, Value],
+    bound: Value,
+) -> Claim:
+    formula = f"larger change that noslip makes in a drift, in {ENGINES[engine]}"
+    largest = results.value(f"{engine}_change", formula, max, *(changes[f"{pads}-{engine}"] for pads in PADS), unit="%")
+    (without, treated), (without_stiff, treated_stiff) = (pairs[f"{pads}-{engine}"] for pads in PADS)
+    return Claim(
+        f"noslip_does_not_help_in_{engine.replace('-', '_')}",
+        at_most(largest, bound),
+        holds="In {engine} <code>noslip</code> does not help: with {iterations} iterations of it the drift is "
+        "{treated} as shipped where it is {without} without, and with stiff pads {treated_stiff} where it is "
+        "{without_stiff}.",
+        fails="In {engine} <code>noslip</code> makes a difference: with {iterations} iterations of it the drift is "
+        "{treated} as shipped where it is {without} without, and with stiff pads {treated_stiff} where it is "
+        "{without_stiff}.",
+        unknown="Whether <code>noslip</code> helps in {engine} cannot be told.",
+        numbers={
+            "engine": ENGINES[engine],
+            "iterations": treated.noslip_iterations,
+            "treated": treated.drift_mm_s,
+            "without": without.drift_mm_s,
+            "treated_stiff": treated_stiff.drift_mm_s,
+            "without_stiff": without_stiff.drift_mm_s,
+        },
+        explanation=WHY if engine == "mujoco-c" else "",
+    )
+
+
+def _table(pairs: Mapping[str, tuple[Row, Row]], changes: Mapping[str, Value]) -> Table:
+    columns = {
+        "drift": [without.drift_mm_s for without, _ in pairs.values()],
+        "drift with noslip": [treated.drift_mm_s for _, treated in pairs.values()],
+        "change": [changes[case] for case in pairs],
+        "slip": [without.slip_mm for without, _ in pairs.values()],
+        "slip with noslip": [treated.slip_mm for _, treated in pairs.values()],
+    }
+    return Table(
+        pd.DataFrame(columns, index=pd.Index(list(pairs), name="case")),
+        "The same runs with noslip and without. Drift is along the shake's main axis.",
+    )
