@@ -7,6 +7,10 @@ from markupsafe import Markup
 
 from report.quantities import Quantity, mixed
 
+NEAR_NOISE = 2.0
+"""Chosen: beyond the noise, but up to so many times it, a difference can't tell. The noise is the largest difference
+among some tens of runs, and measured again some other pair differs more."""
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -15,6 +19,8 @@ class Outcome:
     name: str
     reason: str = ""
     """Why it is unknown."""
+    is_near: bool = False
+    """Whether that is for being near the noise, so that the same measured again may be decided."""
 
 
 HOLDS = Outcome("holds")
@@ -63,6 +69,23 @@ def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
     if abs(difference) <= noise.value:
         return Outcome("unknown", "the difference is within the noise")
     return HOLDS if difference > 0 else FAILS
+
+
+def within(difference: Quantity, noise: Quantity) -> Outcome:
+    """Whether a difference is no more than noise; one that is little more can't tell."""
+    if undecided := _undecided(difference, noise):
+        return undecided
+    if difference.value <= noise.value:
+        return HOLDS
+    return beyond(difference, noise)
+
+
+def beyond(difference: Quantity, noise: Quantity) -> Outcome:
+    """Fails; but what is only little more than the noise, either way, can't tell."""
+    if abs(difference.value) > NEAR_NOISE * noise.value:
+        return FAILS
+    reason = Markup("{} is more than the noise of {}, but less than {:g} times that")
+    return Outcome("unknown", reason.format(difference, noise, NEAR_NOISE), is_near=True)
 
 
 def at_least(a: Quantity, bound: Quantity) -> Outcome:

@@ -7,7 +7,7 @@ from statistics import fmean
 from typing import Any
 
 from report.assemble import Derived, Sections, derive_release, values_file_of
-from report.claims import Claim
+from report.claims import NEAR_NOISE, Claim
 from report.project import Project
 from report.quantities import Quantity
 from report.records import REASON, Record
@@ -15,17 +15,23 @@ from report.results import Row
 
 NOISE = "noise"
 """The section whose rows are runs of one and the same case, as ``of`` says."""
-KEYS = ("case", "kind", "device", "worlds")
-"""Columns that tell the rows of one section apart, where they are there."""
+KEYS = ("case", "kind", "device", "worlds", "substeps")
+"""Columns that tell the rows of one section apart, where they are there; a search may end at other substeps."""
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
 ROUNDING_SHARE = 1e-3
 """Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
 EDGES = ("_p5", "_p95")
 """Ends of columns that say how far a number spreads, and are the noise of that number."""
-UNCOMPARED = ("wall_s", "failure_frame")
-"""The time of a whole batch says nothing of one case, and the frame in which a run breaks down is chance."""
+UNCOMPARED = (
+    *("wall_s", "build_s", "capture_s"),
+    *("failure_frame", "normal_velocity_mm_s", "cone_use", "pose_difference_mm", "creep_floor_mm_s"),
+    *("on_front", "on_backend_front", "on_grasp_front", "on_grasp_backend_front"),
+)
+"""Times of a whole batch and of what is done once; what is chance, as the frame in which a run breaks down, what one
+frame decides, the farthest that two runs get apart, or noise itself; and fronts, on which the least change decides."""
 SPEED_UNITS, SPEED_COLUMNS = ("ms", "ms/s", "1/s"), ("realtime_factor",)
+LOST_COLUMNS = ("dropped", "failure", "invalid_reason")
 LESS_IS_BETTER = ("slip_mm", "drift_mm_s", "wander_mm", "frame_ms", "mjw_step_ms", "dropped", "bytes_per_world")
 MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s", "test_passed")
 
@@ -54,7 +60,8 @@ class Move:
 
     @property
     def text(self) -> str:
-        name = " ".join(str(part) for part in self.key if part is not None)
+        parts = zip(KEYS, self.key, strict=True)
+        name = " ".join(str(part) for column, part in parts if part is not None and column != "substeps")
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
         return f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}  {self.verdict}".rstrip()
 
@@ -90,7 +97,10 @@ class Comparison:
         sections = dict.fromkeys(move.section for move in self.moves)
         for section in sections:
             lines += ["", section, *(f"  {move.text}" for move in self.moves if move.section == section)]
-        lines += ["", f"values that moved beyond the noise: {len(self.moves)}; claims that flipped: {len(self.flips)}"]
+        lines += [
+            "",
+            f"values that moved clearly beyond the noise: {len(self.moves)}; claims that flipped: {len(self.flips)}",
+        ]
         return "\n".join([*lines, *(flip.text for flip in self.flips)])
 
 
@@ -117,7 +127,8 @@ def compare_projects(older: Project, newer: Project) -> Comparison:
 def flips(before: Sections, after: Sections) -> list[Flip]:
     """Claims that one release upholds and the other doesn't.
 
-    One that can't be told any more, or can be told now, is among them unless that is for want of a section.
+    One that can't be told any more, or can be told now, is among them unless that is for want of a section, or for
+    being near the noise.
     """
     whole = set(before) == set(after)
     found = []
@@ -130,7 +141,10 @@ def flips(before: Sections, after: Sections) -> list[Flip]:
 
 def is_flip(before: Claim, after: Claim, *, whole: bool) -> bool:
     """Whether a claim's outcome changed; ``whole`` says that no section is missing that it may need."""
-    told = "unknown" not in (before.outcome.name, after.outcome.name)
+    outcomes = before.outcome, after.outcome
+    if any(outcome.is_near for outcome in outcomes):
+        return False
+    told = "unknown" not in (outcome.name for outcome in outcomes)
     return before.outcome.name != after.outcome.name and (told or whole)
 
 
@@ -198,13 +212,15 @@ def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iter
         if key not in new:
             continue
         rows = old[key], new[key]
+        if any(_is_split(row) for row in rows):
+            continue
         lost = any(_is_lost(row) for row in rows)
         for column in rows[0].columns:
             if column not in rows[1] or column in (*KEYS, *UNCOMPARED) or column.endswith((REASON, *EDGES)):
                 continue
             cells = rows[0][column], rows[1][column]
             if not all(isinstance(cell, Quantity) for cell in cells):
-                if cells[0] != cells[1]:
+                if cells[0] != cells[1] and not (column in LOST_COLUMNS and all(map(_is_lost, rows))):
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
             if lost or (_is_speed(column, cells[0].unit) and not is_same_machine):
@@ -215,7 +231,7 @@ def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iter
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
             noise, is_chosen = _noise(column, rows, values, floors, ranges)
-            if is_beyond(noise, *values):
+            if is_beyond(noise if is_chosen else NEAR_NOISE * noise, *values):
                 yield Move(before.name, key, column, *cells, noise, is_chosen)
 
 
@@ -223,12 +239,15 @@ def _noise(
     column: str, rows: tuple[Row, Row], values: list[float], floors: Mapping[str, Floor], ranges: Mapping[str, float]
 ) -> tuple[float, bool]:
     """The noise of a value, and whether it is a chosen one."""
+    chosen = max(CHOSEN_SHARE * max(map(abs, values)), CHOSEN_RANGE * ranges[column])
     edges = [column + edge for edge in EDGES]
     if all(edge in row and row[edge].value is not None for row in rows for edge in edges):
-        return max(row[edges[1]].value - row[edges[0]].value for row in rows), False
-    if column in floors:
-        return floors[column].at(*values), False
-    return max(CHOSEN_SHARE * max(map(abs, values)), CHOSEN_RANGE * ranges[column]), True
+        measured = max(row[edges[1]].value - row[edges[0]].value for row in rows)
+        # Of two machines of one kind one may be faster, and nothing in a record tells one from the other.
+        return (chosen, True) if chosen > NEAR_NOISE * measured else (measured, False)
+    if column.endswith("_count"):
+        return max(1.0, chosen), True
+    return (floors[column].at(*values), False) if column in floors else (chosen, True)
 
 
 def _ranges(records: Iterable[Record]) -> dict[str, float]:
@@ -252,7 +271,12 @@ def _rows_by_key(derived: Derived) -> dict[Key, Row]:
 
 def _is_lost(row: Row) -> bool:
     """Whether the cube was dropped or the run broke down, which makes its numbers chance."""
-    return any(name in row and bool(row[name]) for name in ("dropped", "failure"))
+    return any(name in row and bool(row[name]) for name in LOST_COLUMNS)
+
+
+def _is_split(row: Row) -> bool:
+    """Whether repeats of a run end in different classes: at the edge of what holds it is chance which one is worst."""
+    return "classes" in row and len(set(row["classes"].split(", "))) > 1
 
 
 def _is_speed(column: str, unit: str) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond, greater, within
 from report.format import format_number, format_short
 from report.quantities import Quantity, absent
 from report.records import load_record, record_path
@@ -77,6 +77,21 @@ NOISE = quantity(0.1)
 @pytest.mark.parametrize(("a", "b", "outcome"), [(2.0, 1.0, "holds"), (1.0, 2.0, "fails"), (1.0, 1.05, "unknown")])
 def test_a_difference_within_the_noise_cannot_tell(a, b, outcome):
     assert greater(quantity(a), quantity(b), noise=NOISE).name == outcome
+
+
+@pytest.mark.parametrize(
+    ("size", "outcome"), [(-3.0, "holds"), (1.0, "holds"), (1.01, "unknown"), (2.0, "unknown"), (2.01, "fails")]
+)
+def test_what_is_near_the_noise_cannot_tell(size, outcome):
+    found = within(quantity(size), quantity(1.0))
+    assert found.name == outcome
+    assert found.is_near == (outcome == "unknown")
+    assert ("data-src" in found.reason) == found.is_near, "its numbers lead back to where they are from"
+
+
+def test_beyond_the_noise_is_beyond_either_way():
+    assert beyond(quantity(-3.0), quantity(1.0)) == FAILS
+    assert beyond(quantity(-1.5), quantity(1.0)).is_near
 
 
 def test_bounds_are_inclusive():

@@ -11,8 +11,8 @@ import build
 from report import ROOT
 from report.assemble import assemble, derive_releases
 from report.check import check_site
-from report.claims import at_most, greater
-from report.compare import Floor, compare_projects, is_beyond
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
+from report.compare import Floor, compare_projects, is_beyond, is_flip
 from report.environment import requirements
 from report.identity import MISSING
 from report.project import Project
@@ -124,6 +124,33 @@ def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, n
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
     moves = compare_projects(toy.project, newer.project).moves
     assert [(move.column, move.verdict) for move in moves] == [("dropped", "worse")]
+
+
+def test_what_is_near_the_noise_has_not_flipped():
+    near = Outcome("unknown", "near", is_near=True)
+    before, after = (Claim("same", outcome, "It is.", "It is not.") for outcome in (HOLDS, near))
+    assert not is_flip(before, after, whole=True) and not is_flip(after, replace(before, outcome=FAILS), whole=True)
+    assert is_flip(before, replace(after, outcome=Outcome("unknown")), whole=True)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "moved"),
+    [
+        ({"classes": "creeping, creeping", "drift_mm_s": 1.0}, {"classes": "creeping, creeping", "drift_mm_s": 2.0}, 1),
+        ({"classes": "creeping, creeping", "drift_mm_s": 1.0}, {"classes": "dropped, creeping", "drift_mm_s": 2.0}, 0),
+        ({"failure": "overflow in frame 3"}, {"failure": "overflow in frame 4"}, 0),
+        ({"failure": None}, {"failure": "overflow in frame 4"}, 1),
+        ({"peak_contact_count": 7}, {"peak_contact_count": 8}, 0),
+        ({"peak_contact_count": 7}, {"peak_contact_count": 9}, 1),
+        ({"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0}, {"ms_per_s": 109.0}, 0),
+        ({"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0}, {"ms_per_s": 112.0}, 1),
+        ({"substeps": 4, "drift_mm_s": 1.0}, {"substeps": 6, "drift_mm_s": 2.0}, 0),
+    ],
+)
+def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
+    toy.measure([SOFT, {**STIFF, **before}])
+    newer.measure([SOFT, {**STIFF, **before, **after}])
+    assert len(compare_projects(toy.project, newer.project).moves) == moved
 
 
 def test_what_counts_as_moved():

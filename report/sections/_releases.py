@@ -7,7 +7,7 @@ from itertools import groupby
 from markupsafe import Markup
 
 from report.assemble import Derived, Sections
-from report.claims import FAILS, HOLDS, Claim, Outcome
+from report.claims import HOLDS, Claim, Outcome, beyond
 from report.compare import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -78,13 +78,15 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
 
     Of releases that agree the one of the page, ``shown``, has the word, or else the newest.
 
-    Where a release lacks a section that another one has, what it can't tell says nothing.
+    What is near the noise in a release says nothing, nor, where a release lacks a section that another one has, what it
+    can't tell.
     """
     whole = len({frozenset(release) for release in releases.values()}) == 1
     found = []
     for section, name in dict.fromkeys(pair for release in releases.values() for pair in _claims(release)):
         answers = [(release, _claims(sections).get((section, name))) for release, sections in releases.items()]
         answers = [(release, claim) for release, claim in answers if claim and (whole or _is_told(claim))]
+        answers = [(release, claim) for release, claim in answers if not claim.outcome.is_near]
         said = []
         for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
             members = list(group)
@@ -167,7 +169,7 @@ def within(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> 
     processors = sorted({origin.processor for origin in moved.origins})
     if len(processors) > 1:
         return Outcome("unknown", f"one was measured on {processors[0]}, the other on {processors[1]}")
-    return FAILS if is_beyond(noise.value, before.value, after.value) else HOLDS
+    return beyond(moved, noise) if is_beyond(noise.value, before.value, after.value) else HOLDS
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:

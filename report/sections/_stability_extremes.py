@@ -2,7 +2,7 @@
 
 from markupsafe import Markup
 
-from report.claims import Claim, Outcome, at_most
+from report.claims import Claim, Outcome, at_most, within
 from report.quantities import Value, absent
 from report.results import Results
 from report.sections._common import cell_or_absent, extreme, in_code, share
@@ -218,7 +218,7 @@ def neighbours(results: Results) -> Claim:
         floor = batch.creep_floor_mm_s
     return Claim(
         "neighbours_unharmed",
-        at_most(difference, floor),
+        within(difference, floor),
         holds="Worlds that fail do not harm those beside them: the same case creeps alike alone and in a batch with "
         "the failing ones, within {difference}.",
         fails="The same case creeps differently alone and in a batch with worlds that fail, by {difference}; repeats "

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most
+from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most, within
 from report.quantities import Value
 from report.results import Results
 from report.sections._common import SETTLES, extreme, noise_floor, ratio, share, spread
@@ -163,7 +163,7 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     floor = noise_floor(results, "slip_floor")
     return Claim(
         "flat_below_clamp",
-        at_most(difference, floor),
+        within(difference, floor),
         holds="From kd {clamp} on nothing more is gained: 2 / kd is then below two substeps, the solver uses two "
         "substeps instead, and the slips of all runs beyond differ by {spread}, no more than identical runs do.",
         fails="Beyond kd {clamp}, where 2 / kd is below two substeps, the slip still changes, by {spread}; identical "

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most
+from report.claims import Claim, at_most, within
 from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
@@ -78,7 +78,7 @@ def within_noise(variants: Variants) -> Claim:
     named = {in_code([case]): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
-        at_most(variants.largest, variants.floor),
+        within(variants.largest, variants.floor),
         holds="None of them makes a difference: identical runs are up to {floor} apart, these at most {largest}.",
         fails="Identical runs are up to {floor} apart. Beyond that the slip differs for {beyond}.",
         unknown="Which of these differences are more than noise cannot be told.",

@@ -1,6 +1,6 @@
 """Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
 
-from report.claims import Claim, at_most
+from report.claims import Claim, within
 from report.parts import Section
 from report.results import Results, Row
 from report.sections._common import difference, ratio
@@ -43,7 +43,7 @@ def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> C
     )
     return Claim(
         "less_friction_slips_no_more",
-        at_most(excess, variants.floor),
+        within(excess, variants.floor),
         holds="With {factor} times less friction the pads let the cube slip no farther: {at_low} at a coefficient of "
         "{low}, {at_high} at {high}.",
         fails="With {factor} times less friction the pads let the cube slip {excess} farther: {at_low} at a "

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most
+from report.claims import Claim, at_least, at_most, within
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -53,7 +53,7 @@ def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
         ),
         Claim(
             "within_noise",
-            at_most(difference, floor),
+            within(difference, floor),
             holds="That is no difference: the slips are {difference} apart, identical runs up to {floor}.",
             fails="The slips are {difference} apart, which is more than the {floor} between identical runs.",
             unknown="Whether that is more than the noise cannot be told.",

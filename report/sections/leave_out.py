@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, greater, within
 from report.format import format_number
 from report.parts import Section
 from report.quantities import Value
@@ -156,7 +156,7 @@ def _same_slip(
     named = {in_code([variant.case]): differences[variant.name] for variant in mine}
     return Claim(
         f"same_slip_on_{DEVICES[device].lower()}",
-        at_most(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
+        within(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
         holds=where
         + " the slip stays within the noise: it differs by at most {largest}, and single runs of one and the same case "
         "do by up to {floor}.",

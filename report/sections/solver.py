@@ -1,6 +1,6 @@
 """Is it the solver? Its convergence, its treatment of friction, and the time step."""
 
-from report.claims import Claim, at_most
+from report.claims import Claim, within
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results, Row
@@ -52,7 +52,7 @@ def _converged(results: Results, variants: Variants) -> Claim:
     )
     return Claim(
         "solver_has_converged",
-        at_most(largest, variants.floor),
+        within(largest, variants.floor),
         holds="The solver has converged: {iterations} iterations, or a tolerance of {tolerance}, change the slip by "
         "{change} at most, which is within the noise.",
         fails="The solver has not quite converged: {iterations} iterations, or a tolerance of {tolerance}, change the "
@@ -68,7 +68,7 @@ def _impratio(results: Results, variants: Variants) -> Claim:
     reduction = _reduction(results, variants, row)
     return Claim(
         "impratio_does_not_help",
-        at_most(reduction, variants.floor),
+        within(reduction, variants.floor),
         holds="Raising <code>impratio</code>, which makes friction rows harder than normal ones and is the usual "
         "advice against slipping, does not help: at {impratio} the slip is {slip} and the drift {drift}, where the "
         "baseline has {baseline} and {baseline_drift}.",
@@ -90,7 +90,7 @@ def _smaller_steps(results: Results, variants: Variants) -> Claim:
     reduction = _reduction(results, variants, row)
     return Claim(
         "smaller_steps_do_not_help",
-        at_most(reduction, variants.floor),
+        within(reduction, variants.floor),
         holds="Smaller steps do not help: with {substeps} substeps a frame the slip is {slip}, against {baseline}.",
         fails="Smaller steps help: with {substeps} substeps a frame the slip is {slip}, {reduction} less.",
         unknown="Whether smaller steps help cannot be told.",

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most, greater
+from report.claims import Claim, at_least, greater, within
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -94,7 +94,7 @@ def _same_time(results: Results, case: str, subject: str) -> Claim:
     spread = frame_spread(results, f"{name}_spread", row, baseline)
     return Claim(
         f"{name}_same_time",
-        at_most(change, spread),
+        within(change, spread),
         holds=subject + " make no difference to the time that can be told: {time} a frame against {baseline}, and "
         "frames of one run spread over {spread}.",
         fails=subject
