@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most
+from report.claims import NEAR_NOISE, Claim, at_most
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -64,6 +64,7 @@ def derive(results: Results) -> Section:
         alt="; ".join(f"{group.label}: slips spread over {spreads[group.name]}" for group in groups),
         sources=[slip for group in groups for slip in group.slips],
     )
+    results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
     return Section(
         tables={"groups": _table(results, groups, mean, spreads)},
         figures={"runs": runs},
