@@ -1,12 +1,12 @@
 """The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
 
+import signal
 from dataclasses import replace
 from types import SimpleNamespace
 
 import mujoco
 import numpy as np
 import warp as wp
-from tqdm import tqdm
 
 from experiments import metrics
 from experiments.case import Case
@@ -19,6 +19,12 @@ TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 """The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
 
 
+def be_quiet() -> None:
+    """In a process beside others: Warp warns no second time, and whoever started it is who stops it."""
+    wp.config.log_level = wp.LOG_ERROR
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
 def predicted_row(case: Case) -> dict[str, object]:
     """How much slide the term would give that the engine's contact rows leave out, next to the slide that they show.
 
@@ -29,7 +35,7 @@ def predicted_row(case: Case) -> dict[str, object]:
     """
     simulation = _in_c(case)
     bias = np.zeros(TWO_PERIODS_FRAME_COUNT)
-    for frame in tqdm(range(TWO_PERIODS_FRAME_COUNT), desc=f"{case.name}, missing term", unit="frame", delay=3.0):
+    for frame in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
         bias[frame] = mean_along_shake_m_s2(simulation)
     trace = _trace(simulation)
@@ -43,7 +49,7 @@ def restored_row(case: Case) -> dict[str, object]:
     """The same run with the term put back: every contact row asks for -b v - J̇ q̇."""
     simulation = _in_c(case)
     simulation.solver._mujoco = SimpleNamespace(mj_step=_step_with_term)  # what Newton calls to step the engine
-    for _ in tqdm(range(TWO_PERIODS_FRAME_COUNT), desc=f"{case.name}, term restored", unit="frame", delay=3.0):
+    for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
     return {"case": f"{case.name}-term-restored", "kind": "term-restored"} | _motion(_trace(simulation))
 
