@@ -1,14 +1,19 @@
 """The tracked results: what is measured is shown, and whatever comes out next time can be said."""
 
+import random
+import shutil
 from dataclasses import replace
 
 import pytest
 from markupsafe import escape
 
-from report.assemble import assemble, derive_releases
+from report import ROOT
+from report.assemble import assemble, derive_release, derive_releases
 from report.claims import FAILS, HOLDS, Outcome
+from report.compare import flips
 from report.parts import PlacedFigure
 from report.project import Project, own_release
+from report.records import write_record
 
 
 @pytest.fixture(scope="module")
@@ -42,3 +47,31 @@ def test_every_outcome_of_every_claim_can_be_said(reports):
             for claim in chapter.section.claims:
                 for outcome in (HOLDS, FAILS, Outcome("unknown", "as a test")):
                     assert "{" not in replace(claim, outcome=outcome).html(chapter.name)
+
+
+def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
+    """The row as another measurement of the same might have it: runs differ by up to the noise."""
+    found = {name: row[name] for name in floors if row.get(name) is not None and row.get("backend") != "mujoco"}
+    return row | {name: value + (chance.random() - 0.5) * floors[name] for name, value in found.items()}
+
+
+@pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
+def test_no_claim_flips_by_noise_alone(release, tmp_path):
+    for name in ("report", "experiments", "assets", "pyproject.toml"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    shutil.copytree(ROOT / "results" / f"newton-{release}", tmp_path / "results" / f"newton-{release}")
+    project = Project(release, root=tmp_path, own_release=own_release())
+    before = derive_release(project, "before.json").sections
+    values = before["noise"].results.derived
+    floors = {"slip_mm": values["slip_floor"].value, "drift_mm_s": values["drift_floor"].value}
+    chance = random.Random(0)
+    for section, derived in before.items():
+        if section != "noise":
+            record = derived.results.record
+            write_record(
+                project.record_path(section), replace(record, rows=[shaken(row, floors, chance) for row in record.rows])
+            )
+    after = derive_release(project, "after.json").sections
+    first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
+    assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
+    assert [flip.text for flip in flips(before, after)] == []
