@@ -204,13 +204,13 @@ def test_a_cell_that_is_not_there_says_why(results):
         assert cell_or_absent(row, column, "mm", "it fell") == absent("mm", "it fell")
     later = replace(results, others={"toy": results})
     assert other_cell(later, "toy", "soft", "slip_mm", unit="mm") == soft.slip_mm
-    for section, case in (("toy", "firm"), ("noise", "soft")):
-        assert other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} does not say"
+    for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
+        assert other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} {reason}"
 
 
-def test_only_what_is_beyond_the_noise_is_named():
-    found = {"a": quantity(0.2), "b": quantity(-0.3), "c": quantity(0.1), "d": quantity(None, "it fell")}
-    assert beyond_noise(found, NOISE).striptags() == "a by 0.200\xa0mm, b by −0.300\xa0mm"
+def test_only_what_is_clearly_beyond_the_noise_is_named():
+    found = {"a": quantity(0.21), "b": quantity(-0.3), "c": quantity(0.2), "d": quantity(None, "it fell")}
+    assert beyond_noise(found, NOISE).striptags() == "a by 0.210\xa0mm, b by −0.300\xa0mm"
     assert beyond_noise(found, quantity(None, "it fell")) == Markup()
 
 
@@ -229,6 +229,6 @@ def test_a_script_is_not_compared_with_what_was_not_measured():
     measured = results_of("reproduction")
     rows = [row for row in measured.record.rows if row["case"] != "stiff-pads"]
     incomplete = Results(replace(measured.record, rows=rows), measured.path)
-    for others in ({}, {"reproduction": incomplete}):
+    for others, reason in (({}, "has no results here"), ({"reproduction": incomplete}, "does not say")):
         claims = {claim.name: claim for claim in fix.derive(results_of("fix", **others)).claims}
-        assert claims["same_as_report"].outcome == Outcome("unknown", "section reproduction does not say")
+        assert claims["same_as_report"].outcome == Outcome("unknown", f"section reproduction {reason}")

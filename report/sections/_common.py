@@ -66,9 +66,9 @@ def noise_floor(results: Results, name: str) -> Quantity:
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
     """A value that an earlier section derived; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
-    if other and name in other.derived:
-        return other.derived[name]
-    return absent(unit, f"section {section} does not say")
+    if not other:
+        return absent(unit, f"section {section} has no results here")
+    return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
 
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], caption: str) -> Table:
@@ -90,7 +90,8 @@ def friction_rows_differ(contacts: Results | None) -> bool:
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
     """What an earlier section measured; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
-    return cell_or_absent(other and other.row.get(case), column, unit, f"section {section} does not say")
+    reason = f"section {section} {'does not say' if other else 'has no results here'}"
+    return cell_or_absent(other and other.row.get(case), column, unit, reason)
 
 
 def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:

@@ -11,7 +11,7 @@ from report.results import Results, Row
 from report.sections._common import difference, friction_rows_differ, in_code, noise_floor
 from report.sections._leave_out import REFERENCE
 
-C_DIFFERS = " In C friction rows have no time constant of their own, so the slip is another one there."
+C_DIFFERS = " There friction rows have no time constant of their own, so the slip as such is another one."
 
 
 def change_in_double(results: Results, row: Row) -> Value:
@@ -53,8 +53,8 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
             "same": in_code(row.of for row in same),
             "moved": in_code(row.of for row in moved),
         },
-        explanation="Of the model only that much changes; larger changes of the slip come from how it is run, and in "
-        "single precision.",
+        explanation="So the change of the model itself makes only that much. What is more shows in single precision "
+        "only, or with a change in how the model is run.",
     )
 
 

@@ -65,7 +65,7 @@ def _mark_clamp(axes: Axes, ke: float) -> None:
 
 def draw_law(runs: Runs, results: Results) -> Drawing:
     drawing, axes = new_figure(7.2, 3.6)
-    rest = drift_without_slide(results).value or 0.0
+    rest = drift_without_slide(results).value
     groups = {
         "kd at its default": [row for row in runs.ke_alone if is_held(row)],
         "ke and kd raised together": [row for row in runs.together if is_held(row)],
@@ -76,7 +76,7 @@ def draw_law(runs: Runs, results: Results) -> Drawing:
     for number, (label, rows) in enumerate(groups.items()):
         axes.plot(
             [1e3 * times[row.case] for row in rows],
-            [row.drift_mm_s.value - rest for row in rows],
+            [row.drift_mm_s.value - (rest or 0.0) for row in rows],
             linestyle="",
             label=label,
             markevery=1,
@@ -88,7 +88,7 @@ def draw_law(runs: Runs, results: Results) -> Drawing:
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel("dmax · timeconst [ms]")
-    axes.set_ylabel("drift less that without slide [mm/s]")
+    axes.set_ylabel("drift [mm/s]" if rest is None else "drift less that without slide [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)
     axes.legend()

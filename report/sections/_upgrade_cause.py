@@ -91,8 +91,8 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
         Claim(
             "mujoco_contacts_as_before",
             ends.one or at_most(elsewhere, same),
-            holds="Where MuJoCo finds the contacts nothing has changed: with them the cube slips {found} in Newton "
-            "{b}, in MuJoCo's C engine {c}.",
+            holds="Where MuJoCo finds the contacts nothing has changed, as shipped: with them the cube slips {found} "
+            "in Newton {b}, in MuJoCo's C engine {c}.",
             fails="Where MuJoCo finds the contacts the slip has changed as well, by up to {elsewhere}: with them the "
             "cube slips {found} in Newton {b}, in MuJoCo's C engine {c}.",
             unknown="Whether anything has changed where MuJoCo finds the contacts cannot be told.",

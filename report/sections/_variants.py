@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most, within
+from report.claims import NEAR_NOISE, Claim, at_most, within
 from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
@@ -80,17 +80,19 @@ def within_noise(variants: Variants) -> Claim:
         "within_noise",
         within(variants.largest, variants.floor),
         holds="None of them makes a difference: identical runs are up to {floor} apart, these at most {largest}.",
-        fails="Identical runs are up to {floor} apart. Beyond that the slip differs for {beyond}.",
-        unknown="Which of these differences are more than noise cannot be told.",
+        fails="Identical runs are up to {floor} apart. Clearly beyond that the slip differs for {beyond}.",
+        unknown="Whether any of them changes the slip by more than the noise cannot be told.",
         numbers=variants.numbers | {"beyond": beyond_noise(named, variants.floor)},
     )
 
 
 def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
-    """Those of the named differences that are larger than the noise, either way."""
+    """Those of the named differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
     return Markup(", ").join(
-        Markup("{} by {}").format(name, value) for name, value in there.items() if abs(value.value) > floor.value
+        Markup("{} by {}").format(name, value)
+        for name, value in there.items()
+        if abs(value.value) > NEAR_NOISE * floor.value
     )
 
 

@@ -119,8 +119,8 @@ def _own_friction_timeconst(results: Results) -> Claim:
         "own_friction_timeconst",
         outcome,
         holds="Friction rows have a time constant of their own in this release, {own} as shipped, and where it is "
-        "below two substeps the engine takes these. MuJoCo's C engine knows none: the runs through it that follow are "
-        "of another model, whose friction rows take that of the normal row, {normal}.",
+        "below two substeps the engine takes these. In contacts that MuJoCo's C engine finds they have none: the runs "
+        "through it that follow are of another model, whose friction rows take that of the normal row, {normal}.",
         fails="Friction rows have no time constant of their own, they take that of the normal row, {normal}.",
         unknown="Whether friction rows have a time constant of their own cannot be told.",
         numbers={"own": own, "normal": frame.timeconst_s},

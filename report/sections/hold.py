@@ -27,7 +27,7 @@ SUBSTEPS = ("hold-substeps-4", "hold", "hold-substeps-32")
 """Cases with fewer, as many and more substeps than as shipped."""
 ONE_MODEL = (
     " Here and in what follows on rounding, friction rows have no time constant of their own in MuJoCo Warp either (kf "
-    "of the pads is negative), since MuJoCo's C engine has none."
+    "of the pads is negative), since they have none in contacts that MuJoCo's C engine finds."
 )
 
 

@@ -154,16 +154,18 @@ def _same_slip(
         unit="mm",
     )
     named = {in_code([variant.case]): differences[variant.name] for variant in mine}
+    outcome = within(largest, floor) if mine else Outcome("unknown", "no case was run to the end there")
+    near = " the slip changes by about as much as single runs on a GPU differ by."
     return Claim(
         f"same_slip_on_{DEVICES[device].lower()}",
-        within(largest, floor) if mine else Outcome("unknown", "no case was run to the end there"),
+        outcome,
         holds=where
         + " the slip stays within the noise: it differs by at most {largest}, and single runs of one and the same case "
         "do by up to {floor}.",
         fails=where
         + " the slip does not stay within the noise in all of them: beyond the noise floor of {floor} it changes for "
         "{beyond}.",
-        unknown=where + " it cannot be told whether the slip stays within the noise.",
+        unknown=where + (near if outcome.is_near else " it cannot be told whether the slip stays within the noise."),
         numbers={"largest": largest, "floor": floor, "beyond": beyond_noise(named, floor)},
     )
 

@@ -8,7 +8,6 @@ from report.claims import Claim, at_most
 from report.parts import Section, Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections._common import departure
 
 order = 75
 
@@ -35,8 +34,14 @@ def derive(results: Results) -> Section:
 
 
 def _change(results: Results, case: str, without: Row, treated: Row) -> Value:
-    formula = f"size of the difference that noslip makes in the drift of {case}, of that drift"
-    return departure(results, f"{case}_change", formula, treated.drift_mm_s, without.drift_mm_s)
+    return results.value(
+        f"{case}_change",
+        f"drift of {case} with noslip less that without, of that without",
+        lambda found, before: 100 * (found / before - 1),
+        treated.drift_mm_s,
+        without.drift_mm_s,
+        unit="%",
+    )
 
 
 def _does_not_help(
@@ -46,24 +51,27 @@ def _does_not_help(
     changes: Mapping[str, Value],
     bound: Value,
 ) -> Claim:
-    formula = f"larger change that noslip makes in a drift, in {ENGINES[engine]}"
-    largest = results.value(f"{engine}_change", formula, max, *(changes[f"{pads}-{engine}"] for pads in PADS), unit="%")
+    formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
+    of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
+    largest = results.value(f"{engine}_change", formula, lambda *change: max(map(abs, change)), *of_engine, unit="%")
     (without, treated), (without_stiff, treated_stiff) = (pairs[f"{pads}-{engine}"] for pads in PADS)
     return Claim(
         f"noslip_does_not_help_in_{engine.replace('-', '_')}",
         at_most(largest, bound),
-        holds="In {engine} <code>noslip</code> does not help: with {iterations} iterations of it the drift is "
-        "{treated} as shipped where it is {without} without, and with stiff pads {treated_stiff} where it is "
-        "{without_stiff}.",
-        fails="In {engine} <code>noslip</code> makes a difference: with {iterations} iterations of it the drift is "
-        "{treated} as shipped where it is {without} without, and with stiff pads {treated_stiff} where it is "
-        "{without_stiff}.",
+        holds="In {engine} <code>noslip</code> does not help: with {iterations} iterations of it the cube drifts at "
+        "{treated} as shipped, in place of {without}, and slips {slip} in place of {slip_without}; with stiff pads "
+        "it drifts at {treated_stiff} in place of {without_stiff}.",
+        fails="In {engine} <code>noslip</code> makes a difference: with {iterations} iterations of it the cube drifts "
+        "at {treated} as shipped, in place of {without}, and slips {slip} in place of {slip_without}; with stiff pads "
+        "it drifts at {treated_stiff} in place of {without_stiff}.",
         unknown="Whether <code>noslip</code> helps in {engine} cannot be told.",
         numbers={
             "engine": ENGINES[engine],
             "iterations": treated.noslip_iterations,
             "treated": treated.drift_mm_s,
             "without": without.drift_mm_s,
+            "slip": treated.slip_mm,
+            "slip_without": without.slip_mm,
             "treated_stiff": treated_stiff.drift_mm_s,
             "without_stiff": without_stiff.drift_mm_s,
         },

@@ -125,8 +125,8 @@ def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
         "falls by {drop} to {slip}.",
         fails="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip does "
         "not fall: it is {slip}.",
-        unknown="With equal priorities the two materials mix: timeconst goes from {before} to {after}. Whether the "
-        "slip of {slip} is another one cannot be told.",
+        unknown="With equal priorities the two materials mix: timeconst goes from {before} to {after}. Whether "
+        "that changes the slip, {slip}, cannot be told.",
         numbers={"before": shipped.timeconst_s, "after": mixed.timeconst_s, "drop": drop, "slip": mixed.slip_mm},
     )
 

@@ -6,7 +6,7 @@ from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
 from report.sections._common import SHIPPED_SUBSTEPS, by_case
-from report.sections._stiffness import FIX, SHIPPED, Runs, is_held
+from report.sections._stiffness import FIX, SHIPPED, Runs, drift_without_slide, is_held
 from report.sections._stiffness_cause import cause, drift_follows_timeconst, not_creep_under_load
 from report.sections._stiffness_figures import draw_law, draw_sweep
 from report.sections._stiffness_knobs import knob_claims
@@ -40,10 +40,12 @@ def derive(results: Results) -> Section:
         f"{results.row[FIX].slip_mm}. A line marks the stiffness from which kd is beyond {clamp}.",
         sources=[row.slip_mm for row in runs.held],
     )
+    rest = drift_without_slide(results)
     law = Figure(
         draw=lambda: draw_law(runs, results),
-        caption="Drift, less that with the left-out acceleration put back, over the response time of the friction rows "
-        "(their own timeconst where they have one, and none below two substeps). The line has slope one.",
+        caption=("Drift" if rest.value is None else "Drift, less that with the left-out acceleration put back,")
+        + " over the response time of the friction rows (their own timeconst where they have one, and none below two "
+        "substeps)." + ("" if rest.value is None else " The line has slope one."),
         alt="Drift over response time on logarithmic axes: a mark for each run that held the cube, by whether ke, kd "
         "or dmax was changed, and a line of slope one.",
         sources=[row.drift_mm_s for row in runs.held],
