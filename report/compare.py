@@ -52,6 +52,8 @@ class Move:
     """None for what is no number."""
     is_chosen: bool
     """Whether that noise was not measured."""
+    is_near: bool = False
+    """Whether it is by less than NEAR_NOISE times the noise, which another measurement of the same may do as well."""
 
     @property
     def verdict(self) -> str:
@@ -63,7 +65,8 @@ class Move:
         parts = zip(KEYS, self.key, strict=True)
         name = " ".join(str(part) for column, part in parts if part is not None and column != "substeps")
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
-        return f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}  {self.verdict}".rstrip()
+        words = ["near the noise"] if self.is_near else [self.verdict] if self.verdict else []
+        return "  ".join([f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}", *words])
 
 
 @dataclass(frozen=True)
@@ -97,10 +100,9 @@ class Comparison:
         sections = dict.fromkeys(move.section for move in self.moves)
         for section in sections:
             lines += ["", section, *(f"  {move.text}" for move in self.moves if move.section == section)]
-        lines += [
-            "",
-            f"values that moved clearly beyond the noise: {len(self.moves)}; claims that flipped: {len(self.flips)}",
-        ]
+        near = sum(move.is_near for move in self.moves)
+        moved = f"values that moved beyond the noise: {len(self.moves)}, of these near it: {near}"
+        lines += ["", f"{moved}; claims that flipped: {len(self.flips)}"]
         return "\n".join([*lines, *(flip.text for flip in self.flips)])
 
 
@@ -121,7 +123,19 @@ def compare_projects(older: Project, newer: Project) -> Comparison:
             )
         if section != NOISE:
             moves += _moves(before[section], after[section], floors)
-    return Comparison(releases, moves, flips(before, after), notes)
+    return Comparison(releases, moves, flips(before, after), [*notes, *_near_claims(before, after)])
+
+
+def _near_claims(*sides: Sections) -> list[str]:
+    """Claims that are no flips only because one of the releases has them near the noise."""
+    near = (
+        f"{section}.{claim.name}: near the noise"
+        for side in sides
+        for section, derived in side.items()
+        for claim in derived.section.claims
+        if claim.outcome.is_near
+    )
+    return list(dict.fromkeys(near))
 
 
 def flips(before: Sections, after: Sections) -> list[Flip]:
@@ -231,8 +245,9 @@ def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iter
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
             noise, is_chosen = _noise(column, rows, values, floors, ranges)
-            if is_beyond(noise if is_chosen else NEAR_NOISE * noise, *values):
-                yield Move(before.name, key, column, *cells, noise, is_chosen)
+            if is_beyond(noise, *values):
+                is_near = not is_chosen and not is_beyond(NEAR_NOISE * noise, *values)
+                yield Move(before.name, key, column, *cells, noise, is_chosen, is_near)
 
 
 def _noise(

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pandas as pd
 
-from report.claims import Claim, within
+from report.claims import Claim, at_most
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
@@ -37,7 +37,7 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
     floor = noise_floor(results, "slip_floor")
     return Claim(
         "same_in_double",
-        within(largest, floor),
+        at_most(largest, floor),
         holds="In double precision, through MuJoCo's own loop in C, leaving out what is in the engine's model changes "
         "the slip by at most {largest}: "
         + ("not a bit of the trajectory for {same}, and " if same else "")
