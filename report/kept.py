@@ -50,9 +50,16 @@ class KeptRun:
         return int(np.argmax(np.isfinite(self.slip_mm)))
 
     @property
+    def begin_in_hand(self) -> np.ndarray:
+        """Pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4, 4]."""
+        pose = self.cube_in_hand[self.shake_start].copy()
+        pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
+        return pose
+
+    @property
     def start(self) -> np.ndarray:
         """Where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
-        return self.links[TCP] @ self.cube_in_hand[self.shake_start]
+        return self.links[TCP] @ self.begin_in_hand
 
     def in_grasp(self) -> np.ndarray:
         """Whether the cube is still in the grasp, shape [frames]."""
