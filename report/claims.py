@@ -1,11 +1,13 @@
-"""Claims: sentences that say what the data shows, each a test with a wording for every outcome."""
+"""Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from markupsafe import Markup
 
 from report.quantities import Quantity, mixed
+from report.words import Wording
 
 NEAR_NOISE = 2.0
 """Chosen: beyond the noise, but up to so many times it, a difference can't tell. The noise is the largest difference
@@ -29,25 +31,23 @@ FAILS = Outcome("fails")
 
 @dataclass(frozen=True)
 class Claim:
-    """One checked sentence. The wordings name their numbers in braces, as in ``The cube slips {slip}.``"""
+    """One checked sentence: its test's outcome, and what its wording can name."""
 
     name: str
     outcome: Outcome
-    holds: str
-    fails: str
-    unknown: str = ""
-    """Said when the data can't tell, if that can be; the outcome's reason is added to it."""
-    numbers: Mapping[str, Quantity | str] = field(default_factory=dict)
-    explanation: str = ""
-    """Said only when the claim holds."""
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Quantities, and texts and flags."""
+    wording: Wording | None = None
+    """What the section's template says of it, once that is known."""
 
     @property
     def sentence(self) -> Markup:
-        wording = {"holds": self.holds, "fails": self.fails, "unknown": self.unknown}[self.outcome.name]
-        sentence = Markup(wording).format(**self.numbers)
-        if not self.outcome.reason:
-            return sentence
-        return Markup("{} ({}).").format(Markup(sentence.removesuffix(".")), self.outcome.reason)
+        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why."""
+        if self.outcome.name != "unknown":
+            return self.said(self.outcome.name)
+        asked = self.said("asks")
+        sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
+        return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     @property
     def text(self) -> str:
@@ -56,9 +56,13 @@ class Claim:
     def html(self, section: str) -> Markup:
         claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}">{}</span>')
         html = claim.format(section, self.name, self.outcome.name, self.sentence)
-        if self.explanation and self.outcome == HOLDS:
-            html += " " + Markup(self.explanation).format(**self.numbers)
-        return html
+        because = self.said("because") if self.outcome == HOLDS else ""
+        return html + Markup(" {}").format(because) if because else html
+
+    def said(self, part: str) -> Markup:
+        """One part of its wording; ``because`` is said only when the claim holds."""
+        assert self.wording, f"the claim {self.name} has no words yet"
+        return self.wording(part, self.numbers)
 
 
 def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:

@@ -7,20 +7,9 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from report.format import format_code, format_number, unit_label
+from report.records.record import Origin
 
 VALUES_FILE = "values.json"
-
-
-@dataclass(frozen=True, order=True)
-class Origin:
-    """What a number was measured with, as far as others must share it to be compared with it."""
-
-    release: str
-    """Newton release."""
-    processor: str
-
-    def __str__(self) -> str:
-        return f"Newton {self.release} on {self.processor}"
 
 
 @dataclass(frozen=True)

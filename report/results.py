@@ -10,9 +10,9 @@ from typing import Any
 import pandas as pd
 
 from report import ReportError
-from report.quantities import VALUES_FILE, Origin, Quantity, Value, mixed
-from report.records import Record, RecordError
-from report.traces import load_trace, trace_path
+from report.quantities import VALUES_FILE, Quantity, Value, mixed
+from report.records.record import Origin, Record, RecordError
+from report.records.traces import load_trace, trace_path
 
 
 class ResultsError(ReportError):
@@ -20,7 +20,7 @@ class ResultsError(ReportError):
 
 
 @dataclass(frozen=True)
-class Trace:
+class Series:
     """A per-frame series, or the reason why there is none."""
 
     value: pd.DataFrame | None
@@ -78,8 +78,6 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
-    values_file: str = VALUES_FILE
-    """Where that file lies below the site's ``data/``."""
 
     @property
     def source(self) -> str:
@@ -101,20 +99,20 @@ class Results:
         """How long the measurement took."""
         return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
 
-    def trace(self, case: str) -> Trace:
+    def trace(self, case: str) -> Series:
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
         try:
-            return Trace(load_trace(path), source, origins=frozenset({self.record.origin}))
+            return Series(load_trace(path), source, origins=frozenset({self.record.origin}))
         except RecordError as error:
-            return Trace(None, source, str(error))
+            return Series(None, source, str(error))
 
     def value(
         self,
         name: str,
         formula: str,
         function: Callable[..., float],
-        *sources: Quantity | Trace,
+        *sources: Quantity | Series,
         unit: str = "1",
         across: bool = False,
     ) -> Value:
@@ -131,7 +129,7 @@ class Results:
         self.derived[name] = Value(
             value=value,
             unit=unit,
-            source=f"{self.values_file}#/{self.record.section}/{name}",
+            source=f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}/{name}",
             reason=reason,
             origins=frozenset().union(*origins),
             formula=formula,
@@ -144,7 +142,7 @@ class Results:
         return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
 
 
-def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Trace, ...]) -> tuple[float | None, str]:
+def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> tuple[float | None, str]:
     reasons = [source.reason for source in sources if source.value is None]
     if reasons:
         return None, reasons[0]

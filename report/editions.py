@@ -1,0 +1,134 @@
+"""Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+from report import ReportError
+from report.chapters import Chapter, Chapters, Releases
+from report.claims import HOLDS
+from report.overview import overview
+from report.page import Prose, Templates
+from report.parts import Section
+from report.records.project import Project
+from report.records.status import State, states_of
+from report.results import Results, ResultsError
+
+
+@dataclass(frozen=True)
+class Edition:
+    """What the results of one release make."""
+
+    project: Project
+    chapters: Chapters
+    left_out: Sequence[State]
+    """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
+
+    def summary(self, templates: Templates) -> Prose:
+        """The words above all sections, with the overview of them."""
+        figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
+        text = templates.text("summary.md.j2")
+        words = text.words if figure else {}
+        section = Section(figures={"overview": figure} if figure else {}).worded("summary", words)
+        names = {
+            "sections": {name: chapter.names for name, chapter in self.chapters.items()},
+            "overview": figure is not None,
+            "figure": _finder("summary", "figure", section.figures),
+        }
+        return text.prose("summary", names)
+
+
+def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:
+    """What the results of every release make, oldest first."""
+    derived = {release: derive_edition(project.of(release), templates) for release in project.releases}
+    releases = {release: edition.chapters for release, edition in derived.items()}
+    return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
+
+
+def derive_edition(project: Project, templates: Templates) -> Edition:
+    """What the results of one release make by themselves: a section that compares releases has its results alone."""
+    states = states_of(project)
+    left_out = [state for state in states if not state.record]
+    modules = [(state, _module(state.section)) for state in states if state.record]
+    found: dict[str, Chapter] = {}
+    for state, module in sorted(modules, key=lambda pair: pair[1].order):
+        others = {name: chapter.results for name, chapter in found.items()}
+        results = Results(state.record, project.record_path(state.section), others)
+        try:
+            if _compares(module):
+                chapter = Chapter(state, results, Section(), {}, None, compares=True)
+            else:
+                chapter = _chapter(state, results, module.derive(results), templates)
+        except Exception as error:
+            left_out.append(_left_out(project, state, error))
+        else:
+            found[state.section] = chapter
+    return Edition(project, found, left_out)
+
+
+def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
+    """The same with the sections that compare releases."""
+    chapters, left_out = dict(edition.chapters), list(edition.left_out)
+    for name, chapter in edition.chapters.items():
+        if chapter.compares:
+            results = replace(chapter.results, derived={})  # what is derived here is of this page alone
+            try:
+                section = _module(name).derive(results, releases)
+                chapters[name] = replace(_chapter(chapter.state, results, section, templates), compares=True)
+            except Exception as error:
+                left_out.append(_left_out(edition.project, chapter.state, error))
+                del chapters[name]
+    return Edition(edition.project, chapters, left_out)
+
+
+def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
+    name = state.section
+    text = templates.text(f"sections/{name}.md.j2")
+    section = section.worded(name, text.words)
+    names = _names(results, section)
+    return Chapter(state, results, section, names, text.prose(name, names))
+
+
+def _module(section: str) -> ModuleType:
+    return import_module(f"report.sections.{section}")
+
+
+def _compares(module: ModuleType) -> bool:
+    """Whether a section compares releases: its ``derive`` then takes them as a second argument."""
+    return len(inspect.signature(module.derive).parameters) > 1
+
+
+def _left_out(project: Project, state: State, error: Exception) -> State:
+    """A section that can't be shown: a record of older code or of another release may lack anything."""
+    if state.kind == "fresh" and project.is_own:
+        raise error
+    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
+    return replace(state, record=None, notes=(" ".join(words.split()),))
+
+
+def _names(results: Results, section: Section) -> dict[str, Any]:
+    name = results.record.section
+    claims = {claim.name: claim.html(name) for claim in section.claims}
+    return {
+        "release": results.record.identity.packages["newton"],
+        "row": results.row,
+        "rows": results.rows,
+        "value": results.derived,
+        "claim": _finder(name, "claim", claims),
+        "holds": _finder(name, "claim", {claim.name: claim.outcome == HOLDS for claim in section.claims}),
+        "table": _finder(name, "table", section.tables),
+        "figure": _finder(name, "figure", section.figures),
+        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
+    }
+
+
+def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:
+    def find(name: str) -> Any:
+        if name not in things:
+            raise ResultsError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
+        return things[name]
+
+    return find
