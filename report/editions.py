@@ -32,7 +32,7 @@ class Edition:
         figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
         text = templates.text("summary.md.j2")
         words = text.words if figure else {}
-        section = Section(figures={"overview": figure} if figure else {}).worded("summary", words)
+        section = Section(figures={"overview": figure} if figure else {}).worded("summary", text.name, words)
         names = {
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
             "overview": figure is not None,
@@ -87,7 +87,7 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
 def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
     name = state.section
     text = templates.text(f"sections/{name}.md.j2")
-    section = section.worded(name, text.words)
+    section = section.worded(name, text.name, text.words)
     names = _names(results, section)
     return Chapter(state, results, section, names, text.prose(name, names))
 
