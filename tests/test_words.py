@@ -39,7 +39,7 @@ def test_a_claim_without_words_stops_the_build(toy):
     toy.write(
         "report/sections/toy.py", MODULE.replace("Claim(", extra, 1).replace("import Claim(", "import Claim, ", 1)
     )
-    with pytest.raises(ReportError, match="templates/sections/toy.md.j2 says nothing of the claim lasts"):
+    with pytest.raises(ReportError, match=r"templates/sections/toy.md.j2 says nothing of the claim lasts"):
         toy.build()
 
 
