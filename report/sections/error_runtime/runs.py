@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from markupsafe import Markup
 
-from report.deriving.arithmetic import SHIPPED_SUBSTEPS
+from experiments.case import AS_SHIPPED
 from report.deriving.timing import cell
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -29,7 +29,7 @@ ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s
 
 def with_shipped_steps(pads: str, method: str) -> str:
     """The case with the substeps as shipped."""
-    return f"{pads}/{method}/substeps-{SHIPPED_SUBSTEPS}"
+    return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
 
 
 def hit_iteration_limit(row: Row) -> bool:
@@ -93,7 +93,7 @@ def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
         if row["pads"] == pads
         and row.method in ("newton", "newton-each-substep", "mujoco")
         and row.knob == "substeps"
-        and row.substeps.value >= SHIPPED_SUBSTEPS
+        and row.substeps.value >= AS_SHIPPED.substeps
     ]
     formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
     return results.value(f"floor_{pads}", formula, lambda *distance: max(distance), *cells, unit="mm")

@@ -14,7 +14,8 @@ from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
-from report.sections.stability.families import CLASSES, family, is_stable
+from report.sections.stability.classes import CLASSES, is_stable
+from report.sections.stability.families import family
 from report.sections.stability.figures import (
     draw_loads,
     draw_long,

@@ -6,7 +6,8 @@ from report.claims import Claim, Outcome, at_most, within
 from report.deriving.arithmetic import cell_or_absent, extreme, in_code, share
 from report.quantities import Value, absent
 from report.results import Results
-from report.sections.stability.families import CLASSES, count, family, family_claim, is_stable
+from report.sections.stability.classes import CLASSES, is_stable
+from report.sections.stability.families import count, family, family_claim
 
 
 def crossover(results: Results, name: str) -> Claim:

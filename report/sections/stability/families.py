@@ -1,4 +1,4 @@
-"""What the parts of section stability share: its rows by family, the classes, and claims about a family."""
+"""What the parts of section stability share: its rows by family, and claims about a family."""
 
 from collections.abc import Mapping, Sequence
 
@@ -8,19 +8,12 @@ from report.claims import Claim, Outcome, at_most
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
-CLASSES = ("holding", "creeping", "dropped", "exploded", "overflow", "non-finite")
-"""From the best to the worst."""
-STABLE = CLASSES[:2]
 NAMED_COUNT = 6
 """Cases that a sentence names at most."""
 
 
 def family(results: Results, name: str) -> list[Row]:
     return [row for row in results.rows if row["family"] == name]
-
-
-def is_stable(row: Row) -> bool:
-    return row["class"] in STABLE
 
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
