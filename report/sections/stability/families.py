@@ -7,6 +7,7 @@ from markupsafe import Markup
 from report.claims import Claim, Outcome, at_most
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections.stability.passing import passing
 
 NAMED_COUNT = 6
 """Cases that a sentence names at most."""
@@ -33,8 +34,8 @@ def family_claim(
 
     Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass.
     """
-    asked = [row for row in rows if row.passes is not None]
-    failed = [row for row in asked if not row.passes]
+    verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
+    asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
     none = results.chosen(f"{name}_bound", "all of them pass", 0)
     own = {

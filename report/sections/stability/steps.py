@@ -11,6 +11,7 @@ from report.quantities import Value
 from report.results import Results, Row
 from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim
+from report.sections.stability.passing import passed
 
 CLAMPED_MS = 1e3
 """Over kd: half a timeconst of 2 / kd, the step [ms] from which the clamp is at work."""
@@ -57,14 +58,14 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
 def steps(results: Results) -> Claim:
     rows = family(results, "steps")
     stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
-    failed = [row for row in rows if row.passes is False]
+    kept = passed(rows)
     stiff = [row for row in rows if row.pads == "stiff"]
     step = extreme(
         results,
         "stiff_step",
         "largest step at which stiff pads pass",
         max,
-        [row.step_ms for row in stiff if row.passes],
+        [row.step_ms for row in kept if row.pads == "stiff"],
     )
     return family_claim(
         results,
@@ -76,7 +77,9 @@ def steps(results: Results) -> Claim:
             "exponent": _step_exponent(results, stiff),
             "some_are_lost": not all(map(is_stable, rows)),
             "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
-            "failed_are_clamped": all(row.step_ms.value > CLAMPED_MS / row.pad_kd.value for row in failed),
+            "failed_are_clamped": all(
+                row.step_ms.value > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
+            ),
         },
     )
 
