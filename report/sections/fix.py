@@ -1,4 +1,7 @@
-"""The fix as a download: do the very files that are offered do what they promise?"""
+"""The fix as a download: do the very files that are offered do what they promise?
+
+Read as it was judged when it was measured, for want of a number in the record: ``test_passed``.
+"""
 
 import pandas as pd
 
