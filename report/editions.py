@@ -18,6 +18,10 @@ from report.records.status import State, states_of
 from report.results import Results, ResultsError
 
 
+class LostError(ReportError):
+    """A record from which nothing of its section can be derived; the message is one line."""
+
+
 @dataclass(frozen=True)
 class Edition:
     """What the results of one release make."""
@@ -61,7 +65,7 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, compares=True)
             else:
-                chapter = _chapter(state, results, module.derive(results), templates)
+                chapter = _chapter(state, results, derive_section(results, {}), templates)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -76,12 +80,24 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
         if chapter.compares:
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
-                section = _module(name).derive(results, releases)
+                section = derive_section(results, releases)
                 chapters[name] = replace(_chapter(chapter.state, results, section, templates), compares=True)
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
     return Edition(edition.project, chapters, left_out)
+
+
+def derive_section(results: Results, releases: Releases) -> Section:
+    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
+    module = _module(results.record.section)
+    try:
+        return module.derive(results, releases) if _compares(module) else module.derive(results)
+    except ReportError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        raise LostError(f"its record lacks what the section is about ({what})") from error
 
 
 def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
@@ -103,7 +119,7 @@ def _compares(module: ModuleType) -> bool:
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """A section that can't be shown: a record of older code or of another release may lack anything."""
-    if state.kind == "fresh" and project.is_own:
+    if state.kind == "fresh" and project.is_own and not isinstance(error, LostError):
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     return replace(state, record=None, notes=(" ".join(words.split()),))

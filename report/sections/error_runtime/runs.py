@@ -34,7 +34,7 @@ def with_shipped_steps(pads: str, method: str) -> str:
 
 def hit_iteration_limit(row: Row) -> bool:
     """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
-    return "iterations" in row.invalid_reason
+    return "iterations" in (row.invalid_reason or "")
 
 
 SHIPPED = with_shipped_steps("as-shipped", "newton")
@@ -106,7 +106,8 @@ def is_own_model(row: Row) -> bool:
 
 def is_clamped(row: Row) -> bool:
     """Whether MuJoCo raises the contacts' timeconst to two substeps."""
-    return row.timeconst_ms.value < 2.0 * row.substep_ms.value
+    cells = row.timeconst_ms.value, row.substep_ms.value
+    return None in cells or cells[0] < 2.0 * cells[1]
 
 
 def order_of(points: Points, pads: str, method: str) -> Value:
@@ -137,7 +138,7 @@ def order_of(points: Points, pads: str, method: str) -> Value:
 def front_of(points: Points, column: str) -> list[Row]:
     """Rows on a front of numerical error and run time, by pads and rising time."""
     rows = [row for row in points.settings if row[column]]
-    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
+    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
 
 
 def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
