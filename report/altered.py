@@ -56,9 +56,8 @@ def with_cell(record: Record, cell: Cell, mutation: str) -> Record:
         return replace(record, measured={**record.measured, "seconds": seconds})
     index, column = cell.place
     rows = list(record.rows)
-    rows[index] = {**rows[index], column: mutated(rows[index][column], mutation)}
-    if mutation == "missing":
-        rows[index].setdefault(column + REASON, LACK)
+    reason = {column + REASON: LACK} if mutation == "missing" else {}
+    rows[index] = {**reason, **rows[index], column: mutated(rows[index][column], mutation)}
     return replace(record, rows=rows)
 
 

@@ -27,7 +27,8 @@ def case_settings() -> frozenset[str]:
     """
     tree = ast.parse(CASE.read_text(encoding="utf-8"))
     case = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Case")
-    return frozenset(node.target.id for node in case.body if isinstance(node, ast.AnnAssign)) | WORLDS
+    names = (node.target for node in case.body if isinstance(node, ast.AnnAssign))
+    return frozenset(name.id for name in names if isinstance(name, ast.Name)) | WORLDS
 
 
 def is_setting(pointer: str) -> bool:

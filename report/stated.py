@@ -10,8 +10,9 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
-from jinja2 import nodes
+from jinja2 import Environment, nodes
 from jinja2.ext import Extension
 from jinja2.parser import Parser
 from markupsafe import Markup
@@ -58,6 +59,10 @@ def references(templates: Path) -> Mapping[str, Reference]:
     return found
 
 
+def _known(environment: Environment) -> Mapping[str, Reference]:
+    return cast(Mapping[str, Reference], environment.globals["references"])
+
+
 class StatedTag(Extension):
     """The tag; an environment that has it has ``references`` among its globals."""
 
@@ -66,14 +71,14 @@ class StatedTag(Extension):
     def parse(self, parser: Parser) -> nodes.Node:
         line = next(parser.stream).lineno
         name = parser.stream.expect("name")
-        if name.value not in self.environment.globals["references"]:
+        if name.value not in _known(self.environment):
             parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
         call = self.call_method("_stated", [nodes.Const(name.value)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, name: str, caller) -> Markup:
-        reference = self.environment.globals["references"][name]
+        reference = _known(self.environment)[name]
         words = Markup(" ".join(caller().split()))
         html = '<span class="stated">{} <span class="source">[not measured here: {}]</span></span>\n'
         return Markup(html).format(words, reference)

@@ -90,7 +90,7 @@ def within_noise(variants: Variants) -> Claim:
     )
 
 
-def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
+def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
     """Those of the named differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
     return Markup(", ").join(
