@@ -53,7 +53,7 @@ def _test_tells(shipped: Row, fixed: Row) -> Claim:
     return Claim(
         "test_tells",
         outcome,
-        numbers={"before": PASSED[shipped.test_passed], "after": PASSED[fixed.test_passed]},
+        numbers={"before": PASSED[bool(shipped.test_passed)], "after": PASSED[bool(fixed.test_passed)]},
     )
 
 

@@ -35,7 +35,7 @@ def with_shipped_steps(pads: str, method: str) -> str:
 
 def hit_iteration_limit(row: Row) -> bool:
     """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
-    return "iterations" in row.invalid_reason
+    return "iterations" in (row.invalid_reason or "")
 
 
 SHIPPED = with_shipped_steps("as-shipped", "newton")
@@ -121,7 +121,8 @@ def is_own_model(row: Row) -> bool:
 
 def is_clamped(row: Row) -> bool:
     """Whether MuJoCo raises the contacts' timeconst to two substeps."""
-    return row.timeconst_ms.value < 2.0 * row.substep_ms.value
+    cells = row.timeconst_ms.value, row.substep_ms.value
+    return None in cells or cells[0] < 2.0 * cells[1]
 
 
 def order_of(points: Points, pads: str, method: str) -> Value:
@@ -152,7 +153,7 @@ def order_of(points: Points, pads: str, method: str) -> Value:
 def front_rows(points: Points, cases: frozenset[str]) -> list[Row]:
     """Rows on a front of numerical error and run time, by pads and rising time."""
     rows = [row for row in points.settings if row.case in cases]
-    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
+    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
 
 
 def distinct(points: Points, front: Sequence[Row]) -> list[Row]:

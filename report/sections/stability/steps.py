@@ -78,7 +78,7 @@ def steps(results: Results) -> Claim:
             "some_are_lost": not all(map(is_stable, rows)),
             "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
             "failed_are_clamped": all(
-                row.step_ms.value > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
+                (row.step_ms.value or 0.0) > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
             ),
         },
     )
@@ -86,7 +86,7 @@ def steps(results: Results) -> Claim:
 
 def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
     """Of those that drift the way they do with long steps: where hardly anything slides, the sign may be another."""
-    drifting = [row for row in rows if is_stable(row) and row.drift_mm_s.value > 0.0]
+    drifting = [row for row in rows if is_stable(row) and (row.drift_mm_s.value or 0.0) > 0.0]
     half = len(drifting)
     return results.value(
         "steps_exponent",
