@@ -10,11 +10,14 @@ NEWTON_OPTION = $(if $(NEWTON),--newton '$(NEWTON)')
 DEVICE_OPTION = $(if $(DEVICE),--device '$(DEVICE)')
 PROFILE_OPTION = $(if $(PROFILE),--profile '$(PROFILE)')
 
-.PHONY: report status rerun check diff publish serve test lint help
+.PHONY: report page status rerun check diff publish serve test lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
 	@$(PYTHON) build.py report $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION)
+
+page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE]
+	@$(PYTHON) build.py page $(NEWTON_OPTION) $(PROFILE_OPTION)
 
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
 	@$(PYTHON) build.py status $(NEWTON_OPTION) $(PROFILE_OPTION)
@@ -37,9 +40,10 @@ serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
 	@$(PYTHON) build.py test $(NEWTON_OPTION)
 
-lint: $(READY) ## Check the style of the sources
+lint: $(READY) ## Check style and types of the sources
 	@$(PYTHON) -m ruff check .
 	@$(PYTHON) -m ruff format --check .
+	@$(PYTHON) -m mypy
 
 help: ## Print this
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)

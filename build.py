@@ -5,13 +5,14 @@ import os
 import subprocess
 import sys
 from functools import partial
+from typing import Any
 
 from report import ReportError, UsageError
-from report.environment import python_of, refuse_bad_release
-from report.identity import sections
-from report.measure import NO_CUDA, measure, measuring_device
-from report.project import PROFILES, Project, own_release
-from report.status import expected_packages, states_of, status_matrix, status_table
+from report.records.environment import python_of, refuse_bad_release
+from report.records.identity import sections
+from report.records.measure import NO_CUDA, measure, measuring_device
+from report.records.project import PROFILES, Project, own_release
+from report.records.status import expected_packages, states_of, status_matrix, status_table
 
 
 def main() -> int:
@@ -52,7 +53,8 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         except ReportError as error:
             print(error, file=sys.stderr)
             failed = True
-    _build(project, device)
+    if _build(project) and not device:
+        print(f"{NO_CUDA}, in up to hours")
     return int(failed)
 
 
@@ -62,7 +64,14 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    _build(project, device)
+    _build(project)
+    return 0
+
+
+def page(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site from what is measured, and measure nothing."""
+    _refuse_unmeasured(project)
+    _build(project)
     return 0
 
 
@@ -77,23 +86,28 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome."""
-    from report.assemble import assemble, derive_releases
+    from report.editions import editions_of
+    from report.page import Templates
 
     _refuse_unmeasured(project)
-    for chapter in assemble(project, derive_releases(project)).chapters:
+    for chapter in editions_of(project, Templates(project.templates))[project.release].chapters.values():
         for claim in chapter.section.claims:
-            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
+            said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
+            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
     return 0
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs between two releases; 1 when a claim flipped."""
-    from report.compare import compare_projects
+    from report.compare import compare
+    from report.editions import derive_edition
+    from report.page import Templates
 
     sides = [project.of(arguments.a), project.of(arguments.b)]
     for side in sides:
         _refuse_unmeasured(side)
-    comparison = compare_projects(*sides)
+    templates = Templates(project.templates)
+    comparison = compare((arguments.a, arguments.b), *(derive_edition(side, templates).chapters for side in sides))
     print(comparison.text)
     return 1 if comparison.flips else 0
 
@@ -112,20 +126,18 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
-def _build(project: Project, device: str | None) -> None:
-    """Build the site, and say what it lacks; ``device`` is what was measured on, if anything was."""
+def _build(project: Project) -> bool:
+    """Build the site, and say what it lacks; whether it lacks anything."""
     from report.site import build
 
-    page = build(project)
-    for state in page.left_out:
+    edition = build(project)
+    stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
+    for state in edition.left_out:
         print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
-    for chapter in page.chapters:
-        if chapter.state.notes:
-            print(f"{chapter.name} is stale: {project.rerun(chapter.name)} renews it")
-    unmeasured = page.left_out or any(chapter.state.notes for chapter in page.chapters)
-    if unmeasured and not device:
-        print(f"{NO_CUDA}, in up to hours")
+    for name in stale:
+        print(f"{name} is stale: {project.rerun(name)} renews it")
     print(f"built {project.site / 'index.html'}")
+    return bool(edition.left_out or stale)
 
 
 def _refuse_unmeasured(project: Project) -> None:
@@ -155,7 +167,7 @@ def _profile(name: str) -> str:
 
 
 # An option's type checks its default as well, so one that must be given has a default that is refused.
-OPTIONS = {
+OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
     "newton": {"type": partial(_release, "NEWTON"), "help": "Newton release, where it is not the project's own"},
     "a": {"type": partial(_release, "A"), "default": "", "help": "Newton release to compare from"},
@@ -166,6 +178,7 @@ OPTIONS = {
 }
 COMMANDS = {
     report: ("newton", "device", "profile"),
+    page: ("newton", "profile"),
     rerun: ("section", "newton", "device", "profile"),
     status: ("newton", "profile"),
     check: ("newton", "profile"),

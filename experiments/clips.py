@@ -16,7 +16,7 @@ from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from experiments.stage import CUBE, START, Camera, Stage, display
-from report.kept import TCP, KeptRun
+from report.records.kept import TCP, KeptRun
 
 FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720

@@ -18,11 +18,11 @@ import warp as wp
 
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
-from report.identity import identity_of, package_versions, sections
-from report.measure import NO_CUDA
-from report.project import Project, own_release
-from report.records import Record, check_record, units_of, write_record
-from report.traces import write_traces
+from report.records.identity import identity_of, package_versions, sections
+from report.records.measure import NO_CUDA
+from report.records.project import Project, own_release
+from report.records.record import Record, check_record, units_of, write_record
+from report.records.traces import write_traces
 
 
 def main() -> int:

@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 from report.format import format_code, format_number
@@ -108,7 +109,7 @@ def _check_claims(reading: Reading) -> list[str]:
 
 def _check_numbers(reading: Reading, data: Path) -> list[str]:
     problems = []
-    files: dict[str, object] = {}
+    files: dict[str, Any] = {}
     for number in reading.numbers:
         name, _, pointer = number.get("data-src", "").partition("#")
         try:
@@ -126,7 +127,7 @@ def _check_numbers(reading: Reading, data: Path) -> list[str]:
     return problems
 
 
-def _resolve(data: object, pointer: str) -> object:
+def _resolve(data: Any, pointer: str) -> Any:
     for part in pointer.removeprefix("/").split("/"):
         data = data[int(part)] if isinstance(data, list) else data[part]
     return data

@@ -3,24 +3,19 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from statistics import fmean
 from typing import Any
 
-from report.assemble import Derived, Sections, derive_release, values_file_of
+from report.chapters import Chapter, Chapters
 from report.claims import NEAR_NOISE, Claim
-from report.project import Project
+from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
 from report.quantities import Quantity
-from report.records import REASON, Record
+from report.records.record import REASON, Record
 from report.results import Row
 
-NOISE = "noise"
-"""The section whose rows are runs of one and the same case, as ``of`` says."""
 KEYS = ("case", "kind", "device", "worlds", "substeps")
 """Columns that tell the rows of one section apart, where they are there; a search may end at other substeps."""
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
-ROUNDING_SHARE = 1e-3
-"""Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
 EDGES = ("_p5", "_p95")
 """Ends of columns that say how far a number spreads, and are the noise of that number."""
 UNCOMPARED = (
@@ -32,9 +27,6 @@ UNCOMPARED = (
 frame decides, the farthest that two runs get apart, or noise itself; and fronts, on which the least change decides."""
 SPEED_UNITS, SPEED_COLUMNS = ("ms", "ms/s", "1/s"), ("realtime_factor",)
 LOST_COLUMNS = ("dropped", "failure", "invalid_reason")
-LESS_IS_BETTER = ("slip_mm", "drift_mm_s", "wander_mm", "frame_ms", "mjw_step_ms", "dropped", "bytes_per_world")
-MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s", "test_passed")
-
 Key = tuple[Any, ...]
 
 
@@ -106,12 +98,11 @@ class Comparison:
         return "\n".join([*lines, *(flip.text for flip in self.flips)])
 
 
-def compare_projects(older: Project, newer: Project) -> Comparison:
+def compare(releases: tuple[str, str], before: Chapters, after: Chapters) -> Comparison:
     """Compare the results of two releases."""
-    releases = older.release, newer.release
-    before, after = (derive_release(project, values_file_of(project.release)).sections for project in (older, newer))
-    floors = noise_floors([before, after])
-    moves, notes = [], []
+    floors = noise_floors(side[NOISE].results.record for side in (before, after) if NOISE in side)
+    moves: list[Move] = []
+    notes: list[str] = []
     for section in dict.fromkeys([*before, *after]):
         if section not in before or section not in after:
             notes.append(f"{section}: newton {releases[section in before]} has no results of it that could be used")
@@ -126,19 +117,19 @@ def compare_projects(older: Project, newer: Project) -> Comparison:
     return Comparison(releases, moves, flips(before, after), [*notes, *_near_claims(before, after)])
 
 
-def _near_claims(*sides: Sections) -> list[str]:
+def _near_claims(*sides: Chapters) -> list[str]:
     """Claims that are no flips only because one of the releases has them near the noise."""
     near = (
         f"{section}.{claim.name}: near the noise"
         for side in sides
-        for section, derived in side.items()
-        for claim in derived.section.claims
+        for section, chapter in side.items()
+        for claim in chapter.section.claims
         if claim.outcome.is_near
     )
     return list(dict.fromkeys(near))
 
 
-def flips(before: Sections, after: Sections) -> list[Flip]:
+def flips(before: Chapters, after: Chapters) -> list[Flip]:
     """Claims that one release upholds and the other doesn't.
 
     One that can't be told any more, or can be told now, is among them unless that is for want of a section, or for
@@ -162,62 +153,7 @@ def is_flip(before: Claim, after: Claim, *, whole: bool) -> bool:
     return before.outcome.name != after.outcome.name and (told or whole)
 
 
-def verdict(column: str, before: Any, after: Any) -> str:
-    """Whether going from one value to the other is better or worse; empty where the column does not say."""
-    if None in (before, after) or column not in LESS_IS_BETTER + MORE_IS_BETTER:
-        return ""
-    grows = abs(after) > abs(before)
-    return "better" if grows == (column in MORE_IS_BETTER) else "worse"
-
-
-def is_beyond(noise: float, before: float, after: float) -> bool:
-    """Whether two values differ by more than noise, and by more than rounding.
-
-    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
-    would then be a change.
-    """
-    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
-
-
-@dataclass(frozen=True)
-class Floor:
-    """How far apart runs of one case come out in one column."""
-
-    spread: float
-    magnitude: float
-    """The largest mean of such runs; larger values are taken to be noisier in proportion."""
-
-    def at(self, *values: float) -> float:
-        """The noise of such values."""
-        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
-        return self.spread * max(1.0, scale)
-
-
-def noise_floors(releases: Iterable[Sections]) -> dict[str, Floor]:
-    """The noise of every column that the section on noise has, the largest of the releases."""
-    floors: dict[str, Floor] = {}
-    for release in releases:
-        for column, floor in _floors_of(release[NOISE].results.record).items() if NOISE in release else ():
-            if column not in floors or floor.spread > floors[column].spread:
-                floors[column] = floor
-    return floors
-
-
-def _floors_of(record: Record) -> dict[str, Floor]:
-    runs: dict[str, list[Mapping[str, Any]]] = {}
-    for row in record.rows:
-        runs.setdefault(row["of"], []).append(row)
-    floors = {}
-    for column in record.units:
-        cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
-        cells = [cell for cell in cells if len(cell) > 1]
-        if cells:
-            spread = max(max(cell) - min(cell) for cell in cells)
-            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
-    return floors
-
-
-def _moves(before: Derived, after: Derived, floors: Mapping[str, Floor]) -> Iterator[Move]:
+def _moves(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iterator[Move]:
     old, new = _rows_by_key(before), _rows_by_key(after)
     records = before.results.record, after.results.record
     ranges = _ranges(records)
@@ -277,11 +213,11 @@ def _ranges(records: Iterable[Record]) -> dict[str, float]:
     return ranges
 
 
-def _rows_by_key(derived: Derived) -> dict[Key, Row]:
+def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
     """Rows by what tells them apart; those that nothing tells apart are left out."""
-    keys = [tuple(row.get(name) for name in KEYS) for row in derived.results.record.rows]
+    keys = [tuple(_plain(row[name]) if name in row else None for name in KEYS) for row in chapter.results.rows]
     counts = Counter(keys)
-    return {key: row for key, row in zip(keys, derived.results.rows, strict=True) if counts[key] == 1}
+    return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
 
 
 def _is_lost(row: Row) -> bool:

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from report.parts import PlacedFigure
+from report.parts import Figure
 
-_figures: Sequence[PlacedFigure] = ()
+_figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
 
 
-def draw_all(figures: Sequence[PlacedFigure]) -> list[Markup]:
+def draw_all(figures: Sequence[Figure]) -> list[Markup]:
     """Each figure as HTML, in their order."""
     global _figures
     workers = min(_processor_count(), len(figures))

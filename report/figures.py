@@ -4,11 +4,11 @@ import io
 import math
 import re
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup
-from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
@@ -35,7 +35,7 @@ PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint)"} | {
     colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
 }
 
-STYLE = {
+STYLE: dict[str, Any] = {
     "svg.fonttype": "none",
     "figure.facecolor": "none",
     "axes.facecolor": "none",
@@ -89,8 +89,9 @@ class LogLabels(LogFormatter):
 def _label_plainly(axis: Axis) -> None:
     if isinstance(axis.get_major_formatter(), LogFormatterMathtext):
         axis.set_major_formatter(LogLabels())
-    if isinstance(axis.get_minor_formatter(), LogFormatterMathtext):
-        axis.set_minor_formatter(LogLabels(labelOnlyBase=axis.get_minor_formatter().labelOnlyBase))
+    minor = axis.get_minor_formatter()
+    if isinstance(minor, LogFormatterMathtext):
+        axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
 
 
 def plain_labels(*, digits: int = 6) -> FuncFormatter:
@@ -118,8 +119,8 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     axis.set_major_formatter(plain_labels(digits=digits))
 
 
-def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Axes]:
-    """A figure of ``width`` × ``height`` inches with the axes that ``Figure.subplots`` makes."""
+def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
+    """A figure of ``width`` × ``height`` inches with the axes, or the array of them, that ``Figure.subplots`` makes."""
     drawing = Drawing(figsize=(width, height))
     return drawing, drawing.subplots(**subplots)
 

@@ -1,6 +1,4 @@
-"""How a number or a time is written on the page."""
-
-from datetime import datetime
+"""How a number is written on the page."""
 
 MINUS = "\u2212"
 THIN_SPACE = "\u202f"
@@ -48,11 +46,6 @@ def format_short(value: float) -> str:
 def format_power(exponent: int) -> str:
     """A power of ten."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
-
-
-def format_time(time: str) -> str:
-    """An ISO time with its offset, to the minute."""
-    return datetime.fromisoformat(time).strftime("%Y-%m-%d %H:%M %Z")
 
 
 def _typeset(text: str) -> str:

@@ -5,8 +5,8 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
-from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
@@ -26,7 +26,7 @@ SERIES_LENGTH = 7
 NUMBER = re.compile(r"\d[\d.]*(e[+-]?\d+)?")
 LINE_HEIGHT = 0.155
 """Height of a line of the figure [in]."""
-DOT = {"marker": "o", "markersize": 4, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+DOT: dict[str, Any] = {"marker": "o", "markersize": 4, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
 MARKS = {
     "the baseline's shake": DOT,
     "another shake or duration": DOT | {"markerfacecolor": "none"},
@@ -54,23 +54,15 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
     if baseline is None or not lines:
         return None
     noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
-    count = sum(len(line.rows) for line in lines)
-    caption = Markup("Slip of every variant, by section. The line is the scene as shipped, {}.{}").format(
-        baseline.slip_mm, _band_in_words(noise)
-    )
+    counted = {
+        "runs": str(sum(len(line.rows) for line in lines)),
+        "sections": str(len({line.section for line in lines})),
+    }
     return Figure(
         draw=lambda: _draw(lines, baseline, noise),
-        caption=caption,
-        alt=f"Slip of {count} runs in {len({line.section for line in lines})} sections, on a logarithmic axis, against "
-        f"{baseline.slip_mm} as shipped.",
         sources=[row.slip_mm for line in lines for row in line.rows],
+        numbers={"baseline": baseline.slip_mm, "noise": noise, "has_noise": bool(noise and noise.value), **counted},
     )
-
-
-def _band_in_words(noise: Quantity | None) -> Markup:
-    if noise is None or noise.value is None:
-        return Markup("")
-    return Markup(" Runs of one and the same case differ by up to {}, the band about it.").format(noise)
 
 
 def _baseline(chapters: Mapping[str, Results]) -> Row | None:
@@ -95,7 +87,7 @@ def _lines(section: str, results: Results) -> Iterator[Line]:
 
 def _draw(lines: list[Line], baseline: Row, noise: Quantity | None) -> Drawing:
     sections = list(dict.fromkeys(line.section for line in lines))
-    places = {}
+    places: dict[Line, int] = {}
     for line in lines:
         places[line] = len(places) + sections.index(line.section) + 1
     drawing, axes = new_figure(7.2, 1.0 + LINE_HEIGHT * (len(lines) + len(sections)))

@@ -1,7 +1,8 @@
 """The page: templates of Markdown with values in it, made into HTML."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,8 +11,10 @@ from jinja2 import (
     Environment,
     FileSystemLoader,
     StrictUndefined,
+    Template,
     TemplateError,
     TemplateNotFound,
+    TemplateSyntaxError,
     pass_context,
 )
 from jinja2.runtime import Context
@@ -20,7 +23,9 @@ from markdown.extensions.toc import slugify
 from markupsafe import Markup, escape
 
 from report import ReportError
-from report.parts import PlacedFigure
+from report.parts import Figure
+from report.stated import StatedTag, references
+from report.words import Wording, WordTags, wordings
 
 # What a template prints passes Markdown as a token between two private characters and is put back afterwards,
 # so that no value, case name or table is ever taken for Markdown. Alone in its paragraph it may be a block.
@@ -39,13 +44,39 @@ class Prose:
     printed: list[Any]
 
     @property
-    def figures(self) -> list[PlacedFigure]:
-        return [thing for thing in self.printed if isinstance(thing, PlacedFigure)]
+    def figures(self) -> list[Figure]:
+        return [thing for thing in self.printed if isinstance(thing, Figure)]
 
     def html(self, drawn: Mapping[str, Markup]) -> Markup:
         """The text below the title, with its figures, which are drawn already, by their names."""
-        printed = [drawn[thing.name] if isinstance(thing, PlacedFigure) else thing for thing in self.printed]
+        printed = [drawn[thing.anchor] if isinstance(thing, Figure) else thing for thing in self.printed]
         return _put_back(self.body, printed)
+
+
+@dataclass(frozen=True)
+class Text:
+    """One template of Markdown, parsed."""
+
+    name: str
+    template: Template
+    words: Mapping[tuple[str, str], Wording]
+    """What it says of claims, figures and tables, by kind and name."""
+
+    def prose(self, anchor: str, names: Mapping[str, Any]) -> Prose:
+        """Render it; its first line is its title, and ids of further headings begin with ``anchor``."""
+        printed: list[Any] = []
+        with _named(self.name):
+            text = self.template.render({**names, "printed": printed})
+        headings = {
+            "baselevel": 2,
+            "slugify": lambda title, separator: f"{anchor}-{slugify(title, separator)}",
+        }
+        markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
+        html = markdown.convert(text)
+        if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
+            raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
+        title = _put_back(markdown.toc_tokens[0]["name"], printed)
+        return Prose(title, TITLE.sub("", html, count=1), printed)
 
 
 class Templates:
@@ -60,32 +91,51 @@ class Templates:
             lstrip_blocks=True,
         )
         self._prose = self._layout.overlay(finalize=_as_token)
+        self._layout.globals["references"] = references(folder)
+        self._prose.add_extension(WordTags)
+        self._prose.add_extension(StatedTag)
+        self._texts: dict[str, Text] = {}
 
-    def prose(self, template: str, anchor: str, names: Mapping[str, Any]) -> Prose:
-        """Render Markdown whose first line is its title; ids of further headings begin with ``anchor``."""
-        printed: list[Any] = []
-        text = self._render(self._prose, template, {**names, "printed": printed})
-        headings = {
-            "baselevel": 2,
-            "slugify": lambda title, separator: f"{anchor}-{slugify(title, separator)}",
-        }
-        markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
-        html = markdown.convert(text)
-        if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
-            raise ReportError(f"templates/{template} must begin with its one title, a line with a single #")
-        title = _put_back(markdown.toc_tokens[0]["name"], printed)
-        return Prose(title, TITLE.sub("", html, count=1), printed)
+    def text(self, name: str) -> Text:
+        """A template of Markdown; it is parsed once."""
+        if name not in self._texts:
+            with _named(name):
+                self._texts[name] = self._parsed(name)
+        return self._texts[name]
+
+    def _parsed(self, name: str) -> Text:
+        source, path, _ = self._prose.loader.get_source(self._prose, name)
+        parsed = self._prose.parse(source, name, path)
+
+        def render(block: str, numbers: Mapping[str, Any]) -> Markup:
+            printed: list[Any] = []
+            with _named(name):
+                context = template.new_context({**numbers, "printed": printed})
+                text = "".join(template.blocks[block](context))
+            return _put_back(" ".join(text.split()), printed)
+
+        words = wordings(self._prose, parsed, f"templates/{name}", render)
+        code = self._prose.compile(parsed, name, path)
+        template = Template.from_code(self._prose, code, self._prose.make_globals(None))
+        return Text(name, template, words)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
-        return self._render(self._layout, template, names)
+        """Render a template of HTML."""
+        with _named(template):
+            return self._layout.get_template(template).render(names)
 
-    def _render(self, environment: Environment, template: str, names: Mapping[str, Any]) -> str:
-        try:
-            return environment.get_template(template).render(names)
-        except TemplateNotFound as error:
-            raise ReportError(f"there is no templates/{error.message}") from None
-        except TemplateError as error:
-            raise ReportError(f"templates/{template}: {error.message}") from None
+
+@contextmanager
+def _named(template: str) -> Iterator[None]:
+    """Say of an error in a template which one it is in, and in which line, where that is known."""
+    try:
+        yield
+    except TemplateNotFound as error:
+        raise ReportError(f"there is no templates/{error.message}") from None
+    except TemplateSyntaxError as error:
+        raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
+    except TemplateError as error:
+        raise ReportError(f"templates/{template}: {error.message}") from None
 
 
 @pass_context
@@ -95,7 +145,7 @@ def _as_token(context: Context, value: Any) -> Markup:
     if isinstance(value, int | float):
         raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
     printed = context["printed"]
-    printed.append(value if isinstance(value, PlacedFigure) else escape(value))
+    printed.append(value if isinstance(value, Figure) else escape(value))
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
 
 

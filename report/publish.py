@@ -12,7 +12,7 @@ from pathlib import Path
 
 from report import ReportError, UsageError
 from report.check import check_site
-from report.identity import files_digest
+from report.records.identity import files_digest
 
 SCHEME = "dir:"
 QUICK = '<meta name="profile" content="quick">'

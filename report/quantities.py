@@ -7,20 +7,9 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from report.format import format_code, format_number, unit_label
+from report.records.record import Origin
 
 VALUES_FILE = "values.json"
-
-
-@dataclass(frozen=True, order=True)
-class Origin:
-    """What a number was measured with, as far as others must share it to be compared with it."""
-
-    release: str
-    """Newton release."""
-    processor: str
-
-    def __str__(self) -> str:
-        return f"Newton {self.release} on {self.processor}"
 
 
 @dataclass(frozen=True)
@@ -36,6 +25,11 @@ class Quantity:
     """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
     """What it was measured with; none for what was not measured."""
+
+    @property
+    def reads(self) -> frozenset[str]:
+        """Pointers to itself and to all that it is computed from."""
+        return frozenset({self.source} if self.source else ())
 
     @property
     def bare(self) -> Markup:
@@ -82,6 +76,17 @@ class Value(Quantity):
     """How it is computed, in words."""
     sources: Sequence[str] = ()
     """Pointers to what it is computed from."""
+    roots: frozenset[str] = frozenset()
+    """The same, and pointers to what those are computed from, down to the records."""
+
+    @property
+    def reads(self) -> frozenset[str]:
+        return super().reads | self.roots
+
+    @property
+    def is_chosen(self) -> bool:
+        """Whether nobody measured it."""
+        return not self.sources
 
     @property
     def _hint(self) -> str:

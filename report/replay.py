@@ -11,14 +11,13 @@ import numpy as np
 from markupsafe import Markup
 
 from report import ROOT
+from report.chapters import Chapter
 from report.clips import Clips
-from report.format import format_time
-from report.kept import kept_run
 from report.page import Templates
-from report.parts import Section
-from report.project import Project
+from report.records.kept import kept_run
+from report.records.project import Project
+from report.records.traces import load_trace, trace_path
 from report.results import Results
-from report.traces import load_trace, trace_path
 
 PAGE = "replay.html"
 SCRIPT = "assets/replay/replay.js"
@@ -41,27 +40,28 @@ COLUMNS = (
 WIDEST = 65535
 
 
-def replay_page(project: Project, results: Results, section: Section, clips: Clips | None) -> str:
+def replay_page(project: Project, chapter: Chapter, clips: Clips | None, templates: Templates) -> str:
     """The page of one release.
 
     Args:
-        results: Of section poses, with its record.
-        section: What section poses derives from them.
+        project: The release.
+        chapter: Its section poses.
         clips: Where the still is, which is shown where nothing moves; None when there is none.
+        templates: The templates of the project.
     """
+    results = chapter.results
     names = {
         "results": results,
-        "section": section,
-        "claims": [claim.html(results.record.section) for claim in section.claims],
+        "section": chapter.section,
+        "claims": [claim.html(chapter.name) for claim in chapter.section.claims],
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
-        "measured": format_time(results.record.measured["date"]),
         "runs": json.dumps(packed_runs(results), separators=(",", ":")),
         "style": Markup("\n".join((project.root / name).read_text(encoding="utf-8") for name in STYLES)),
         "script": Markup(script(project.root)),
         "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),
     }
-    return Templates(project.templates).layout(f"{PAGE}.j2", names)
+    return templates.layout(f"{PAGE}.j2", names)
 
 
 def script(root: Path = ROOT) -> str:

@@ -4,20 +4,19 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from markupsafe import Markup
 
-from report.assemble import Derivation, Derived, Report, assemble, derive_release, derive_releases, values_file_of
 from report.drawing import draw_all
-from report.format import format_time
-from report.identity import files_digest, package_versions
-from report.page import Templates
-from report.project import Project
+from report.editions import Edition, editions_of
+from report.page import Prose, Templates
 from report.quantities import VALUES_FILE
-from report.traces import traces_of
+from report.records.identity import files_digest, package_versions
+from report.records.project import Project
+from report.records.traces import traces_of
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
 """Folders that a page is made from."""
@@ -26,7 +25,7 @@ DIGEST_FILE = ".inputs"
 
 
 @dataclass(frozen=True)
-class Edition:
+class Link:
     """The page of one release, as another one leads to it."""
 
     release: str
@@ -36,98 +35,96 @@ class Edition:
     """Sections that it has."""
 
 
-def build(project: Project) -> Report:
-    """Write the site and return the report of ``project``; until it is whole, the site that was there stays.
+def build(project: Project) -> Edition:
+    """Write the site and return the edition of ``project``; until the site is whole, the one that was there stays.
 
     Its page is the first of the site; those of other releases that have results lie in a folder each, and are written
     only when something that they are made from has changed.
     """
     fresh = project.root / f".site-{os.getpid()}"
-    derivations = derive_releases(project)
-    # The first page has its values in another place than it has them on the others.
-    first = derive_release(project, VALUES_FILE)
-    reports = [assemble(project, derivations | {project.release: first})]
-    reports += [assemble(project.of(name), derivations) for name in derivations if name != project.release]
+    templates = Templates(project.templates)
+    editions = editions_of(project, templates)
     try:
-        _write_site(fresh, reports, derivations)
+        _write_site(fresh, project, editions, templates)
         _replace(project.site, fresh)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
-    return reports[0]
+    return editions[project.release]
 
 
-def _write_site(folder: Path, reports: Sequence[Report], derivations: Mapping[str, Derivation]) -> None:
-    site, digest = reports[0].project.site, _digest(reports[0].project)
-    places = {report.project.release: f"newton-{report.project.release}/" for report in reports}
-    places[reports[0].project.release] = ""
-    kept = [release for release, place in places.items() if place and _read_digest(site / place) == digest]
+def _write_site(folder: Path, project: Project, editions: Mapping[str, Edition], templates: Templates) -> None:
+    digest = _digest(project)
+    places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
+    kept = [release for release, place in places.items() if place and _read_digest(project.site / place) == digest]
     for release in kept:
-        shutil.copytree(site / places[release], folder / places[release])
-    to_write = [report for report in reports if report.project.release not in kept]
-    for report, drawn in zip(to_write, _draw(to_write), strict=True):
-        here = folder / places[report.project.release]
-        _write_page(here, report, _editions(reports, places, report), drawn)
-        _write_data(here / "data", report, derivations)
+        shutil.copytree(project.site / places[release], folder / places[release])
+    to_write = {release: edition for release, edition in editions.items() if release not in kept}
+    summaries = {release: edition.summary(templates) for release, edition in to_write.items()}
+    drawn = _draw(to_write, summaries)
+    for release, edition in to_write.items():
+        here = folder / places[release]
+        names = {"edition": edition, "summary": summaries[release], "drawn": drawn[release]}
+        html = templates.layout("base.html.j2", names | {"links": _links(editions, places, release)})
+        _write_page(here, edition, _local(html, release))
+        _write_data(here / "data", release, editions)
         (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
     (folder / ".gitkeep").touch()
 
 
-def _editions(reports: Sequence[Report], places: Mapping[str, str], page: Report) -> list[Edition]:
-    """All releases as seen from one page, oldest first."""
-    up = "../" if places[page.project.release] else ""
-    shown = {report.project.release: report.shown for report in reports}
-    addresses = {name: "" if name == page.project.release else f"{up}{places[name]}index.html" for name in shown}
-    return [Edition(name, addresses[name], shown[name]) for name in page.project.releases]
+def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
+    """All releases as seen from the page of one, oldest first."""
+    up = "../" if places[shown] else ""
+    addresses = {release: "" if release == shown else f"{up}{place}index.html" for release, place in places.items()}
+    return [Link(release, addresses[release], list(edition.chapters)) for release, edition in editions.items()]
 
 
-def _draw(reports: Sequence[Report]) -> list[dict[str, Markup]]:
-    """The figures of each report by name."""
+def _draw(editions: Mapping[str, Edition], summaries: Mapping[str, Prose]) -> dict[str, dict[str, Markup]]:
+    """The figures of each release by their ids."""
     placed = [
-        (number, figure)
-        for number, report in enumerate(reports)
-        for prose in (report.summary, *(chapter.prose for chapter in report.chapters))
+        (release, figure)
+        for release, edition in editions.items()
+        for prose in (summaries[release], *(chapter.prose for chapter in edition.chapters.values()))
         for figure in prose.figures
     ]
-    drawn: list[dict[str, Markup]] = [{} for _ in reports]
-    for (number, figure), html in zip(placed, draw_all([figure for _, figure in placed]), strict=True):
-        drawn[number][figure.name] = html
+    drawn: dict[str, dict[str, Markup]] = {release: {} for release in editions}
+    for (release, figure), html in zip(placed, draw_all([figure for _, figure in placed]), strict=True):
+        drawn[release][figure.anchor] = html
     return drawn
 
 
-def _write_page(folder: Path, report: Report, editions: Sequence[Edition], drawn: Mapping[str, Markup]) -> None:
+def _write_page(folder: Path, edition: Edition, html: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    names = {"report": report, "editions": editions, "drawn": drawn, "format_time": format_time}
-    html = Templates(report.project.templates).layout("base.html.j2", names)
     (folder / "index.html").write_text(html, encoding="utf-8")
-    shutil.copyfile(report.project.root / "assets" / "style.css", folder / "style.css")
-    for chapter in report.chapters:
+    shutil.copyfile(edition.project.root / "assets" / "style.css", folder / "style.css")
+    for chapter in edition.chapters.values():
         for download in chapter.section.downloads:
             path = folder / "download" / download.name
             path.parent.mkdir(exist_ok=True)
             path.write_text(download.text, encoding="utf-8")
 
 
-def _write_data(folder: Path, report: Report, derivations: Mapping[str, Derivation]) -> None:
-    """All that a page names: its own results and values, and those of the other releases."""
-    for release, derivation in derivations.items():
-        own = release == report.project.release
-        for section in derivation.sections.values():
-            path = section.results.path
+def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> None:
+    """All that the page of the release ``shown`` names: its own results and values, and those of the others."""
+    for release, edition in editions.items():
+        own = release == shown
+        for chapter in edition.chapters.values():
+            path = chapter.results.path
             there = folder / path.parent.name
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path) if own else ())):
                 shutil.copyfile(file, there / file.name)
-        if not own:
-            _write_values(folder / values_file_of(release), derivation.sections.values())
-    for name in {VALUES_FILE, report.values_file}:
-        _write_values(folder / name, report.chapters)
+        # What compares releases is derived for the page that it stands on alone.
+        chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
+        values = {chapter.name: chapter.values for chapter in chapters}
+        text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
+        place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(_local(text, shown) + "\n", encoding="utf-8")
 
 
-def _write_values(path: Path, sections: Iterable[Derived]) -> None:
-    values = {section.name: section.values for section in sections}
-    path.parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
-    path.write_text(text + "\n", encoding="utf-8")
+def _local(text: str, release: str) -> str:
+    """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
+    return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
 
 
 def _digest(project: Project) -> str:

@@ -1,19 +1,23 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
+import importlib
 import shutil
+import sys
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pandas as pd
 import pytest
 
+import report.sections
 from report import ROOT
-from report.identity import identity_of, package_versions
-from report.project import Project
-from report.records import Record, units_of, write_record
+from report.records.identity import identity_of, package_versions
+from report.records.project import Project
+from report.records.record import Record, units_of, write_record
+from report.records.status import state_of
+from report.records.traces import write_traces
 from report.site import build
-from report.status import state_of
-from report.traces import write_traces
 
 MODULE = """
 from report.claims import Claim, at_least
@@ -37,19 +41,24 @@ def derive(results):
     rows = results.rows
     table = pd.DataFrame({"slip": [row.slip_mm for row in rows]}, index=[row.case for row in rows])
     return Section(
-        tables={"cases": Table(table, "All cases")},
-        figures={"way": Figure(lambda: draw(trace), "The way", f"It moves {stiff.slip_mm}.", [trace])},
-        claims=[Claim("helps", at_least(gain, bound), holds="It helps {gain} times.", fails="It does not.",
-                      unknown="No one knows.", numbers={"gain": gain}, explanation="Because it is stiff.")],
+        tables={"cases": Table(table)},
+        figures={"way": Figure(lambda: draw(trace), [trace], {"slip": stiff.slip_mm})},
+        claims=[Claim("helps", at_least(gain, bound), {"gain": gain})],
     )
 """
 TEMPLATE = """# A toy
 
-{{ claim("helps") }} Stiff is {{ row["stiff"].slip_mm }}.
+{% claim helps %}
+{% holds %} It helps {{ gain }} times.
+{% fails %} It does not.
+{% asks %} whether it helps
+{% because %} Because it is stiff.
+{% endclaim %}
+Stiff is {{ row["stiff"].slip_mm }}.
 
-{{ figure("way") }}
+{% figure way %} The way {% alt %} It moves {{ slip }}. {% endfigure %}
 
-{{ table("cases") }}
+{% table cases %} All cases {% endtable %}
 """
 SCENE = '''"""The scene."""
 
@@ -94,6 +103,7 @@ class Toy:
         path = self.project.root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
+        forget_sections()
 
     def record(self, rows=ROWS, **changes) -> Record:
         fields = {
@@ -132,8 +142,19 @@ class Toy:
         build(self.project)
 
 
+def forget_sections() -> None:
+    """Let the modules of sections be imported anew."""
+    for name in [name for name in sys.modules if name.startswith("report.sections.")]:
+        del sys.modules[name]
+    importlib.invalidate_caches()
+
+
 @pytest.fixture
-def toy(tmp_path) -> Toy:
+def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
+    """The project; its sections are imported before the real ones of the same name."""
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a file changes here within the second that a cache tells
+    folder = str(tmp_path / "project" / "report" / "sections")
+    monkeypatch.setattr(report.sections, "__path__", [folder, *report.sections.__path__])
     toy = Toy(Project("1.4.0", root=tmp_path / "project"))
     toy.write("experiments/__init__.py", "")
     toy.write("experiments/scene.py", SCENE)
@@ -145,7 +166,8 @@ def toy(tmp_path) -> Toy:
     shutil.copy(ROOT / "templates" / "base.html.j2", toy.project.templates)
     shutil.copy(ROOT / "assets" / "style.css", toy.project.root / "assets")
     toy.measure()
-    return toy
+    yield toy
+    forget_sections()
 
 
 @pytest.fixture(scope="session")

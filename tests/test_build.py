@@ -13,7 +13,7 @@ from report.check import check_site
 REPORT = """
 import sys
 from pathlib import Path
-from report.project import Project, own_release
+from report.records.project import Project, own_release
 from report.site import build
 
 build(Project(own_release(), root=Path(sys.argv[1])))

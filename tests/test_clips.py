@@ -5,11 +5,11 @@ import pytest
 
 from experiments.clips import COLOURS, FRAME_RATE, LEAD_S, STAY_S, Clip, bodies, long_exposure, reading
 from experiments.stage import Camera, Stage, display
-from report.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
-from report.kept import kept_run
-from report.project import Project, own_release
-from report.records import load_record
-from report.traces import load_trace, trace_path
+from report.records.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
+from report.records.kept import kept_run
+from report.records.project import Project, own_release
+from report.records.record import load_record
+from report.records.traces import load_trace, trace_path
 
 OWN = Project(own_release())
 

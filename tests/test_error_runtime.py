@@ -12,7 +12,7 @@ from experiments.case import AS_SHIPPED, FIXED
 from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
 from experiments.reference import NativeShake, pilot_at_shake, starts_of
 from experiments.trace import FRAME_COLUMNS, Failure, Trace
-from report.sections._error_runtime_worlds import crossing
+from report.sections.error_runtime.worlds import crossing
 
 FRAME_DT = 1.0 / 60.0
 

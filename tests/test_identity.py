@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from report import ROOT
-from report.identity import canonical, identity_of, sections
+from report.records.identity import canonical, identity_of, sections
 
 
 def changed(toy) -> tuple[str, ...]:
@@ -73,7 +73,7 @@ def test_every_way_to_import_is_followed(toy, statement):
 
 
 def test_package_versions_count(toy, monkeypatch):
-    from report import identity
+    from report.records import identity
 
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(identity.metadata, "version", installed.__getitem__)
@@ -92,7 +92,7 @@ def test_every_python_agrees_on_the_identity():
     if not pythons:
         pytest.skip("there is no other Python here")
     code = (
-        "from report.identity import identity_of; import sys;"
+        "from report.records.identity import identity_of; import sys;"
         "print([identity_of(name, 'full').code for name in sys.argv[1:]])"
     )
     digests = {

@@ -17,7 +17,12 @@ SHAKE = {
 }
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
-TEMPLATE = "# A report\n\n{% if overview %}\n{{ overview }}\n{% endif %}\n"
+TEMPLATE = """# A report
+
+{% if overview %}
+{% figure overview %} All. {% alt %} {{ runs }} runs. {% endfigure %}
+{% endif %}
+"""
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ from newton.viewer import ViewerNull
 from experiments.poses import HELD, SHAKEN
 from experiments.replay import Replay, load_poses
 from experiments.scene import body_index
-from report.kept import kept_run
-from report.kinematics import quaternion_matrices
-from report.records import load_record
-from report.traces import load_trace, trace_path
+from report.records.kept import kept_run
+from report.records.kinematics import quaternion_matrices
+from report.records.record import load_record
+from report.records.traces import load_trace, trace_path
 
 
 @pytest.fixture(scope="module")

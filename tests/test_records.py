@@ -8,8 +8,8 @@ import pandas as pd
 import pytest
 
 from experiments.run import finite
-from report.records import RecordError, load_record, record_path, unit_of, units_of, write_record
-from report.traces import load_trace, trace_path, write_traces
+from report.records.record import RecordError, load_record, record_path, unit_of, units_of, write_record
+from report.records.traces import load_trace, trace_path, write_traces
 
 
 def test_a_record_comes_back_as_it_was_written(toy):

@@ -5,21 +5,23 @@ from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, ROWS, Toy
+from conftest import MODULE, ROWS, TEMPLATE, Toy
 
 import build
 from report import ROOT
-from report.assemble import assemble, derive_releases
 from report.check import check_site
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
-from report.compare import Floor, compare_projects, is_beyond, is_flip
-from report.environment import requirements
-from report.identity import MISSING
-from report.project import Project
-from report.quantities import Origin, Quantity, mixed
-from report.records import load_record, write_record
+from report.compare import Comparison, compare, is_flip
+from report.editions import derive_edition, editions_of
+from report.noise import Floor, is_beyond
+from report.page import Templates
+from report.quantities import Quantity, mixed
+from report.records.environment import requirements
+from report.records.identity import MISSING
+from report.records.project import Project
+from report.records.record import Origin, load_record, write_record
+from report.records.status import status_matrix
 from report.results import Results
-from report.status import status_matrix
 
 SOFT, STIFF = ROWS
 BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)
@@ -31,6 +33,11 @@ def newer(toy) -> Toy:
     newer = toy.of("1.8.0")
     newer.measure(BETTER)
     return newer
+
+
+def compared(*sides: Toy) -> Comparison:
+    before, after = (derive_edition(side.project, Templates(side.project.templates)) for side in sides)
+    return compare((before.project.release, after.project.release), before.chapters, after.chapters)
 
 
 def test_a_release_is_judged_without_being_installed(toy, newer):
@@ -122,13 +129,13 @@ def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
 
 def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, newer):
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
-    moves = compare_projects(toy.project, newer.project).moves
+    moves = compared(toy, newer).moves
     assert [(move.column, move.verdict) for move in moves] == [("dropped", "worse")]
 
 
 def test_what_is_near_the_noise_has_not_flipped():
     near = Outcome("unknown", "near", is_near=True)
-    before, after = (Claim("same", outcome, "It is.", "It is not.") for outcome in (HOLDS, near))
+    before, after = (Claim("same", outcome) for outcome in (HOLDS, near))
     assert not is_flip(before, after, whole=True) and not is_flip(after, replace(before, outcome=FAILS), whole=True)
     assert is_flip(before, replace(after, outcome=Outcome("unknown")), whole=True)
 
@@ -150,7 +157,7 @@ def test_what_is_near_the_noise_has_not_flipped():
 def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
     toy.measure([SOFT, {**STIFF, **before}])
     newer.measure([SOFT, {**STIFF, **before, **after}])
-    assert len(compare_projects(toy.project, newer.project).moves) == moved
+    assert len(compared(toy, newer).moves) == moved
 
 
 def test_what_counts_as_moved():
@@ -164,10 +171,10 @@ def test_speed_is_compared_on_one_machine_only(toy, newer):
     rows = [{**SOFT, "frame_ms": 10.0}, {**STIFF, "frame_ms": 5.0}]
     toy.measure(rows)
     newer.measure([{**row, "frame_ms": row["frame_ms"] / 2} for row in rows])
-    assert [move.column for move in compare_projects(toy.project, newer.project).moves] == ["frame_ms"] * 2
+    assert [move.column for move in compared(toy, newer).moves] == ["frame_ms"] * 2
     record = load_record(newer.record_path)
     write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
-    found = compare_projects(toy.project, newer.project)
+    found = compared(toy, newer)
     assert found.moves == []
     assert found.notes == ["speed of toy: it was measured on A processor and on Another"]
 
@@ -227,8 +234,10 @@ def measure_upgrade(toy: Toy, release: str, slips: dict[str, tuple[float, float]
 @pytest.fixture
 def upgraded(toy) -> Toy:
     """The real section on releases, beside one that stands for the noise."""
-    for name in ("report/sections/upgrade.py", "templates/sections/upgrade.md.j2"):
-        toy.write(name, (ROOT / name).read_text(encoding="utf-8"))
+    shutil.copytree(ROOT / "report/sections/upgrade", toy.project.root / "report/sections/upgrade")
+    toy.write(
+        "templates/sections/upgrade.md.j2", (ROOT / "templates/sections/upgrade.md.j2").read_text(encoding="utf-8")
+    )
     toy.write("experiments/upgrade.py", EXPERIMENT_OF_RELEASES)
     floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
     toy.write(
@@ -247,8 +256,8 @@ EXPERIMENT_OF_RELEASES = "from experiments.scene import slip\n"
 
 
 def outcomes(project: Project) -> dict[str, str]:
-    chapters = {chapter.name: chapter for chapter in assemble(project, derive_releases(project)).chapters}
-    return {claim.name: claim.outcome.name for claim in chapters["upgrade"].section.claims}
+    chapter = editions_of(project, Templates(project.templates))[project.release].chapters["upgrade"]
+    return {claim.name: claim.outcome.name for claim in chapter.section.claims}
 
 
 def test_the_cause_is_what_brings_the_old_number_back(upgraded):
@@ -270,7 +279,7 @@ def test_the_cause_is_what_brings_the_old_number_back(upgraded):
 def test_claims_that_turned_are_said_in_both_ways(upgraded):
     for release, slips in UPGRADE_ROWS.items():
         measure_upgrade(upgraded, release, slips)
-    upgraded.write("report/sections/toy.py", MODULE.replace("It does not.", "It does not, {gain} times."))
+    upgraded.write("templates/sections/toy.md.j2", TEMPLATE.replace("It does not.", "It does not, {{ gain }} times."))
     upgraded.of("1.8.0").measure(BETTER)
     upgraded.build()
     turned = upgraded.page.partition('class="turns"')[2]

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from report import ROOT
-from report.assemble import derive_release
 from report.check import Reading
-from report.project import Project
-from report.records import load_record
+from report.editions import derive_edition
+from report.page import Templates
+from report.records.project import Project
+from report.records.record import load_record
 from report.replay import SHAKES, packed_runs, replay_page, script
 from report.results import Results
 
@@ -30,8 +31,8 @@ def project(poses_path) -> Project:
 
 @pytest.fixture(scope="module")
 def page(project) -> str:
-    derived = derive_release(project, "values.json").sections["poses"]
-    return replay_page(project, derived.results, derived.section, None)
+    templates = Templates(project.templates)
+    return replay_page(project, derive_edition(project, templates).chapters["poses"], None, templates)
 
 
 def test_the_page_runs_its_one_script_and_fetches_nothing(page):

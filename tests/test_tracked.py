@@ -8,45 +8,50 @@ import pytest
 from markupsafe import escape
 
 from report import ROOT
-from report.assemble import assemble, derive_release, derive_releases
 from report.claims import FAILS, HOLDS, Outcome
 from report.compare import flips
-from report.parts import PlacedFigure
-from report.project import Project, own_release
-from report.records import write_record
+from report.editions import derive_edition, editions_of
+from report.page import Templates
+from report.parts import Figure
+from report.records.project import Project, own_release
+from report.records.record import write_record
+
+OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
 
 
 @pytest.fixture(scope="module")
-def reports():
-    """The report of every release that has results."""
+def editions():
+    """What the results of every release make."""
     project = Project(own_release())
-    derivations = derive_releases(project)
-    return [assemble(project.of(release), derivations) for release in derivations]
+    return editions_of(project, Templates(project.templates)).values()
 
 
-def test_only_what_was_not_measured_is_left_out(reports):
-    assert [state for report in reports for state in report.left_out if state.kind != "missing"] == []
+def test_only_what_was_not_measured_is_left_out(editions):
+    assert [state for edition in editions for state in edition.left_out if state.kind != "missing"] == []
 
 
-def test_every_claim_table_and_figure_is_on_the_page(reports):
-    for report in reports:
-        for chapter in report.chapters:
+def test_every_claim_table_and_figure_is_on_the_page(editions):
+    for edition in editions:
+        for chapter in edition.chapters.values():
             printed, section = chapter.prose.printed, chapter.section
-            said = "".join(str(thing) for thing in printed if not isinstance(thing, PlacedFigure))
-            drawn = [thing.figure for thing in printed if isinstance(thing, PlacedFigure)]
+            said = "".join(str(thing) for thing in printed if not isinstance(thing, Figure))
+            drawn = [thing for thing in printed if isinstance(thing, Figure)]
             names = [claim.name for claim in section.claims]
             assert [name for name in names if f'data-claim="{chapter.name}.{name}"' not in said] == []
             assert [name for name, table in section.tables.items() if escape(table) not in said] == []
             assert [name for name, figure in section.figures.items() if figure not in drawn] == []
 
 
-def test_every_outcome_of_every_claim_can_be_said(reports):
+def test_every_outcome_of_every_claim_can_be_said(editions):
     """A wording that names a number it does not have would fail only when the claim flips."""
-    for report in reports:
-        for chapter in report.chapters:
+    for edition in editions:
+        for chapter in edition.chapters.values():
             for claim in chapter.section.claims:
-                for outcome in (HOLDS, FAILS, Outcome("unknown", "as a test")):
-                    assert "{" not in replace(claim, outcome=outcome).html(chapter.name)
+                said = [
+                    replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "as a test"))
+                ]
+                assert all(text.endswith((".", ":")) for text in said), said
+                assert len(set(said)) == 3
 
 
 def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
@@ -59,21 +64,21 @@ def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
 
 @pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
 def test_no_claim_flips_by_noise_alone(release, tmp_path):
-    for name in ("report", "experiments", "assets", "pyproject.toml"):
+    for name in ("report", "experiments", "templates", "assets", "pyproject.toml"):
         (tmp_path / name).symlink_to(ROOT / name)
     shutil.copytree(ROOT / "results" / f"newton-{release}", tmp_path / "results" / f"newton-{release}")
     project = Project(release, root=tmp_path, own_release=own_release())
-    before = derive_release(project, "before.json").sections
+    before = derive_edition(project, Templates(project.templates)).chapters
     values = before["noise"].results.derived
     floors = {"slip_mm": values["slip_floor"].value, "drift_mm_s": values["drift_floor"].value}
     chance = random.Random(0)
-    for section, derived in before.items():
+    for section, chapter in before.items():
         if section != "noise":
-            record = derived.results.record
+            record = chapter.results.record
             write_record(
                 project.record_path(section), replace(record, rows=[shaken(row, floors, chance) for row in record.rows])
             )
-    after = derive_release(project, "after.json").sections
+    after = derive_edition(project, Templates(project.templates)).chapters
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips(before, after)] == []

@@ -10,11 +10,11 @@ from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
 from report.claims import Claim, Outcome, at_least, at_most
+from report.deriving.arithmetic import SETTLES, extreme, ratio
 from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
-from report.results import Results, Row, Trace
-from report.sections._common import SETTLES, extreme, ratio
+from report.results import Results, Row, Series
 
 order = 120
 
@@ -33,11 +33,8 @@ def derive(results: Results) -> Section:
     trace = results.trace("map")
     maps = Figure(
         draw=lambda: _draw_maps(trace.value),
-        caption="Slip by the amplitude and frequency that the arm is told to shake with, a cell for each run. In "
-        "crossed cells the cube left the grasp; the line is their boundary.",
-        alt=f"Two heat maps of slip over amplitude and frequency. As shipped the cube is dropped in "
-        f"{costs.dropped_as_shipped_count} cells, with stiff pads in {costs.dropped_stiff_count}.",
         sources=[trace],
+        numbers={"shipped": costs.dropped_as_shipped_count, "stiff": costs.dropped_stiff_count},
     )
     return Section(
         tables={"points": _table(points, gains)},
@@ -83,10 +80,6 @@ def _nothing_dropped(results: Results, row: Row) -> Claim:
     return Claim(
         "stiff_pads_never_drop",
         at_most(lost, bound),
-        holds="With stiff pads the cube is dropped in {stiff} of the map's {cells} runs, as shipped in {shipped}.",
-        fails="Stiff pads do not hold the cube over the whole map: {lost} of {cells} runs drop it or fail, as shipped "
-        "{shipped} drop it.",
-        unknown="Whether stiff pads hold the cube over the whole map cannot be told.",
         numbers={
             "lost": lost,
             "stiff": row.dropped_stiff_count,
@@ -113,19 +106,14 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
     return Claim(
         "gain_everywhere",
         at_least(least, bound),
-        holds="Of {count} points, the cube stays in the grasp before and after at {held}, and there stiff pads slip "
-        "{least} to {most} times less.",
-        fails="At {held} of {count} points the cube stays in the grasp before and after, and there the slip as shipped "
-        "is {least} to {most} times that with stiff pads; at least {bound} times was aimed for.",
-        unknown="By how much stiff pads reduce the slip cannot be told.",
         numbers={"held": held, "count": count, "least": least, "most": most, "bound": bound},
     )
 
 
-def _map_gain(results: Results, trace: Trace) -> Claim:
+def _map_gain(results: Results, trace: Series) -> Claim:
     def share_above_one(frame: pd.DataFrame) -> float:
         gains = _map_gains(frame)
-        return 100 * np.mean(gains > 1.0) if len(gains) else np.nan
+        return 100 * float(np.mean(gains > 1.0)) if len(gains) else float("nan")
 
     median = results.value(
         "map_gain_median",
@@ -136,16 +124,7 @@ def _map_gain(results: Results, trace: Trace) -> Claim:
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
     share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
     whole = results.chosen("map_gain_bound", "every cell", 100.0, unit="%")
-    return Claim(
-        "map_gain",
-        at_least(share, whole),
-        holds="On the map stiff pads slip less in every run that can be compared: {median} times less in the median, "
-        "{least} times less at worst.",
-        fails="On the map stiff pads slip less in {share} of the runs that can be compared; in the median the slip as "
-        "shipped is {median} times theirs.",
-        unknown="How the two sides of the map compare cannot be told.",
-        numbers={"median": median, "least": least, "share": share},
-    )
+    return Claim("map_gain", at_least(share, whole), numbers={"median": median, "least": least, "share": share})
 
 
 def _grows_faster(results: Results) -> Claim:
@@ -163,11 +142,6 @@ def _grows_faster(results: Results) -> Claim:
     return Claim(
         "slip_grows_faster_than_amplitude",
         at_least(exponent, bound),
-        holds="As shipped, the slip grows much faster than the amplitude, about with its power {exponent}: "
-        "{small_slip} at {small}, {large_slip} at {large}.",
-        fails="As shipped, the slip grows about with the power {exponent} of the amplitude: {small_slip} at {small}, "
-        "{large_slip} at {large}.",
-        unknown="How the slip as shipped grows with the amplitude cannot be told.",
         numbers={
             "exponent": exponent,
             "small": small.shake_amplitude_m,
@@ -181,7 +155,7 @@ def _grows_faster(results: Results) -> Claim:
 def _batch_is_fast(results: Results, row: Row) -> Claim:
     alone = [other.wall_s for other in results.rows if other.case.startswith("alone-")]
     one = results.value(
-        "alone_wall_s", "mean wall time of one world alone", lambda *wall: np.mean(wall), *alone, unit="s"
+        "alone_wall_s", "mean wall time of one world alone", lambda *wall: float(np.mean(wall)), *alone, unit="s"
     )
     timed = results.value("alone_count", "worlds that were timed alone", lambda *wall: len(wall), *alone)
     gain = results.value(
@@ -194,16 +168,11 @@ def _batch_is_fast(results: Results, row: Row) -> Claim:
     )
     bound = results.chosen("batch_gain_bound", "what the batch is aimed at", 500.0)
     outcome = at_least(gain, bound)
-    if row.world_count.value < bound.value:
+    if row.world_count.value is not None and row.world_count.value < bound.value:
         outcome = Outcome("unknown", "the map has fewer worlds than that")
     return Claim(
         "batch_is_fast",
         outcome,
-        holds="The map's {worlds} worlds in one batch took {batch}. One by one they would take {gain} times as long: "
-        "{timed} of them, timed alone in the same measurement, took {single} each on average.",
-        fails="The map's {worlds} worlds in one batch took {batch}, {gain} times less than one by one, where {bound} "
-        "times was aimed for: {timed} of them, timed alone in the same measurement, took {single} each on average.",
-        unknown="Whether a batch is {bound} times as fast as its worlds one by one cannot be told.",
         numbers={
             "worlds": row.world_count,
             "batch": row.wall_s,
@@ -222,8 +191,7 @@ def _table(points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Table
     columns["cube"] = [" → ".join(dict.fromkeys(map(_fate, pair))) for pair in points.values()]
     columns |= {f"height {when}": [row.cube_height_m for row in rows] for when, rows in sides.items()}
     index = pd.Index([name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], name="shake")
-    caption = "As shipped (before) and with stiff pads (after). There is no ratio where the cube was dropped."
-    return Table(pd.DataFrame(columns, index=index), caption)
+    return Table(pd.DataFrame(columns, index=index))
 
 
 def _fate(row: Row) -> str:
@@ -249,7 +217,7 @@ def _map_gains(frame: pd.DataFrame) -> np.ndarray:
 
 def _draw_maps(frame: pd.DataFrame) -> Drawing:
     drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
-    drawing.get_layout_engine().set(wspace=0.06)
+    drawing.set_layout_engine("constrained", wspace=0.06)
     for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
         colours = _draw_map(axes, *(_grid(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
         axes.set_title(label)
@@ -275,7 +243,7 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     colours = axes.pcolormesh(
         frequency, amplitude, shown, norm=norm, cmap="viridis", shading="nearest", rasterized=True, zorder=0.5
     )
-    x, y = np.meshgrid(frequency, amplitude)
+    x, y = np.broadcast_arrays(frequency[np.newaxis, :], amplitude[:, np.newaxis])
     axes.set(xscale="log", yscale="log")
     axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MAP_INK)
     axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MAP_INK)

@@ -4,10 +4,10 @@ import numpy as np
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most, within
+from report.deriving.arithmetic import by_case, noise_floor, share, spread
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
-from report.sections._common import by_case, noise_floor, share, spread
 
 order = 110
 
@@ -18,9 +18,8 @@ def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
     contacts = Figure(
         draw=lambda: _draw_contacts(rows),
-        caption="Live contacts, mean over the shake, by what they do.",
-        alt="; ".join(f"{row.case}: {row.mean_loaded_row_count} of {row.mean_row_count} carry force" for row in rows),
         sources=[column for row in rows for column in (row.mean_row_count, row.mean_loaded_row_count)],
+        numbers={"cases": [(row.case, row.mean_loaded_row_count, row.mean_row_count) for row in rows]},
     )
     return Section(
         tables={"cases": _table(rows)},
@@ -43,22 +42,8 @@ def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
     floor = noise_floor(results, "slip_floor")
     numbers = {"difference": difference, "share": of_default, "floor": floor}
     return [
-        Claim(
-            "not_the_cause",
-            at_most(of_default, bound),
-            holds="The contact gap does not explain the slip: between the default and none it changes by {share}.",
-            fails="The contact gap has a part in the slip: between the default and none it changes by {share}.",
-            unknown="Whether the contact gap has a part in the slip cannot be told.",
-            numbers=numbers,
-        ),
-        Claim(
-            "within_noise",
-            within(difference, floor),
-            holds="That is no difference: the slips are {difference} apart, identical runs up to {floor}.",
-            fails="The slips are {difference} apart, which is more than the {floor} between identical runs.",
-            unknown="Whether that is more than the noise cannot be told.",
-            numbers=numbers,
-        ),
+        Claim("not_the_cause", at_most(of_default, bound), numbers=numbers),
+        Claim("within_noise", within(difference, floor), numbers=numbers),
     ]
 
 
@@ -70,11 +55,6 @@ def _same_contacts_carry(results: Results, rows: list[Row]) -> Claim:
     return Claim(
         "same_contacts_carry",
         at_most(difference, bound),
-        holds="With every gap {loaded} contacts carry the cube; the default gap lists {default} on average, a gap set "
-        "like the robot's {small}, and no gap {zero}.",
-        fails="The number of contacts that carry the cube depends on the gap: {loaded} with the default, "
-        "{loaded_small} with a gap set like the robot's, {loaded_zero} with none.",
-        unknown="Whether the same contacts carry the cube with every gap cannot be told.",
         numbers={
             "loaded": default.mean_loaded_row_count,
             "loaded_small": small.mean_loaded_row_count,
@@ -83,7 +63,6 @@ def _same_contacts_carry(results: Results, rows: list[Row]) -> Claim:
             "small": small.mean_row_count,
             "zero": zero.mean_row_count,
         },
-        explanation="The others are found and written to the solver's buffers in every world, and then do nothing.",
     )
 
 
@@ -92,9 +71,6 @@ def _idle_contacts_are_far(results: Results, default: Row) -> Claim:
     return Claim(
         "idle_contacts_are_far",
         at_least(default.unloaded_near_mm, touching),
-        holds="Those that carry no force are {near} to {far} away from touching.",
-        fails="Some of those that carry no force overlap, by up to {near}; the farthest is {far} away.",
-        unknown="How far the contacts without force are from touching cannot be told.",
         numbers={"near": default.unloaded_near_mm, "far": default.unloaded_far_mm},
     )
 
@@ -109,8 +85,7 @@ def _table(rows: list[Row]) -> Table:
         "slip": [row.slip_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
     }
-    caption = "Contacts through the shake, mean and most, and how far those that carry no force are from touching."
-    return by_case(rows, columns, caption)
+    return by_case(rows, columns)
 
 
 def _draw_contacts(rows: list[Row]) -> Drawing:

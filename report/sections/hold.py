@@ -5,10 +5,18 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
+from report.deriving.arithmetic import (
+    NO_DRIFT,
+    by_case,
+    departure,
+    friction_rows_differ,
+    noise_floor,
+    share,
+    size_share,
+)
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
-from report.results import Results, Row, Trace
-from report.sections._common import NO_DRIFT, by_case, departure, friction_rows_differ, noise_floor, share, size_share
+from report.results import Results, Row, Series
 
 order = 80
 
@@ -25,28 +33,25 @@ PRECISION = {
 }
 SUBSTEPS = ("hold-substeps-4", "hold", "hold-substeps-32")
 """Cases with fewer, as many and more substeps than as shipped."""
-ONE_MODEL = (
-    " Here and in what follows on rounding, friction rows have no time constant of their own in MuJoCo Warp either (kf "
-    "of the pads is negative), since they have none in contacts that MuJoCo's C engine finds."
-)
 
 
 def derive(results: Results) -> Section:
-    note = ONE_MODEL if friction_rows_differ(results.others.get("contacts")) else ""
     traces = {case: results.trace(case) for case in NAMES}
-    long, stiff = results.row["hold-60s"], results.row["hold-60s-stiff"]
+    shaken, long, stiff = (results.row[case] for case in NAMES)
     motion = Figure(
         draw=lambda: _draw_motion(traces),
-        caption="The cube in the TCP frame since the shake would begin: along the shake's main axis, and in all.",
-        alt=f"Shaken, the cube moves {results.row['as-shipped'].slip_mm} in "
-        f"{results.row['as-shipped'].shake_duration_s}; held still it creeps {long.slip_mm} in "
-        f"{long.shake_duration_s}, "
-        f"with stiff pads {stiff.slip_mm}.",
         sources=list(traces.values()),
+        numbers={
+            "shaken": shaken.slip_mm,
+            "shake_duration": shaken.shake_duration_s,
+            "held": long.slip_mm,
+            "hold_duration": long.shake_duration_s,
+            "stiff": stiff.slip_mm,
+        },
     )
     return Section(
         tables={
-            "cases": _table([row for row in results.rows if "slip_mm" in row]),
+            "cases": _table(results),
             "precision": _precision_table(results),
         },
         figures={"motion": motion},
@@ -54,9 +59,9 @@ def derive(results: Results) -> Section:
             _drift_needs_cycle(results),
             _creep_goes_the_other_way(results),
             _creep_goes_on(results, long),
-            _creep_is_monotonic(long),
+            _creep_is_monotonic(long, traces["hold-60s"]),
             _stiff_pads_keep_creep(results, long, stiff),
-            _same_creep_in_c(results, note),
+            _same_creep_in_c(results),
             _creep_is_rounding(results),
             _joint_stands_still(results),
             _longer_steps_creep_less(results),
@@ -74,17 +79,7 @@ def _drift_needs_cycle(results: Results) -> Claim:
         shaken,
     )
     bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    return Claim(
-        "drift_needs_cycle",
-        at_most(part, bound),
-        holds="The drift needs the load cycle: with the arm held still, the cube drifts at {held} along the shake's "
-        "main axis, against {shaken} when shaken. That is {share} of it in size.",
-        fails="With the arm held still, the cube drifts at {held} along the shake's main axis, in size {share} of the "
-        "{shaken} when shaken.",
-        unknown="Whether the drift needs the load cycle cannot be told.",
-        numbers={"held": held, "shaken": shaken, "share": part},
-        explanation="Time alone, with the weight of the cube on the pads, does not do it.",
-    )
+    return Claim("drift_needs_cycle", at_most(part, bound), numbers={"held": held, "shaken": shaken, "share": part})
 
 
 def _creep_goes_the_other_way(results: Results) -> Claim:
@@ -98,13 +93,7 @@ def _creep_goes_the_other_way(results: Results) -> Claim:
         unit="mm/s",
     )
     bound = results.chosen("hold_drift_bound", "no motion that way", 0.0, unit="mm/s")
-    return Claim(
-        "creep_goes_the_other_way",
-        at_most(along, bound),
-        holds="The creep of the held arm goes the other way, so it is not what moves the shaken cube.",
-        fails="The creep of the held arm goes the same way.",
-        unknown="Which way it goes cannot be told.",
-    )
+    return Claim("creep_goes_the_other_way", at_most(along, bound))
 
 
 def _creep_goes_on(results: Results, long: Row) -> Claim:
@@ -121,25 +110,25 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
     return Claim(
         "creep_goes_on",
         at_least(final, bound),
-        holds="Held still, the grasp is not at rest either: it creeps {slip} in {duration}, and the last second still "
-        "adds {last}.",
-        fails="Held still, the cube settles: it moves {slip} in {duration}, and the last second adds {last}.",
-        unknown="Whether the cube comes to rest when held still cannot be told.",
         numbers={"slip": long.slip_mm, "duration": long.shake_duration_s, "last": long.increment_final_mm},
     )
 
 
-def _creep_is_monotonic(long: Row) -> Claim:
-    outcome = HOLDS if long.monotonic else FAILS
+def _creep_is_monotonic(long: Row, trace: Series) -> Claim:
+    reason = long.increment_final_mm.reason or trace.reason
     return Claim(
         "creep_is_monotonic",
-        Outcome("unknown", long.monotonic_reason) if long.monotonic is None else outcome,
-        holds="It goes the same way in every second.",
-        fails="It does not go the same way in every second: along the way from start to end, the first second counts "
-        "{first}, the last {last}.",
-        unknown="Whether it goes the same way in every second cannot be told.",
+        Outcome("unknown", reason) if reason else HOLDS if is_monotonic(trace.value) else FAILS,
         numbers={"first": long.increment_first_mm, "last": long.increment_final_mm},
     )
+
+
+def is_monotonic(frame: pd.DataFrame) -> bool:
+    """Whether the cube goes in every whole second in the direction in which it ends up."""
+    second = round(1.0 / frame["time_s"].iloc[1])
+    moved = frame[["x_mm", "y_mm", "z_mm"]].to_numpy()
+    way = moved[::second] @ moved[-1]
+    return bool((np.diff(way) > 0.0).all())
 
 
 def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
@@ -149,15 +138,11 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
     return Claim(
         "stiff_pads_keep_creep",
         at_least(remaining, bound),
-        holds="Stiff pads do not end this creep: with them it is {stiff} in {duration}, as shipped {shipped}.",
-        fails="Stiff pads reduce this creep too: to {stiff} from {shipped} in {duration}.",
-        unknown="Whether stiff pads change this creep cannot be told.",
         numbers={"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s},
-        explanation="The fix does not cure it: who holds an object for minutes should know of it.",
     )
 
 
-def _same_creep_in_c(results: Results, note: str) -> Claim:
+def _same_creep_in_c(results: Results) -> Claim:
     warp, c = results.row["hold-warp"].slip_mm, results.row["hold-mujoco-c"].slip_mm
     difference = departure(
         results,
@@ -170,12 +155,7 @@ def _same_creep_in_c(results: Results, note: str) -> Claim:
     return Claim(
         "same_creep_in_c",
         at_most(difference, bound),
-        holds="MuJoCo's C engine creeps as well: {c} against {warp} in the same time." + note,
-        fails="MuJoCo's C engine creeps differently: {c} against {warp} in the same time." + note,
-        unknown="Whether MuJoCo's C engine creeps as well cannot be told.",
-        numbers={"c": c, "warp": warp},
-        explanation="The C engine is run through Newton here, which hands it the state in single precision before "
-        "every step.",
+        numbers={"c": c, "warp": warp, "rows_differ": friction_rows_differ(results.others.get("contacts"))},
     )
 
 
@@ -195,12 +175,6 @@ def _creep_is_rounding(results: Results) -> Claim:
     return Claim(
         "creep_is_rounding",
         all_of(at_most(remaining, bound), at_most(rounded, same)),
-        holds="Most of it is rounding. With positions in double precision MuJoCo's C engine creeps at {double}; with "
-        "the same positions rounded to single precision after every step, and nothing else changed, at {single}. "
-        "MuJoCo Warp, which computes in single precision, creeps at {warp}.",
-        fails="Rounding does not account for it: with positions in double precision MuJoCo's C engine creeps at "
-        "{double}, with positions rounded to single precision at {single}, MuJoCo Warp at {warp}.",
-        unknown="Whether rounding causes it cannot be told.",
         numbers={"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s},
     )
 
@@ -218,18 +192,11 @@ def _joint_stands_still(results: Results) -> Claim:
     return Claim(
         "joint_stands_still",
         at_most(followed, bound),
-        holds="Joint {joint} has a velocity of {velocity} and moves at {moved}.",
-        fails="The arm's joints do follow their velocities: joint {joint} has {velocity} and moves at {moved}.",
-        unknown="Whether the joints follow their velocities cannot be told.",
         numbers={
             "joint": warp.joint,
             "velocity": warp.joint_velocity_mrad_s,
             "moved": warp.joint_motion_mrad_s,
         },
-        explanation="What it would move in a substep is less than half the spacing of single-precision numbers at its "
-        "angle, so the sum is rounded back to where it was. Its position error stays, and with it the velocity. The "
-        "contacts let the cube follow the fingers' velocity, and the cube, whose coordinates are smaller and finer, "
-        "does move.",
     )
 
 
@@ -239,13 +206,7 @@ def _longer_steps_creep_less(results: Results) -> Claim:
     return Claim(
         "longer_steps_creep_less",
         all_of(greater(shipped, few, noise=floor), greater(many, shipped, noise=floor)),
-        holds="The longer the step, the less it creeps: in the last second {few} with a quarter of the substeps, "
-        "{shipped} as shipped, {many} with twice as many.",
-        fails="A longer step does not always help: in the last second the cube creeps {few} with a quarter of the "
-        "substeps, {shipped} as shipped, {many} with twice as many.",
-        unknown="Whether a longer step helps cannot be told.",
         numbers={"few": few, "shipped": shipped, "many": many},
-        explanation="Over this range, more substeps make the held grasp worse, not better.",
     )
 
 
@@ -258,33 +219,30 @@ def _precision_table(results: Results) -> Table:
         "its velocity": [row.joint_velocity_mrad_s for row in rows],
         "its motion": [row.joint_motion_mrad_s for row in rows],
     }
-    return Table(
-        pd.DataFrame(columns, index=pd.Index(PRECISION.values(), name="positions")),
-        "The held grasp, stepped on from one state in which single precision had come to rest: how fast the cube "
-        "creeps in the TCP frame, and the velocity of the arm's fastest joint, a mean of looks a second apart that "
-        "begins with the first, next to how fast its position changes.",
-    )
+    return Table(pd.DataFrame(columns, index=pd.Index(PRECISION.values(), name="positions")))
 
 
-def _table(rows: list[Row]) -> Table:
+def _table(results: Results) -> Table:
+    rows = [row for row in results.rows if "slip_mm" in row]
     columns = {
         "time": [row.shake_duration_s for row in rows],
         "slip": [row.slip_mm for row in rows],
         "wander": [row.wander_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
         "drift down": [row.creep_z_mm_s for row in rows],
-        "monotonic": [row.monotonic for row in rows],
+        "monotonic": [_monotonic(results, row) for row in rows],
     }
-    return by_case(
-        rows,
-        columns,
-        "The arm held still, against the shake: drift along the shake's main axis and along the tool, which points "
-        "down, and whether every second moves the cube the same way. The cases hold-warp and hold-mujoco-c are one "
-        "model in both engines.",
-    )
+    return by_case(rows, columns)
 
 
-def _draw_motion(traces: dict[str, Trace]) -> Drawing:
+def _monotonic(results: Results, row: Row) -> bool | None:
+    """None where there is no whole second of motion."""
+    trace = results.trace(row.case)
+    there = row.increment_final_mm.value is not None and trace.value is not None
+    return is_monotonic(trace.value) if there else None
+
+
+def _draw_motion(traces: dict[str, Series]) -> Drawing:
     drawing, (along, total) = new_figure(7.2, 3.4, ncols=2, sharex=True)
     for number, (case, trace) in enumerate(traces.items()):
         if trace.value is not None:

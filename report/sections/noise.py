@@ -9,17 +9,13 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import NEAR_NOISE, Claim, at_most
+from report.deriving.arithmetic import spread
 from report.figures import INK, SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import spread
 
 order = 20
-
-PARALLEL_SUMS = (
-    "The order in which a GPU's threads list contacts and add up forces varies from run to run, and rounding with it."
-)
 
 RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
 """Least difference [mm, mm/s] that counts, however well a machine repeats itself."""
@@ -60,9 +56,8 @@ def derive(results: Results) -> Section:
     mean = {group.name: _mean(results, f"{group.name}_slip_mean", group.slips, "mm") for group in groups}
     runs = Figure(
         draw=lambda: _draw_runs(groups),
-        caption="Every run: its slip less the mean of its case. A mark is a run; a line is the mean of its row.",
-        alt="; ".join(f"{group.label}: slips spread over {spreads[group.name]}" for group in groups),
         sources=[slip for group in groups for slip in group.slips],
+        numbers={"groups": [(group.label, spreads[group.name]) for group in groups]},
     )
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
     return Section(
@@ -119,13 +114,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
     return Claim(
         "noise_is_small",
         at_most(share, bound),
-        holds="Runs of one and the same case differ by no more than {slip} in slip, {share} of the slip as shipped, "
-        "and {drift} in drift. Whatever differs by no more than that is called no difference from here on.",
-        fails="Runs of one and the same case differ by up to {slip} in slip, {share} of the slip as shipped, and "
-        "{drift} in drift: whatever changes the slip by less cannot be seen here.",
-        unknown="How much runs of one and the same case differ cannot be told.",
-        numbers={"slip": slip_floor, "share": share, "drift": drift_floor},
-        explanation=PARALLEL_SUMS if varies else "",
+        numbers={"slip": slip_floor, "share": share, "drift": drift_floor, "varies": varies},
     )
 
 
@@ -150,16 +139,7 @@ def _batch_or_alone(
         spreads[alone],
         unit="mm",
     )
-    return Claim(
-        "batch_or_alone",
-        at_most(difference, within),
-        holds="A world of a batch measures what a run alone does: as shipped their mean slips are {difference} apart, "
-        "and runs of either kind spread over up to {within}.",
-        fails="A world of a batch does not measure what a run alone does: as shipped their mean slips are {difference} "
-        "apart, more than runs of either kind spread ({within}).",
-        unknown="Whether a world of a batch measures what a run alone does cannot be told.",
-        numbers={"difference": difference, "within": within},
-    )
+    return Claim("batch_or_alone", at_most(difference, within), numbers={"difference": difference, "within": within})
 
 
 def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], spreads: dict[str, Value]) -> Table:
@@ -171,7 +151,7 @@ def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], sp
         "drift spread": [_spread(results, f"{group.name}_drift_spread", group.drifts, "mm/s") for group in groups],
     }
     index = pd.Index([group.label for group in groups], name="case")
-    return Table(pd.DataFrame(columns, index=index), "Runs of each kind; a spread is the largest less the smallest.")
+    return Table(pd.DataFrame(columns, index=index))
 
 
 def _count(results: Results, group: Group) -> Value:

@@ -1,13 +1,14 @@
 """Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
 
+from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import HOLDS, Claim, Outcome, at_least, at_most, greater, within
+from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share, spread
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
-from report.sections._common import SETTLES, by_case, departure, noise_floor, ratio, share, spread
 
 order = 100
 
@@ -21,9 +22,8 @@ def derive(results: Results) -> Section:
     shipped = results.row["cube-ke-8e4"]
     slips = Figure(
         draw=lambda: _draw_slips(results.rows),
-        caption="Slip of each case. What changes is the cube's material, the pads' material, or the pads' priority.",
-        alt="; ".join(f"{row.case}: {row.slip_mm}" for row in results.rows),
         sources=[row.slip_mm for row in results.rows],
+        numbers={"slips": Markup("; ").join(Markup("{}: {}").format(row.case, row.slip_mm) for row in results.rows)},
     )
     return Section(
         tables={"cases": _table(results.rows)},
@@ -55,11 +55,6 @@ def _cube_does_not_count(results: Results) -> Claim:
     return Claim(
         "cube_does_not_count",
         at_most(largest, bound),
-        holds="The cube's material never reaches the contacts with the pads: whether its ke is {low} or {high}, the "
-        "contact has the same timeconst {timeconst}, dampratio {dampratio} and friction {friction}.",
-        fails="The cube's material does reach the contacts with the pads: with its ke between {low} and {high}, the "
-        "contact's solref, friction or solimp changes by up to {largest}.",
-        unknown="Whether the cube's material reaches the contacts with the pads cannot be told.",
         numbers={
             "low": rows[0].cube_ke,
             "high": rows[-1].cube_ke,
@@ -68,8 +63,6 @@ def _cube_does_not_count(results: Results) -> Claim:
             "friction": rows[1].friction,
             "largest": largest,
         },
-        explanation="The pads have the higher geom priority, and of two geoms the one with the higher priority alone "
-        "decides. All that is authored on the cube is left aside without a word, and the pads' import defaults rule.",
     )
 
 
@@ -85,11 +78,7 @@ def _cube_does_not_move_slip(results: Results) -> Claim:
     return Claim(
         "cube_does_not_move_slip",
         small if small == HOLDS else as_noise,
-        holds="Over these stiffnesses the slip changes by {spread}, {share}"
-        + (", which is no more than identical runs differ by ({floor})." if as_noise == HOLDS else "."),
-        fails="Over these stiffnesses the slip changes by {spread}, {share}; identical runs differ by up to {floor}.",
-        unknown="Whether the slip changes cannot be told.",
-        numbers={"spread": change, "share": of_shipped, "floor": floor},
+        numbers={"spread": change, "share": of_shipped, "floor": floor, "is_noise": as_noise == HOLDS},
     )
 
 
@@ -100,10 +89,6 @@ def _pads_count(results: Results, shipped: Row) -> Claim:
     return Claim(
         "pads_count",
         at_least(gain, bound),
-        holds="Authored on the pads, ke {ke} with kd {kd} brings the slip to {slip}, {gain} times less.",
-        fails="Authored on the pads, ke {ke} with kd {kd} brings the slip to {slip}; as shipped it is {gain} times "
-        "that.",
-        unknown="What stiffer pads do cannot be told.",
         numbers={"ke": stiff.pad_ke, "kd": stiff.pad_kd, "slip": stiff.slip_mm, "gain": gain},
     )
 
@@ -121,12 +106,6 @@ def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
     return Claim(
         "equal_priorities_mix",
         _falls(results, shipped, mixed),
-        holds="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip "
-        "falls by {drop} to {slip}.",
-        fails="With equal priorities the two materials mix: timeconst goes from {before} to {after}, and the slip does "
-        "not fall: it is {slip}.",
-        unknown="With equal priorities the two materials mix: timeconst goes from {before} to {after}. Whether "
-        "that changes the slip, {slip}, cannot be told.",
         numbers={"before": shipped.timeconst_s, "after": mixed.timeconst_s, "drop": drop, "slip": mixed.slip_mm},
     )
 
@@ -148,10 +127,6 @@ def _cube_stiffness_is_no_lever(results: Results) -> Claim:
     return Claim(
         "cube_stiffness_is_no_lever",
         at_most(change, bound),
-        holds="With equal priorities a stiffer cube, ke {ke}, changes the slip by only {change}: the penetration goes "
-        "from {deep} to {shallow}, but timeconst stays at {timeconst}.",
-        fails="With equal priorities a stiffer cube, ke {ke}, does change the slip, by {change}, to {slip}.",
-        unknown="Whether with equal priorities a stiffer cube changes the slip cannot be told.",
         numbers={
             "ke": stiffer.cube_ke,
             "change": change,
@@ -174,11 +149,7 @@ def _table(rows: list[Row]) -> Table:
         "slip": [row.slip_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
     }
-    return by_case(
-        rows,
-        columns,
-        "What is changed (blank: as shipped), what the contact between pad and cube then has, and how the cube fares.",
-    )
+    return by_case(rows, columns)
 
 
 def _changed(row: Row, name: str) -> Quantity | str:

@@ -1,18 +1,18 @@
 """Time and memory against the number of worlds, with the engine's own steps in the same frames as the floor."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import pandas as pd
-from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most
+from report.deriving.arithmetic import departure, difference, ratio, share
+from report.deriving.timing import cell, decade_axis, draw_line, world_axis
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections._common import departure, difference, ratio, share
-from report.sections._timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
 
@@ -28,16 +28,13 @@ def derive(results: Results) -> Section:
     rate_bound = results.chosen("rate_bound", "what this GPU should reach", 6.0, unit="million world-substeps/s")
     times = Figure(
         draw=lambda: _draw_times(rows, over_floor, floor_bound),
-        caption="Above: time of a whole frame and of the engine's own steps in it. Below: the one over the other; the "
-        "line is the bound.",
-        alt="; ".join(f"{row.worlds} worlds: frame {row.frame_ms}, steps {row.mjw_step_ms}" for row in rows),
         sources=[row.frame_ms for row in rows],
+        numbers={"rows": rows},
     )
     capacity = Figure(
         draw=lambda: _draw_capacity(rows),
-        caption="Above: substeps of all worlds together in a second. Below: memory per world.",
-        alt="; ".join(f"{row.worlds} worlds: {row.world_substeps_per_s}, {row.bytes_per_world}" for row in rows),
         sources=[row.world_substeps_per_s for row in rows],
+        numbers={"rows": rows},
     )
     return Section(
         tables={"worlds": _table(results, rows, over_floor)},
@@ -60,23 +57,18 @@ def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value)
     """The bound holds for each of FLOOR_COUNTS, so one that wasn't measured leaves it open."""
     cells = [_at(results, over_floor, count) for count in FLOOR_COUNTS]
     worst = results.value("over_floor_worst", "largest of those at 1, 4096 and 16384 worlds", max, *cells)
-    sides = {True: [], False: []}
+    sides: dict[bool, list[dict[str, Any]]] = {True: [], False: []}
     for count, of_bare in zip(FLOOR_COUNTS, cells, strict=True):
         if of_bare.value is not None:
-            sides[of_bare.value <= bound.value].append(_floor_phrase(results, count, of_bare, bound))
+            sides[of_bare.value <= bound.value].append(_against_bound(results, count, of_bare, bound))
     return Claim(
         "near_floor",
         at_most(worst, bound),
-        holds="A whole frame takes little more than its engine steps alone: {within}.",
-        fails="A whole frame takes {over}; the bound is {bound} times."
-        + (" Within it: {within}." if sides[True] else ""),
-        unknown="Whether a whole frame stays within {bound} times its bare engine steps for each number of worlds "
-        "aimed for cannot be told" + ("; it takes {measured}." if any(sides.values()) else "."),
         numbers={
             "bound": bound,
-            "within": Markup(", ").join(sides[True]),
-            "over": Markup(", ").join(sides[False]),
-            "measured": Markup(", ").join(sides[False] + sides[True]),
+            "within": sides[True],
+            "over": sides[False],
+            "measured": sides[False] + sides[True],
         },
     )
 
@@ -85,11 +77,11 @@ def _at(results: Results, cells: Mapping[int, Value], count: int) -> Quantity:
     return cells.get(count) or cell(results, None, "frame_ms", f"a batch of {count} worlds")
 
 
-def _floor_phrase(results: Results, count: int, of_bare: Quantity, bound: Value) -> Markup:
-    worlds = _count(results, count)
-    phrase = Markup("{} times its bare steps with {} {}").format(of_bare, worlds, "world" if count == 1 else "worlds")
+def _against_bound(results: Results, count: int, of_bare: Quantity, bound: Value) -> dict[str, Any]:
+    """A frame with so many worlds, in its bare steps, and by how much that is over the bound, where it is."""
+    measured: dict[str, Any] = {"times": of_bare, "worlds": _count(results, count), "is_one": count == 1}
     if of_bare.value <= bound.value:
-        return phrase
+        return measured
     excess = results.value(
         f"over_bound_{count}",
         "how far the time of a frame is over the bound, of the bound",
@@ -98,7 +90,7 @@ def _floor_phrase(results: Results, count: int, of_bare: Quantity, bound: Value)
         bound,
         unit="%",
     )
-    return phrase + Markup(" ({} over the bound)").format(excess)
+    return measured | {"excess": excess}
 
 
 def _count(results: Results, count: int) -> Quantity:
@@ -117,9 +109,6 @@ def _rate(results: Results, bound: Value) -> Claim:
     return Claim(
         "rate",
         at_least(rate, bound),
-        holds="With {worlds} worlds the whole scene runs at {rate}, above the {bound} aimed for.",
-        fails="With {worlds} worlds the whole scene runs at {rate}, below the {bound} aimed for.",
-        unknown="Whether the whole scene reaches {bound} cannot be told.",
         numbers={"worlds": row.worlds if row else "", "rate": rate, "bound": bound},
     )
 
@@ -150,11 +139,6 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim(
         "first_worlds_are_cheap",
         at_least(cheap, second.worlds),
-        holds="More worlds cost little at first: with {cheap} a frame takes {most} times as long as with one, and up "
-        "to there no number of them takes more than {bound} times as long.",
-        fails="More worlds take more time from the start: with {second} a frame takes {cost} times as long as with "
-        "one.",
-        unknown="From how many worlds on more of them cost more time cannot be told.",
         numbers={"cheap": cheap, "bound": bound, "most": most, "second": second.worlds, "cost": cost},
     )
 
@@ -174,12 +158,6 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim(
         "memory_settles",
         at_most(change, bound),
-        holds="Memory grows with the number of worlds: {last} for each of {worlds}, within {change} of what each takes "
-        "with {fewer}; contact and constraint buffers are {share} of it.",
-        fails="Memory does not just grow with the number of worlds: {last} for each of {worlds}, {change} away from "
-        "what each takes with {fewer}.",
-        unknown="How much memory a world takes in all cannot be told; contact and constraint buffers are {buffers} of "
-        "it.",
         numbers={
             "last": last.bytes_per_world,
             "worlds": last.worlds,
@@ -202,11 +180,7 @@ def _table(results: Results, rows: Sequence[Row], over_floor: Mapping[int, Value
         "buffers": [row.buffer_bytes_per_world for row in rows],
     }
     index = pd.Index([str(row.worlds) for row in rows], name="worlds")
-    caption = (
-        "Whole frames against their substeps as bare engine steps, medians; substeps of all worlds together; memory "
-        "per world, and of it the buffers for contacts and constraint rows."
-    )
-    return Table(pd.DataFrame(columns, index=index), caption)
+    return Table(pd.DataFrame(columns, index=index))
 
 
 def _beside(results: Results, row: Row) -> Value:

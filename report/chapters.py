@@ -1,0 +1,40 @@
+"""Chapters: what a section of a release makes of its record, and the words for it; nothing is drawn yet."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from report.page import Prose
+from report.parts import Section
+from report.records.status import State
+from report.results import Results
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A section of one release."""
+
+    state: State
+    results: Results
+    section: Section
+    names: Mapping[str, Any]
+    """What its template can name, and other templates through ``sections``."""
+    prose: Prose | None
+    """None for a section that compares releases until it has them."""
+    compares: bool = False
+    """Whether it compares releases, so that what it derives is of one page alone."""
+
+    @property
+    def name(self) -> str:
+        return self.state.section
+
+    @property
+    def values(self) -> dict[str, dict]:
+        """What the site's values file says of it."""
+        return {name: value.entry for name, value in self.results.derived.items()}
+
+
+Chapters = Mapping[str, Chapter]
+"""The chapters of one release by name, in the order of the page."""
+Releases = Mapping[str, Chapters]
+"""The chapters of every release that has results, oldest first."""

@@ -1,0 +1,97 @@
+"""What several sections share. The underscore keeps it from being taken for a section."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+import numpy as np
+import pandas as pd
+from markupsafe import Markup
+
+from report.parts import Table
+from report.quantities import Quantity, Value, absent
+from report.results import Results, Row
+
+DEVICES = {"cuda": "GPU", "cpu": "CPU"}
+
+SETTLES = ("a change that settles the matter", 10.0)
+"""Why, and how many times less a slip has to be, for a bound that several sections choose."""
+NO_DRIFT = ("no comparable drift", 10.0)
+"""Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
+
+
+def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
+    return results.value(name, formula, lambda a, b: a / b, above, below)
+
+
+def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent."""
+    return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
+
+
+def size_share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent, signs left out."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b), part, whole, unit="%")
+
+
+def departure(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """Size of the difference, of the reference, in percent."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b - 1), found, reference, unit="%")
+
+
+def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
+    """In the unit of both."""
+    return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
+
+
+def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
+    """Largest less smallest; without a number when there is none."""
+    return results.value(name, formula, lambda *found: max(found) - min(found) if found else np.nan, *cells, unit=unit)
+
+
+def extreme(
+    results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
+) -> Value:
+    """``choose``, max or min, of the cells that there are; without a number when there is none."""
+    there = [cell for cell in cells if cell.value is not None]
+    unit = there[0].unit if there else "1"
+    return results.value(name, formula, choose, *there, unit=unit)
+
+
+def noise_floor(results: Results, name: str) -> Quantity:
+    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs come out."""
+    return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+
+
+def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
+    """A value that an earlier section derived; without a number, and with a reason, when it isn't there."""
+    other = results.others.get(section)
+    if not other:
+        return absent(unit, f"section {section} has no results here")
+    return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
+
+
+def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
+    """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), numbers)
+
+
+def in_code(names: Iterable[str]) -> Markup:
+    """Names of cases in a sentence; ``none`` where there are none."""
+    return Markup(", ").join(map(Markup("<code>{}</code>").format, names)) or Markup("none")
+
+
+def friction_rows_differ(contacts: Results | None) -> bool:
+    """Whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
+    rows = contacts.rows if contacts else []
+    return any("friction_timeconst_s" in row and row.friction_timeconst_s.value for row in rows)
+
+
+def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
+    """What an earlier section measured; without a number, and with a reason, when it isn't there."""
+    other = results.others.get(section)
+    reason = f"section {section} {'does not say' if other else 'has no results here'}"
+    return cell_or_absent(other.row.get(case) if other else None, column, unit, reason)
+
+
+def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
+    """A cell that not every record has; without a number, and with the reason, when it isn't there."""
+    return row[column] if row and column in row else absent(unit, reason)

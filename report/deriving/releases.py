@@ -1,0 +1,177 @@
+"""What releases have side by side: cells, changes, marks, and the claims that they answer differently."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from markupsafe import Markup, escape
+
+from report.chapters import Chapter, Chapters, Releases
+from report.claims import HOLDS, Claim, Outcome, beyond
+from report.deriving.arithmetic import cell_or_absent
+from report.noise import is_beyond, verdict
+from report.quantities import Quantity, Value
+from report.results import Results
+
+
+@dataclass(frozen=True)
+class Headline:
+    """A number that says much in one line."""
+
+    label: str
+    section: str
+    case: str
+    column: str
+    unit: str
+
+
+def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
+    """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""
+    chapter = releases[release].get(headline.section)
+    row = chapter.results.row.get(headline.case) if chapter else None
+    reason = f"{headline.section} has not been measured so with Newton {release}"
+    return cell_or_absent(row, headline.column, headline.unit, reason)
+
+
+def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
+    """The largest noise floor of that name that a release has."""
+    floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
+    formula = "largest of the releases' noise floors"
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True)
+
+
+def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
+    return results.value(
+        name, "later release less earlier one", lambda a, b: b - a, before, after, unit=before.unit, across=True
+    )
+
+
+def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
+    """A number, and whether it is better or worse than the earlier one.
+
+    Nothing is said of what was not measured on the same processor.
+    """
+    told = difference is not None and None not in (difference.value, noise.value)
+    if not told or not is_beyond(noise.value, before.value, after.value):
+        return Markup("{}").format(after)
+    if len({origin.processor for origin in difference.origins}) > 1:
+        return Markup('{} <span class="moved">other machine</span>').format(after)
+    word = verdict(column, before.value, after.value) or "moved"
+    return Markup('{} <span class="moved {}">{}</span>').format(after, word, word)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A claim that releases answer differently, and what each says."""
+
+    section: str
+    name: str
+    said: Sequence[tuple[Sequence[str], Claim]]
+    """Neighbouring releases that agree, and the claim as one of them words it."""
+
+
+def turns(releases: Releases, shown: str) -> list[Turn]:
+    """The claims that are upheld in one release and not in another.
+
+    Of releases that agree the one of the page, ``shown``, has the word, or else the newest.
+
+    What is near the noise in a release says nothing, nor, where a release lacks a section that another one has, what it
+    can't tell.
+    """
+    whole = len({frozenset(release) for release in releases.values()}) == 1
+    found = []
+    for section, name in dict.fromkeys(pair for release in releases.values() for pair in _claims(release)):
+        answers = [(release, _claims(chapters).get((section, name))) for release, chapters in releases.items()]
+        answers = [(release, claim) for release, claim in answers if claim and (whole or _is_told(claim))]
+        answers = [(release, claim) for release, claim in answers if not claim.outcome.is_near]
+        said = []
+        for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
+            members = list(group)
+            names = [release for release, _ in members]
+            said.append((names, dict(members)[shown if shown in names else names[-1]]))
+        if len(said) > 1:
+            found.append(Turn(section, name, said))
+    return found
+
+
+def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
+    found: list[Chapter] = list(chapters.values())
+    return {(chapter.name, claim.name): claim for chapter in found for claim in chapter.section.claims}
+
+
+def _is_told(claim: Claim) -> bool:
+    return claim.outcome.name != "unknown"
+
+
+@dataclass(frozen=True)
+class TurnList:
+    """The turns in words; printed, each is a heading with a line for every answer."""
+
+    turns: Sequence[Turn]
+    shown: Sequence[str]
+    """Sections of the page, to link to."""
+
+    def __html__(self) -> Markup:
+        items = Markup("\n").join(
+            Markup("<dt>{}</dt>\n{}").format(
+                self._heading(turn),
+                Markup("\n").join(
+                    Markup('<dd><b>{}</b> <span class="outcome">{}</span> {}</dd>').format(
+                        ", ".join(names), claim.outcome.name, claim.sentence
+                    )
+                    for names, claim in turn.said
+                ),
+            )
+            for turn in self.turns
+        )
+        return Markup('<figure class="turns"><dl>\n{}\n</dl></figure>').format(items)
+
+    def _heading(self, turn: Turn) -> Markup:
+        name = f"{turn.section}: {turn.name.replace('_', ' ')}"
+        return Markup('<a href="#{}">{}</a>').format(turn.section, name) if turn.section in self.shown else escape(name)
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The oldest and the newest release that has results, between which changes are told."""
+
+    releases: Releases
+
+    @property
+    def old(self) -> str:
+        return next(iter(self.releases))
+
+    @property
+    def new(self) -> str:
+        return next(reversed(list(self.releases)))
+
+    @property
+    def one(self) -> Outcome | None:
+        """Why nothing can be told, when both are the same."""
+        return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
+
+    def cells(self, headline: Headline) -> tuple[Quantity, Quantity]:
+        return cell(self.releases, self.old, headline), cell(self.releases, self.new, headline)
+
+    def live(self, case: str, column: str, unit: str) -> tuple[Quantity, Quantity]:
+        """What this section measured in the two."""
+        return self.cells(Headline("", "upgrade", case, column, unit))
+
+
+def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
+    """Whether a change is no more than noise and rounding."""
+    for quantity in (moved, noise):
+        if quantity.value is None:
+            return Outcome("unknown", quantity.reason)
+    processors = sorted({origin.processor for origin in moved.origins})
+    if len(processors) > 1:
+        return Outcome("unknown", f"one was measured on {processors[0]}, the other on {processors[1]}")
+    return beyond(moved, noise) if is_beyond(noise.value, before.value, after.value) else HOLDS
+
+
+def machines_differ(releases: Releases, section: str) -> Outcome | None:
+    """Unknown, when the oldest and the newest release were not measured on one and the same machine."""
+    records = [release[section].results.record for release in releases.values() if section in release]
+    if records and records[0].machine_for_speed != records[-1].machine_for_speed:
+        return Outcome("unknown", f"measured on {records[0].machine_text} and on {records[-1].machine_text}")
+    return None

@@ -1,0 +1,172 @@
+"""Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+from report import ReportError
+from report.chapters import Chapter, Chapters, Releases
+from report.claims import HOLDS
+from report.overview import overview
+from report.page import Prose, Templates
+from report.pairs import refuse_contradictions
+from report.parts import Section
+from report.records.project import Project
+from report.records.status import State, states_of
+from report.results import Results, ResultsError
+
+
+class LostError(ReportError):
+    """A record from which nothing of its section can be derived; the message is one line."""
+
+
+@dataclass(frozen=True)
+class Edition:
+    """What the results of one release make."""
+
+    project: Project
+    chapters: Chapters
+    left_out: Sequence[State]
+    """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
+
+    def summary(self, templates: Templates) -> Prose:
+        """The words above all sections, with the overview of them."""
+        figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
+        text = templates.text("summary.md.j2")
+        words = text.words if figure else {}
+        section = Section(figures={"overview": figure} if figure else {}).worded("summary", text.name, words)
+        names = {
+            "sections": {name: chapter.names for name, chapter in self.chapters.items()},
+            "overview": figure is not None,
+            "figure": _finder("summary", "figure", section.figures),
+            "holds": _asker({name: chapter.section for name, chapter in self.chapters.items()}),
+        }
+        return text.prose("summary", names)
+
+
+def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:
+    """What the results of every release make, oldest first."""
+    derived = {release: derive_edition(project.of(release), templates) for release in project.releases}
+    releases = {release: edition.chapters for release, edition in derived.items()}
+    return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
+
+
+def derive_edition(project: Project, templates: Templates) -> Edition:
+    """What the results of one release make by themselves: a section that compares releases has its results alone."""
+    states = states_of(project)
+    left_out = [state for state in states if not state.record]
+    modules = [(state, _module(state.section)) for state in states if state.record]
+    found: dict[str, Chapter] = {}
+    for state, module in sorted(modules, key=lambda pair: pair[1].order):
+        others = {name: chapter.results for name, chapter in found.items()}
+        results = Results(state.record, project.record_path(state.section), others)
+        try:
+            if _compares(module):
+                chapter = Chapter(state, results, Section(), {}, None, compares=True)
+            else:
+                chapter = _chapter(state, results, derive_section(results, {}), templates, found)
+        except Exception as error:
+            left_out.append(_left_out(project, state, error))
+        else:
+            found[state.section] = chapter
+    return Edition(project, found, left_out)
+
+
+def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
+    """The same with the sections that compare releases."""
+    chapters, left_out = dict(edition.chapters), list(edition.left_out)
+    for name, chapter in edition.chapters.items():
+        if chapter.compares:
+            results = replace(chapter.results, derived={})  # what is derived here is of this page alone
+            try:
+                section = derive_section(results, releases)
+                chapters[name] = replace(
+                    _chapter(chapter.state, results, section, templates, edition.chapters), compares=True
+                )
+            except Exception as error:
+                left_out.append(_left_out(edition.project, chapter.state, error))
+                del chapters[name]
+    refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
+    return Edition(edition.project, chapters, left_out)
+
+
+def derive_section(results: Results, releases: Releases) -> Section:
+    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
+    module = _module(results.record.section)
+    try:
+        return module.derive(results, releases) if _compares(module) else module.derive(results)
+    except ReportError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        raise LostError(f"its record lacks what the section is about ({what})") from error
+
+
+def _chapter(state: State, results: Results, section: Section, templates: Templates, before: Chapters) -> Chapter:
+    name = state.section
+    text = templates.text(f"sections/{name}.md.j2")
+    section = section.worded(name, text.name, text.words)
+    names = _names(results, section, before)
+    return Chapter(state, results, section, names, text.prose(name, names))
+
+
+def _module(section: str) -> ModuleType:
+    return import_module(f"report.sections.{section}")
+
+
+def _compares(module: ModuleType) -> bool:
+    """Whether a section compares releases: its ``derive`` then takes them as a second argument."""
+    return len(inspect.signature(module.derive).parameters) > 1
+
+
+def _left_out(project: Project, state: State, error: Exception) -> State:
+    """A section that can't be shown: a record of older code or of another release may lack anything."""
+    if state.kind == "fresh" and project.is_own and not isinstance(error, LostError):
+        raise error
+    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
+    return replace(state, record=None, notes=(" ".join(words.split()),))
+
+
+def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
+    name = results.record.section
+    claims = {claim.name: claim.html(name) for claim in section.claims}
+    return {
+        "release": results.record.identity.packages["newton"],
+        "row": results.row,
+        "rows": results.rows,
+        "value": results.derived,
+        "claim": _finder(name, "claim", claims),
+        "holds": _asker({**{chapter: found.section for chapter, found in before.items()}, name: section}, name),
+        "table": _finder(name, "table", section.tables),
+        "figure": _finder(name, "figure", section.figures),
+        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
+    }
+
+
+def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bool]:
+    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
+    not."""
+
+    def holds(name: str) -> bool:
+        section, _, claim = name.rpartition(".")
+        section = section or own
+        if section not in sections:
+            return False
+        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
+        if claim not in claims and claim not in sections[section].unmeasured:
+            raise ResultsError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        return claims.get(claim, False)
+
+    return holds
+
+
+def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:
+    def find(name: str) -> Any:
+        if name not in things:
+            raise ResultsError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
+        return things[name]
+
+    return find

@@ -1,0 +1,70 @@
+"""Noise: when two values differ at all, and which way is better."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from statistics import fmean
+from typing import Any
+
+from report.records.record import Record
+
+NOISE = "noise"
+"""The section whose rows are runs of one and the same case, as ``of`` says."""
+ROUNDING_SHARE = 1e-3
+"""Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
+LESS_IS_BETTER = ("slip_mm", "drift_mm_s", "wander_mm", "frame_ms", "mjw_step_ms", "dropped", "bytes_per_world")
+MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s", "test_passed")
+
+
+def verdict(column: str, before: Any, after: Any) -> str:
+    """Whether going from one value to the other is better or worse; empty where the column does not say."""
+    if None in (before, after) or column not in LESS_IS_BETTER + MORE_IS_BETTER:
+        return ""
+    grows = abs(after) > abs(before)
+    return "better" if grows == (column in MORE_IS_BETTER) else "worse"
+
+
+def is_beyond(noise: float, before: float, after: float) -> bool:
+    """Whether two values differ by more than noise, and by more than rounding.
+
+    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
+    would then be a change.
+    """
+    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
+
+
+@dataclass(frozen=True)
+class Floor:
+    """How far apart runs of one case come out in one column."""
+
+    spread: float
+    magnitude: float
+    """The largest mean of such runs; larger values are taken to be noisier in proportion."""
+
+    def at(self, *values: float) -> float:
+        """The noise of such values."""
+        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
+        return self.spread * max(1.0, scale)
+
+
+def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
+    """The noise of every column that records of the section on noise have, the largest of them."""
+    floors: dict[str, Floor] = {}
+    for record in records:
+        for column, floor in _floors_of(record).items():
+            if column not in floors or floor.spread > floors[column].spread:
+                floors[column] = floor
+    return floors
+
+
+def _floors_of(record: Record) -> dict[str, Floor]:
+    runs: dict[str, list[Mapping[str, Any]]] = {}
+    for row in record.rows:
+        runs.setdefault(row["of"], []).append(row)
+    floors = {}
+    for column in record.units:
+        cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
+        cells = [cell for cell in cells if len(cell) > 1]
+        if cells:
+            spread = max(max(cell) - min(cell) for cell in cells)
+            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
+    return floors

@@ -1,0 +1,190 @@
+"""Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
+
+import ast
+import hashlib
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib import metadata
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from report import ROOT, ReportError
+
+PACKAGES = ("newton", "warp-lang", "mujoco-warp", "mujoco")
+ASSETS = "assets/"
+MISSING = "missing"
+
+
+@dataclass(frozen=True)
+class Identity:
+    """Digests of all that a measurement depends on, except the machine."""
+
+    code: str
+    """Digest of the section's module and of the project code that it imports."""
+    config: str
+    """Digest of the profile and of the assets that this code names."""
+    packages: Mapping[str, str]
+    """Version by package."""
+    profile: str = "full"
+    files: Mapping[str, str] = field(default_factory=dict)
+    """Digest by file: the parts of ``code`` and ``config``, so that a change can be named."""
+
+
+@dataclass(frozen=True)
+class _Source:
+    """What the text of one module says, as far as it matters here."""
+
+    digest: str
+    imports: tuple[str, ...]
+    """Names that it imports, of which some are modules of this project."""
+    assets: tuple[str, ...]
+    """Paths of assets that it may name."""
+
+
+def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+    """The identity that ``experiments/<section>.py`` has now, with ``packages``, or else with those installed here."""
+    sources = _import_closure(root / "experiments" / f"{section}.py", root)
+    code = {name: source.digest for name, source in sources.items()}
+    assets = {name for source in sources.values() for name in source.assets if (root / name).is_file()}
+    config = {name: hashlib.sha256((root / name).read_bytes()).hexdigest() for name in assets}
+    return Identity(
+        code=_digest(code),
+        config=_digest({"profile": profile, **config}),
+        packages=package_versions() if packages is None else packages,
+        profile=profile,
+        files=dict(sorted({**code, **config}.items())),
+    )
+
+
+def changes(recorded: Identity, current: Identity) -> list[str]:
+    """What differs between two identities, in words; empty when the record is fresh."""
+    changed = [
+        name
+        for name in sorted({*recorded.files, *current.files})
+        if recorded.files.get(name) != current.files.get(name)
+    ]
+    words = []
+    if recorded.code != current.code:
+        words += [f"code: {name}" for name in changed if name.endswith(".py")] or ["code"]
+    if recorded.config != current.config:
+        parts = [f"config: {name}" for name in changed if not name.endswith(".py")]
+        if recorded.profile != current.profile:
+            parts.append(f"config: profile {recorded.profile} → {current.profile}")
+        words += parts or ["config"]
+    for package in PACKAGES:
+        old, new = recorded.packages.get(package), current.packages.get(package)
+        if old != new:
+            words.append(f"packages: {package} {old} → {new}")
+    return words
+
+
+def sections(root: Path = ROOT) -> list[str]:
+    """Names of the sections: those that have a module, or a folder of modules, on the report's side."""
+    folder = root / "report" / "sections"
+    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    return sorted(found - {"__init__"})
+
+
+def package_versions() -> dict[str, str]:
+    return {package: _installed_version(package) for package in PACKAGES}
+
+
+def _installed_version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return MISSING
+
+
+def canonical(node: Any) -> Any:
+    """A syntax tree as plain tuples, without comments, docstrings and positions.
+
+    Fields that are empty or that only some Python versions know are left out: a record measured under
+    one Python has to be fresh under another.
+    """
+    if isinstance(node, ast.JoinedStr):
+        # Python 3.12 and later put an empty text behind a nested format specification.
+        node = ast.JoinedStr([part for part in node.values if getattr(part, "value", None) != ""])
+    if isinstance(node, ast.AST):
+        fields = [(name, canonical(value)) for name, value in ast.iter_fields(node) if name != "kind"]
+        return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))
+    if isinstance(node, list):
+        return tuple(canonical(item) for item in node if not _is_docstring(item))
+    return repr(node)
+
+
+def _is_docstring(node: Any) -> bool:
+    # Any string that stands alone does nothing, wherever it stands: field docstrings are left out as well.
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+
+
+def _import_closure(start: Path, root: Path) -> dict[str, _Source]:
+    """What the module at ``start`` and the project's modules that it imports say, by their names."""
+    sources: dict[str, _Source] = {}
+    waiting = [start]
+    while waiting:
+        path = waiting.pop()
+        name = _name(path, root)
+        if name in sources:
+            continue
+        try:
+            sources[name] = _read(path.read_bytes(), name)
+        except (OSError, SyntaxError, ValueError) as error:
+            raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
+        for imported in sources[name].imports:
+            waiting += _module_files(imported, root)
+    return sources
+
+
+@cache  # by the text itself: every section imports the same few modules
+def _read(text: bytes, name: str) -> _Source:
+    tree = ast.parse(text, filename=name)
+    imports = _imported_names(tree, PurePosixPath(name).parts[:-1])
+    return _Source(_digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(tree)))
+
+
+def _imported_names(tree: ast.Module, package: tuple[str, ...]) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            start = package[: len(package) - node.level + 1] if node.level else ()
+            module = ".".join((*start, *([node.module] if node.module else [])))
+            # Each name may be a module of the package or something in it; what is no file drops out later.
+            yield from (f"{module}.{alias.name}" for alias in node.names)
+
+
+def _module_files(name: str, root: Path) -> Iterator[Path]:
+    path = root
+    for part in name.split("."):
+        path = path / part
+        for file in (path.with_suffix(".py"), path / "__init__.py"):
+            if file.is_file():
+                yield file
+
+
+def _named_assets(tree: ast.Module) -> Iterator[str]:
+    for node in ast.walk(tree):
+        text = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
+            yield text
+
+
+def files_digest(paths: Iterable[Path], root: Path) -> str:
+    """Digest of files, by their names below ``root`` and what they hold; folders are passed over."""
+    digest = hashlib.sha256()
+    for path in sorted(paths):
+        if path.is_file():
+            content = path.read_bytes()
+            digest.update(f"{_name(path, root)}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
+
+
+def _digest(data: Any) -> str:
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+
+
+def _name(path: Path, root: Path) -> str:
+    return path.relative_to(root).as_posix()

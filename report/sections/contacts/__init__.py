@@ -1,0 +1,195 @@
+"""The solver's live contact rows in the middle of the shake: forces, residuals, and what their velocities add up to."""
+
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_most
+from report.deriving.arithmetic import by_case, difference, size_share
+from report.figures import SERIES, new_figure
+from report.parts import Figure, Section, Table
+from report.quantities import Value
+from report.results import Results, Row, Series
+from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
+
+order = 70
+
+
+def derive(results: Results) -> Section:
+    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in _of_kind(results, "run")}
+    gaps = {case: _gap(results, row) for case, row in runs.items()}
+    tables = {case: results.trace(case) for case in CASES}
+    rows = Figure(
+        draw=lambda: _draw_contacts(tables, runs),
+        sources=[*tables.values(), *(row.slide_mm for row in runs.values())],
+        numbers={"slide": runs["as-shipped"].slide_mm, "along": runs["as-shipped"].along_mm},
+    )
+    return Section(
+        tables={
+            "forces": _force_table(_of_kind(results, "frame")),
+            "parameters": _parameter_table(_of_kind(results, "frame")),
+            "rows": _row_table(_of_kind(results, "row")),
+            "missing": missing_table(results),
+        },
+        figures={"rows": rows},
+        claims=[
+            _far_inside_cone(results, runs["as-shipped"]),
+            _no_friction_residual(results),
+            _own_friction_timeconst(results),
+            *_slide_claims(results, runs, gaps),
+            *missing_term_claims(results),
+        ],
+    )
+
+
+def _of_kind(results: Results, kind: str) -> list[Row]:
+    return [row for row in results.rows if row.kind == kind]
+
+
+def _gap(results: Results, run: Row) -> Value:
+    return difference(
+        results,
+        f"slide_gap_{run.case}",
+        "what the velocities of the loaded friction rows add up to, less the motion measured along the same axis",
+        run.slide_mm,
+        run.along_mm,
+    )
+
+
+def _departure(results: Results, run: Row, gap: Value) -> Value:
+    return size_share(
+        results, f"slide_departure_{run.case}", "size of that difference, of the motion measured", gap, run.along_mm
+    )
+
+
+def _far_inside_cone(results: Results, run: Row) -> Claim:
+    bound = results.chosen("cone_use_bound", "far from the limit, which is 1", 0.1)
+    return Claim(
+        "far_inside_cone",
+        at_most(run.cone_use_max, bound),
+        numbers={"use": run.cone_use_max, "one": results.value("cone_limit", "by definition", lambda: 1.0)},
+    )
+
+
+def _no_friction_residual(results: Results) -> Claim:
+    frames = _of_kind(results, "frame")
+    largest = results.value(
+        "friction_residual",
+        "largest position residual of a loaded contact's friction rows, over all looks",
+        max,
+        *(row.friction_residual_mm for row in frames),
+        unit="mm",
+    )
+    normal = results.value(
+        "normal_residual",
+        "largest position residual of a loaded contact's normal row as shipped, over all looks",
+        max,
+        *(row.normal_residual_mm for row in frames if row.case == "as-shipped"),
+        unit="mm",
+    )
+    bound = results.chosen("friction_residual_bound", "none at all", 0.0, unit="mm")
+    return Claim("no_friction_residual", at_most(largest, bound), numbers={"largest": largest, "normal": normal})
+
+
+def _own_friction_timeconst(results: Results) -> Claim:
+    frame = next(row for row in _of_kind(results, "frame") if row.case == "as-shipped")
+    own = frame.friction_timeconst_s
+    outcome = HOLDS if own.value else FAILS
+    if own.value is None:
+        outcome = Outcome("unknown", own.reason)
+    return Claim("own_friction_timeconst", outcome, numbers={"own": own, "normal": frame.timeconst_s})
+
+
+def _slide_claims(results: Results, runs: dict[str, Row], gaps: dict[str, Value]) -> list[Claim]:
+    """Whether the velocity that is left in the friction rows accounts for the motion, with either pads."""
+    shipped, stiff = (runs[case] for case in CASES)
+    departure = _departure(results, shipped, gaps[shipped.case])
+    bound = results.chosen("slide_departure_bound", "the same motion", 15.0, unit="%")
+    departure_stiff = _departure(results, stiff, gaps[stiff.case])
+    return [
+        Claim(
+            "slide_accounts",
+            at_most(departure, bound),
+            numbers={"slide": shipped.slide_mm, "along": shipped.along_mm, "duration": shipped.shake_duration_s},
+        ),
+        Claim(
+            "slide_accounts_when_stiff",
+            at_most(departure_stiff, bound),
+            numbers={
+                "slide": stiff.slide_mm,
+                "along": stiff.along_mm,
+                "gap": gaps[stiff.case],
+                "gap_shipped": gaps[shipped.case],
+            },
+        ),
+    ]
+
+
+def _force_table(frames: list[Row]) -> Table:
+    columns = {
+        "frame": [row.frame for row in frames],
+        "contacts": [row.row_count for row in frames],
+        "loaded": [row.loaded_row_count for row in frames],
+        "normal": [row.normal_force_n for row in frames],
+        "tangential": [row.tangential_force_n for row in frames],
+        "cone use": [row.cone_use for row in frames],
+        "penetration": [row.penetration_mm for row in frames],
+        "sliding": [row.friction_velocity_mm_s for row in frames],
+    }
+    return by_case(frames, columns)
+
+
+def _parameter_table(frames: list[Row]) -> Table:
+    first = {row.case: row for row in reversed(frames)}
+    rows = [first[case] for case in CASES]
+    columns = {
+        "timeconst": [row.timeconst_s for row in rows],
+        "dampratio": [row.dampratio for row in rows],
+        "friction rows' own timeconst": [row.friction_timeconst_s for row in rows],
+        "dmin": [row.dmin for row in rows],
+        "dmax": [row.dmax for row in rows],
+        "friction": [row.friction for row in rows],
+        "dim": [row.dim for row in rows],
+    }
+    return by_case(rows, columns)
+
+
+def _row_table(rows: list[Row]) -> Table:
+    columns = {
+        "row": [row.row for row in rows],
+        "pair": [row.pair for row in rows],
+        "position residual": [row.residual_mm for row in rows],
+        "velocity": [row.velocity_mm_s for row in rows],
+        "force": [row.force_n for row in rows],
+    }
+    return by_case(rows, columns)
+
+
+def _draw_contacts(tables: dict[str, Series], runs: dict[str, Row]) -> Drawing:
+    drawing, (left, right) = new_figure(7.2, 3.2, ncols=2, width_ratios=(3, 2))
+    for number, (case, trace) in enumerate(tables.items()):
+        if trace.value is not None:
+            loaded = trace.value.query("normal_force_n > 0").sort_values(["geom_1", "slide_mm_s"])
+            places = range(1, len(loaded) + 1)
+            left.plot(
+                places, loaded["slide_mm_s"], linestyle="", marker="os"[number], markersize=6, markevery=1, label=case
+            )
+    left.axhline(0.0, color=SERIES[5], linewidth=0.8)
+    left.set_xlabel("loaded contact (left finger, then right)")
+    left.set_ylabel("sliding velocity [mm/s]")
+    left.legend(loc="best")
+    for number, run in enumerate(runs.values()):
+        for place, quantity in ((number - 0.2, run.slide_mm), (number + 0.2, run.along_mm)):
+            measured = place > number
+            right.bar(
+                place,
+                quantity.value,
+                width=0.36,
+                color=SERIES[0 if measured else 4],
+                hatch=None if measured else "///",
+                label=("measured" if measured else "from the rows") if number == 0 else None,
+            )
+    right.set_xticks(range(len(runs)), list(runs))
+    right.grid(visible=False, axis="x")
+    right.set_ylabel("motion along the main axis [mm]")
+    right.legend(loc="upper right")
+    right.margins(y=0.35)
+    return drawing

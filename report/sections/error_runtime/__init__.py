@@ -1,0 +1,149 @@
+"""Error against run time: the cheapest setting for an error, and what the expensive knobs buy."""
+
+from collections.abc import Mapping, Sequence
+
+import pandas as pd
+from markupsafe import Markup
+
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity
+from report.results import Results, Row
+from report.sections.error_runtime.claims import accuracy_claims
+from report.sections.error_runtime.figures import STYLES, draw_grasp, draw_numerical
+from report.sections.error_runtime.knobs import knob_claims, model_claims
+from report.sections.error_runtime.runs import (
+    ENGINES,
+    ERROR,
+    GRASP,
+    LABELS,
+    PADS,
+    TIME,
+    Points,
+    assignment,
+    distinct,
+    front_rows,
+    hit_iteration_limit,
+    is_clamped,
+    order_of,
+    points_of,
+    with_shipped_steps,
+)
+from report.sections.error_runtime.worlds import derive_worlds
+
+order = 155
+
+PARAMETERS = (
+    "iterations",
+    "ls_iterations",
+    "solver",
+    "cone",
+    "impratio",
+    "integrator",
+    "contacts",
+    "collide_count",
+)
+"""Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
+
+
+def derive(results: Results) -> Section:
+    points = points_of(results)
+    orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in STYLES}
+    front = front_rows(points, points.front)
+    warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
+    worlds_figure, worlds_claim = derive_worlds(points)
+    return Section(
+        tables={
+            "front": _front_table(distinct(points, front)),
+            "warp_front": _front_table(distinct(points, warp_front)),
+            "knobs": _knob_table(points),
+            "failures": _failure_table(points),
+        },
+        figures={
+            "numerical": Figure(
+                draw=lambda: draw_numerical(points, orders),
+                sources=[row.numerical_error_mm for row in points.settings],
+                numbers={"front": _listed(front, ERROR)},
+            ),
+            "grasp": Figure(
+                draw=lambda: draw_grasp(points),
+                sources=[row.grasp_error_mm_per_cycle for row in points.settings],
+                numbers={"front": _listed([row for row in points.settings if row.case in points.grasp_front], GRASP)},
+            ),
+            "worlds": worlds_figure,
+        },
+        claims=[*accuracy_claims(points, orders), *knob_claims(points), *model_claims(points), worlds_claim],
+    )
+
+
+def _listed(rows: Sequence[Row], error: str) -> Markup:
+    return Markup("; ").join(Markup("{}: {} in {}").format(row.case, row[error], row[TIME]) for row in rows)
+
+
+def _front_table(rows: Sequence[Row]) -> Table:
+    engines = [ENGINES[row.backend] for row in rows]
+    alone = engines[0] if len(set(engines)) == 1 else ""
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        **({} if alone else {"engine": engines}),
+        "settings": [_settings(row) for row in rows],
+        "numerical error": [row.numerical_error_mm for row in rows],
+        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
+        "clamped": [is_clamped(row) for row in rows],
+        "cone use": [row.cone_use_max for row in rows],
+        "time": [row.ms_per_s for row in rows],
+        "from": [row.ms_per_s_p5 for row in rows],
+        "to": [row.ms_per_s_p95 for row in rows],
+    }
+    has_warp = any(row.backend != "mujoco-c" for row in rows)
+    return Table(_numbered(columns), {"engine": alone, "has_warp": has_warp})
+
+
+def _settings(row: Row) -> Markup:
+    """What to set, as the parameters are called in the scene."""
+    parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
+    return Markup("<code>{}</code>").format(Markup(", ").join(parts))
+
+
+def _numbered(columns: Mapping[str, Sequence[object]]) -> pd.DataFrame:
+    count = len(next(iter(columns.values())))
+    return pd.DataFrame(
+        columns, index=pd.Index([str(number) for number in range(1, count + 1)], name="#"), dtype=object
+    )
+
+
+def _knob_table(points: Points) -> Table:
+    """Each knob beside the setting as shipped from which it is turned."""
+    rows = []
+    for pads in PADS:
+        base = points.results.row.get(with_shipped_steps(pads, "newton"))
+        rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        "changed": [_changed(row) for row in rows],
+        "numerical error": [row.numerical_error_mm for row in rows],
+        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
+        "time": [row.ms_per_s for row in rows],
+        "most iterations": [row.iteration_peak_count for row in rows],
+    }
+    return Table(_numbered(columns))
+
+
+def _changed(row: Row) -> Markup | str:
+    return "nothing" if row.knob == "substeps" else Markup("<code>{}</code>").format(assignment(row, row.knob))
+
+
+def _failure_table(points: Points) -> Table:
+    rows = [row for row in points.settings if not row.valid]
+    columns = {
+        "pads": [row["pads"] for row in rows],
+        "method": [LABELS[row.method] for row in rows],
+        "settings": [_settings(row) for row in rows],
+        "why it does not count": [row.invalid_reason for row in rows],
+        "numerical error": [_shown(row) for row in rows],
+    }
+    return Table(_numbered(columns))
+
+
+def _shown(row: Row) -> Quantity | str:
+    """How far away a cube lies that has left the grasp is no error."""
+    return row.numerical_error_mm if hit_iteration_limit(row) else "gone"

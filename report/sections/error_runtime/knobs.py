@@ -1,0 +1,238 @@
+"""What the points say of the knobs, and of what only the model changes."""
+
+from experiments.case import AS_SHIPPED
+from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater, within
+from report.deriving.arithmetic import departure, difference, other_cell, ratio
+from report.quantities import Quantity
+from report.results import Row
+from report.sections.error_runtime.runs import (
+    ERROR,
+    GRASP,
+    PADS,
+    SHIPPED,
+    TIME,
+    Points,
+    hit_iteration_limit,
+    named,
+    with_shipped_steps,
+)
+
+
+def knob_claims(points: Points) -> list[Claim]:
+    return [
+        _more_substeps(points),
+        _solver_effort(points),
+        _contact_source(points),
+        _too_little(points),
+        _pyramid(points),
+    ]
+
+
+def model_claims(points: Points) -> list[Claim]:
+    return [
+        _pads_decide(points),
+        _coarse_steps_flatter(points),
+        _rest_is_step_error(points),
+        _impratio(points),
+        _cone_not_left(points),
+    ]
+
+
+def _more_substeps(points: Points) -> Claim:
+    most = points.ladder("as-shipped", "newton")[-1]
+    error, before = most[ERROR], points.cell(SHIPPED, ERROR)
+    gain = ratio(
+        points.results, "substeps_gain", "numerical error as shipped over that with most substeps", before, error
+    )
+    cost = ratio(
+        points.results, "substeps_cost", "run time over that as shipped", most[TIME], points.cell(SHIPPED, TIME)
+    )
+    return Claim(
+        "more_substeps",
+        greater(before, error, noise=points.floors["as-shipped"]),
+        numbers={
+            "count": most.substeps,
+            "shipped": points.cell(SHIPPED, "substeps"),
+            "cost": cost,
+            "gain": gain,
+            "error": error,
+        },
+    )
+
+
+def _solver_effort(points: Points) -> Claim:
+    """More or other solver effort than shipped, with contacts as shipped or anew in each substep."""
+    rows = [
+        row
+        for row in points.settings
+        if row["pads"] == "as-shipped" and row.valid and (_is_solver_knob(row) or _is_refresh(row))
+    ]
+    change = points.results.value(
+        "effort_change",
+        "largest change of the numerical error by iterations, line search or contacts in each substep, either way",
+        lambda base, *error: max(abs(each - base) for each in error),
+        points.cell(SHIPPED, ERROR),
+        *(row[ERROR] for row in rows),
+        unit="mm",
+    )
+    return Claim(
+        "solver_effort",
+        within(change, points.floors["as-shipped"]),
+        numbers={"change": change, "floor": points.floors["as-shipped"]},
+    )
+
+
+def _is_solver_knob(row: Row) -> bool:
+    return row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")
+
+
+def _is_refresh(row: Row) -> bool:
+    return row.method == "newton-each-substep" and row.substeps.value == AS_SHIPPED.substeps
+
+
+def _contact_source(points: Points) -> Claim:
+    """Whether the contacts of MuJoCo Warp keep as close to C as Newton's do, from the shipped substeps on."""
+    worst = {}
+    for method in ("newton", "mujoco"):
+        rows = [row for row in points.ladder("as-shipped", method) if row.substeps.value >= AS_SHIPPED.substeps]
+        worst[method] = points.results.value(
+            f"c_difference_{method}",
+            f"largest distance from C with the same steps, {method} contacts, from the shipped number of substeps on",
+            lambda *distance: max(distance),
+            *(row.c_difference_mm for row in rows),
+            unit="mm",
+        )
+    return Claim(
+        "contact_source",
+        greater(worst["mujoco"], worst["newton"], noise=points.floors["as-shipped"]),
+        numbers=worst,
+    )
+
+
+def _too_little(points: Points) -> Claim:
+    """Which settings fail."""
+    failed = [row for row in points.settings if not row.valid]
+    lost = [row for row in failed if row[ERROR].value is None or not hit_iteration_limit(row)]
+    twins = [points.results.row.get(row.case.replace("/c/", "/newton/")) for row in lost]
+    kept = all(twin and twin not in lost and twin[ERROR].value is not None for twin in twins)
+    return Claim(
+        "too_little",
+        HOLDS if lost else FAILS,
+        numbers={"lost": named(lost), "warp_keeps": kept},
+    )
+
+
+def _pyramid(points: Points) -> Claim:
+    case = "as-shipped/newton/cone-pyramidal"
+    time, before = points.cell(case, TIME), points.cell(SHIPPED, TIME)
+    spread = points.results.value(
+        "elliptic_spread",
+        "range from the 5th to the 95th percentile of the run time with the elliptic cone",
+        lambda low, high: high - low,
+        points.cell(SHIPPED, f"{TIME}_p5"),
+        points.cell(SHIPPED, f"{TIME}_p95"),
+        unit="ms/s",
+    )
+    return Claim(
+        "pyramid",
+        greater(before, time, noise=spread),
+        numbers={
+            "time": time,
+            "before": before,
+            "grasp": points.cell(case, GRASP),
+            "grasp_before": points.cell(SHIPPED, GRASP),
+        },
+    )
+
+
+def _pads_decide(points: Points) -> Claim:
+    """Whether the converged grasp errors are further apart than settings move the one as shipped."""
+    soft, stiff = (_reference_cell(points, pads) for pads in PADS)
+    gain = ratio(points.results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
+    bound = points.results.chosen("pads_bound", "an order of magnitude, nearly", 5.0)
+    return Claim(
+        "pads_decide",
+        at_least(gain, bound),
+        numbers={"soft": soft, "stiff": stiff, "bound": bound},
+    )
+
+
+def _reference_cell(points: Points, pads: str) -> Quantity:
+    row = points.reference(pads)
+    return row[GRASP] if row else points.cell(f"{pads}/reference", GRASP)
+
+
+def _coarse_steps_flatter(points: Points) -> Claim:
+    coarse, converged = points.cell(with_shipped_steps("stiff", "newton"), GRASP), _reference_cell(points, "stiff")
+    return Claim(
+        "coarse_steps_flatter",
+        greater(converged, coarse, noise=points.floors["stiff"]),
+        numbers={"coarse": coarse, "converged": converged},
+    )
+
+
+def _rest_is_step_error(points: Points) -> Claim:
+    """Whether what stays of the drift when nothing slides is what the shipped step adds to the converged solution."""
+    results, departures = points.results, []
+    numbers: dict[str, Quantity] = {}
+    frequency = other_cell(results, "reproduction", "as-shipped", "shake_frequency_hz", unit="Hz")
+    for name, pads, case in (("shipped", "as-shipped", "as-shipped"), ("stiff", "stiff", "stiff-pads")):
+        rest = results.value(
+            f"rest_{name}",
+            "drift with the left-out acceleration put back, in a cycle",
+            lambda drift, cycles: drift / cycles,
+            other_cell(results, "contacts", f"{case}-term-restored", "drift_mm_s", unit="mm/s"),
+            frequency,
+            unit="mm/cycle",
+        )
+        formula = "grasp error in C with the shipped step, less that of the converged solution"
+        shipped, converged = points.cell(with_shipped_steps(pads, "c"), GRASP), _reference_cell(points, pads)
+        step = difference(results, f"step_part_{name}", formula, shipped, converged)
+        formula = "size of the difference between the two, of the motion that stays"
+        departures.append(departure(results, f"rest_departure_{name}", formula, step, rest))
+        numbers |= {f"rest_{name}": rest, f"step_{name}": step}
+    largest = results.value("rest_departure", "larger of both departures", max, *departures, unit="%")
+    bound = results.chosen("rest_departure_bound", "the same motion", 25.0, unit="%")
+    return Claim(
+        "rest_is_step_error",
+        at_most(largest, bound),
+        numbers=numbers,
+    )
+
+
+def _impratio(points: Points) -> Claim:
+    """With the pads whose grasp is worth saving; where these were not measured, with those as shipped."""
+    pads = "stiff" if "stiff/newton/impratio-1" in points.results.row else "as-shipped"
+    low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
+    grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
+    return Claim(
+        "impratio",
+        greater(grasp, before, noise=points.floors[pads]),
+        numbers={
+            "pads": PADS[pads],
+            "low": points.cell(low, "impratio"),
+            "grasp": grasp,
+            "before": before,
+            "time": points.cell(low, TIME),
+            "time_before": points.cell(shipped, TIME),
+        },
+    )
+
+
+def _cone_not_left(points: Points) -> Claim:
+    """The margin of the friction cone with the shipped substeps and finer, and who came to its edge."""
+    fine = [row for row in points.settings if row.valid and row.substeps.value >= AS_SHIPPED.substeps]
+    at_edge = [row for row in points.settings if row.valid and (row.cone_use_max.value or 0.0) >= 1.0]
+    margin = points.results.value(
+        "cone_margin",
+        "one less the largest share of the friction cone that a contact used, shipped substeps and finer, in percent",
+        lambda *use: 100 * (1 - max(use)),
+        *(row.cone_use_max for row in fine),
+        unit="%",
+    )
+    bound = points.results.chosen("cone_bound", "a clear margin", 10.0, unit="%")
+    return Claim(
+        "cone_not_left",
+        at_least(margin, bound),
+        numbers={"margin": margin, "edge": named(at_edge)},
+    )

@@ -1,0 +1,90 @@
+"""One core of C against many worlds in Warp."""
+
+import numpy as np
+from markupsafe import Markup
+
+from report.claims import FAILS, HOLDS, Claim, Outcome
+from report.deriving.arithmetic import ratio
+from report.parts import Figure
+from report.quantities import Value
+from report.results import Row
+from report.sections.error_runtime.figures import draw_worlds
+from report.sections.error_runtime.runs import ENGINES, TIME, Points
+
+
+def derive_worlds(points: Points) -> tuple[Figure, Claim]:
+    """The figure of speed against the number of worlds, and from how many worlds on Warp beats one core."""
+    results, rows = points.results, points.worlds
+    one_core = results.value(
+        "one_core_rate",
+        "simulated seconds of one world per second, MuJoCo C on one core",
+        lambda time: 1e3 / time,
+        points.cell("one-core", TIME),
+        unit="world-s/s",
+    )
+    rates = [_rate(points, row) for row in rows]
+    crossover = results.value(
+        "crossover_worlds",
+        "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones",
+        lambda core, *cells: crossing(core, cells[::2], cells[1::2]),
+        one_core,
+        *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
+    )
+    engine = ENGINES[rows[0].backend]
+    figure = Figure(
+        draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
+        sources=[*rates, one_core],
+        numbers={
+            "rates": Markup("; ").join(
+                Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True)
+            )
+        },
+    )
+    return figure, _crossover_claim(points, engine, one_core, rates, crossover)
+
+
+def _rate(points: Points, row: Row) -> Value:
+    return points.results.value(
+        f"rate_{row.case}",
+        "simulated seconds of all worlds together per second",
+        lambda worlds, time: 1e3 * worlds / time,
+        row.worlds,
+        row.ms_per_s,
+        unit="world-s/s",
+    )
+
+
+def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
+    """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
+    above = [rate >= level for rate in rates]
+    if True not in above or above[0]:
+        return float("nan")
+    after = above.index(True)
+    pair = slice(after - 1, after + 1)
+    return int(np.ceil(np.exp(np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))) - 1e-9))
+
+
+def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[Value], crossover: Value) -> Claim:
+    first, last = rates[0], rates[-1]
+    formula = "speed of C on one core over that of Warp with one world"
+    advantage = ratio(points.results, "one_core_advantage", formula, one_core, first)
+    formula = "speed of Warp with the most worlds over that of C on one core"
+    gain = ratio(points.results, "worlds_gain", formula, last, one_core)
+    if None in (one_core.value, first.value, last.value):
+        lacking = next(value for value in (one_core, first, last) if value.value is None)
+        outcome = Outcome("unknown", lacking.reason)
+    else:
+        outcome = HOLDS if crossover.value is not None else FAILS
+    is_behind = first.value is not None and one_core.value is not None and first.value < one_core.value
+    return Claim(
+        "crossover",
+        outcome,
+        numbers={
+            "advantage": advantage,
+            "engine": engine,
+            "crossover": crossover,
+            "most": points.worlds[-1].worlds,
+            "gain": gain,
+            "is_behind": is_behind,
+        },
+    )

@@ -1,0 +1,232 @@
+"""What the scene has and does not use, what each of it costs, and that nothing changes without it."""
+
+import math
+from collections.abc import Sequence
+
+from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater, within
+from report.deriving.arithmetic import DEVICES, difference, in_code, noise_floor, ratio
+from report.deriving.timing import cell, frame_spread
+from report.format import format_number
+from report.parts import Section
+from report.quantities import Value
+from report.results import Results
+from report.sections.leave_out.double import change_in_double, double_table, same_in_double
+from report.sections.leave_out.tables import audit_table, case_table, cost_figure, cost_table, same_table
+from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, reference_of, row_of
+
+order = 150
+
+MANY_COUNT = 16384
+"""The most worlds, for which there is a target."""
+BASELINE = "as-shipped"
+
+
+def derive(results: Results) -> Section:
+    variants = _variants(results)
+    differences = {variant.name: _difference(results, variants, variant) for variant in variants}
+    panels = _panels(variants)
+    doubles = [row for row in results.rows if row.case.startswith("double-")]
+    changes = [change_in_double(results, row) for row in doubles]
+    return Section(
+        tables={
+            "cases": case_table(variants),
+            "audit": audit_table(results),
+            "cost": cost_table(variants),
+            "same": same_table(variants, differences),
+            "double": double_table(doubles, changes),
+        },
+        figures={"cost": cost_figure(variants, panels)},
+        claims=[
+            _faster_on_gpu(results, variants),
+            _faster_on_cpu(results, variants),
+            _less_memory(results, variants),
+            *(_same_slip(results, variants, differences, device) for device in DEVICES),
+            _each_helps(results, variants, panels),
+            _rest_helps(results, variants, panels),
+            _same_bits(results, variants),
+            same_in_double(results, doubles, changes),
+        ],
+    )
+
+
+def _variants(results: Results) -> list[Variant]:
+    timed = [row for row in results.rows if "device" in row]
+    keys = dict.fromkeys((row.device, row.case) for row in timed)
+    return [Variant(*key, [row for row in timed if (row.device, row.case) == key]) for key in keys]
+
+
+def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: int) -> Value:
+    """How many times as fast the scene is with all left out."""
+    times = []
+    for case in (REFERENCE, ALL):
+        row = row_of(variants, device, case, worlds)
+        times.append(
+            cell(results, row, "frame_ms", f"{case} in a batch of {format_number(worlds)} on a {DEVICES[device]}")
+        )
+    formula = "time of a frame exactly as shipped over that without all that is unneeded"
+    return ratio(results, f"{device}_gain_{worlds}", formula, *times)
+
+
+def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
+    one, many = (_gain(results, variants, "cuda", worlds) for worlds in (1, MANY_COUNT))
+    smaller = results.value("cuda_gain", "smaller of the gains with one world and with the most", min, one, many)
+    bound = results.chosen("cuda_gain_bound", "a gain worth having on a GPU", 1.25)
+    row = row_of(variants, "cuda", ALL, MANY_COUNT)
+    return Claim(
+        "faster_on_gpu",
+        at_least(smaller, bound),
+        numbers={"one": one, "many": many, "bound": bound, "worlds": row.worlds if row else ""},
+    )
+
+
+def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
+    gain = _gain(results, variants, "cpu", 1)
+    bound = results.chosen("cpu_gain_bound", "a gain worth having on a CPU", 4.0)
+    buffers = row_of(variants, "cpu", "without-buffers")
+    time = cell(results, buffers, "frame_ms", "the scene without large buffers on a CPU")
+    before = cell(results, row_of(variants, "cpu", REFERENCE), "frame_ms", "the scene exactly as shipped on a CPU")
+    return Claim(
+        "faster_on_cpu",
+        at_least(gain, bound),
+        numbers={"gain": gain, "bound": bound, "before": before, "time": time},
+    )
+
+
+def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
+    """Where the saving is least, of all devices and numbers of worlds."""
+    pairs = [
+        (before.buffer_bytes_per_world, after.buffer_bytes_per_world)
+        for full in variants
+        if full.case == REFERENCE and (lean := find(variants, full.device, ALL))
+        for before, after in zip(full.rows, lean.rows, strict=False)
+        if None not in (before.buffer_bytes_per_world.value, after.buffer_bytes_per_world.value)
+    ]
+    none = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
+    before, after = min(pairs, key=lambda pair: pair[0].value / (pair[1].value or math.inf), default=(none, none))
+    formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
+    saving = ratio(results, "memory_saving", formula, before, after)
+    bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
+    return Claim(
+        "less_memory",
+        at_least(saving, bound),
+        numbers={"saving": saving, "bound": bound, "before": before, "after": after},
+    )
+
+
+def _difference(results: Results, variants: Sequence[Variant], variant: Variant) -> Value:
+    reference = reference_of(variants, variant.device)
+    of_reference = cell(results, reference.run if reference else None, "slip_mm", "a run to the end")
+    return difference(
+        results,
+        f"{variant.name}_difference",
+        f"slip of {variant.case} less that of {reference.case if reference else REFERENCE}, on the same device",
+        variant.run.slip_mm,
+        of_reference,
+    )
+
+
+def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[str, Value], device: str) -> Claim:
+    """Of the means over the worlds that each case was run in."""
+    floor = noise_floor(results, "slip_floor")
+    mine = [variant for variant in variants if variant.device == device and variant.run.slip_mm.value is not None]
+    largest = results.value(
+        f"{device}_largest_difference",
+        "largest difference in slip from the reference of that device, either way",
+        lambda *difference: max(map(abs, difference), default=math.nan),
+        *(differences[variant.name] for variant in mine),
+        unit="mm",
+    )
+    most = max(mine, key=lambda variant: abs(differences[variant.name].value or 0.0)).case if mine else ""
+    # On a CPU the difference is exact; on a GPU both it and the floor are chance.
+    judge = within if device == "cuda" else at_most
+    outcome = judge(largest, floor) if mine else Outcome("unknown", "no case was run to the end there")
+    return Claim(
+        f"same_slip_on_{DEVICES[device].lower()}",
+        outcome,
+        numbers={"largest": largest, "floor": floor, "most": in_code([most] if most else [])},
+    )
+
+
+def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
+    """Whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
+    outcomes: dict[str, list[Outcome]] = {}
+    for device, worlds in panels:
+        for variant in variants:
+            if variant.device == device and variant.at(worlds) and variant.case not in (REFERENCE, ALL, BASELINE):
+                outcome = _is_faster(results, variants, device, worlds, REFERENCE, variant.case)
+                outcomes.setdefault(variant.case, []).append(outcome)
+    helping = [case for case, found in outcomes.items() if HOLDS in found]
+    idle = [case for case in outcomes if case not in helping]
+    return Claim(
+        "each_helps",
+        HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
+        numbers={"helping": in_code(helping), "idle": in_code(idle)},
+    )
+
+
+def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
+    """Whether what this report's baseline still has of it counts, where there are most worlds."""
+    device, worlds = max(panels, key=lambda panel: panel[1], default=("cuda", MANY_COUNT))
+    rows = [row_of(variants, device, case, worlds) for case in (BASELINE, ALL)]
+    before, after = (cell(results, row, "frame_ms", "the baseline, or the scene without it all,") for row in rows)
+    return Claim(
+        "rest_helps",
+        _is_faster(results, variants, device, worlds, BASELINE, ALL),
+        numbers={
+            "baseline": BASELINE,
+            "worlds": f"{format_number(worlds)} world{'s' * (worlds > 1)}",
+            "device": DEVICES[device],
+            "before": before,
+            "after": after,
+        },
+    )
+
+
+def _is_faster(
+    results: Results, variants: Sequence[Variant], device: str, worlds: int, case: str, other: str
+) -> Outcome:
+    """Whether a frame takes longer in ``case`` than in ``other``, by more than frames of one run spread."""
+    rows = [row_of(variants, device, name, worlds) for name in (case, other)]
+    before, after = (cell(results, row, "frame_ms", f"{case} or {other}") for row in rows)
+    spread = frame_spread(results, f"{device}_{case}_{other}_{worlds}_spread".replace("-", "_"), *rows)
+    return greater(before, after, noise=spread)
+
+
+def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
+    """Judged on the CPU: a GPU adds up in another order each time, and does not even repeat itself."""
+    reference = reference_of(variants, "cpu")
+    others = [variant for variant in variants if variant.device == "cpu" and "bit_identical" in variant.run]
+    others = [variant for variant in others if variant is not reference]
+    largest = results.value(
+        "cpu_pose_difference",
+        "largest distance of any body in any frame from where it is in the reference, on the CPU",
+        max,
+        *(variant.run.pose_difference_mm for variant in others),
+        unit="mm",
+    )
+    outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
+    if others:
+        outcome = HOLDS if all(variant.run.bit_identical for variant in others) else FAILS
+    same, apart = (
+        [variant.case for variant in others if variant.run.bit_identical == identical] for identical in (True, False)
+    )
+    return Claim(
+        "same_bits",
+        outcome,
+        numbers={
+            "same": in_code(same),
+            "apart": in_code(apart),
+            "reference": in_code([reference.case] if reference else []),
+            "largest": largest,
+        },
+    )
+
+
+def _panels(variants: Sequence[Variant]) -> list[tuple[str, int]]:
+    """Devices and numbers of worlds for which the untrimmed scene was timed, to compare with."""
+    return [
+        (variant.device, row.worlds.value)
+        for variant in variants
+        for row in variant.rows
+        if variant.case == REFERENCE and row.frame_ms.value is not None
+    ]

@@ -1,0 +1,57 @@
+"""Whether double precision, in MuJoCo's own loop in C, sees a difference where something is left out."""
+
+from collections.abc import Sequence
+
+import pandas as pd
+
+from report.claims import Claim, at_most
+from report.deriving.arithmetic import difference, friction_rows_differ, in_code, noise_floor
+from report.parts import Table
+from report.quantities import Value
+from report.results import Results, Row
+from report.sections.leave_out.variants import REFERENCE
+
+
+def change_in_double(results: Results, row: Row) -> Value:
+    name, formula = f"{row.case}_change", f"slip of {row.of} less that of {REFERENCE}, both in double precision"
+    reference = results.row[f"double-{REFERENCE}"]
+    return difference(results, name.replace("-", "_"), formula, row.slip_mm, reference.slip_mm)
+
+
+def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Value]) -> Claim:
+    """Whether what is left out is none of the model, as far as it is in the engine's model at all."""
+    formula = "largest change of the slip in double precision, either way"
+    largest = results.value("double_largest", formula, lambda *change: max(map(abs, change)), *changes, unit="mm")
+    others = [row for row in rows if row.of != REFERENCE]
+    same, moved = ([row for row in others if row.bit_identical == identical] for identical in (True, False))
+    apart = results.value(
+        "double_apart",
+        "largest distance of cube or TCP from where it is in the reference, in double precision",
+        max,
+        *[row.pose_difference_mm for row in others],
+        unit="mm",
+    )
+    floor = noise_floor(results, "slip_floor")
+    return Claim(
+        "same_in_double",
+        at_most(largest, floor),
+        numbers={
+            "largest": largest,
+            "floor": floor,
+            "apart": apart,
+            "has_same": bool(same),
+            "same": in_code(row.of for row in same),
+            "moved": in_code(row.of for row in moved),
+            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
+        },
+    )
+
+
+def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
+    columns = {
+        "slip": [row.slip_mm for row in rows],
+        "change": changes,
+        "same bits": ["reference" if row.of == REFERENCE else row.bit_identical for row in rows],
+        "apart": [row.pose_difference_mm for row in rows],
+    }
+    return Table(pd.DataFrame(columns, index=pd.Index([row.of for row in rows], name="case")))

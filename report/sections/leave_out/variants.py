@@ -1,0 +1,49 @@
+"""The ways to leave something out, as their rows say.
+
+Read as it was judged when it was measured, for want of a number in the record: ``bit_identical``, which is about the
+orientations too, and ``pose_difference_mm`` is not.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from report.results import Row
+
+REFERENCE, ALL = "untrimmed", "without-all"
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One way to leave something out, on one device."""
+
+    device: str
+    case: str
+    rows: Sequence[Row]
+    """One for each number of worlds."""
+
+    @property
+    def name(self) -> str:
+        return f"{self.device}_{self.case.replace('-', '_')}"
+
+    @property
+    def run(self) -> Row:
+        """The run to the end, which is the same in the rows of all numbers of worlds."""
+        return self.rows[0]
+
+    def at(self, worlds: int) -> Row | None:
+        return next((row for row in self.rows if row.worlds.value == worlds), None)
+
+
+def find(variants: Sequence[Variant], device: str, case: str) -> Variant | None:
+    return next((variant for variant in variants if (variant.device, variant.case) == (device, case)), None)
+
+
+def row_of(variants: Sequence[Variant], device: str, case: str, worlds: int = 1) -> Row | None:
+    variant = find(variants, device, case)
+    return variant.at(worlds) if variant else None
+
+
+def reference_of(variants: Sequence[Variant], device: str) -> Variant | None:
+    """What slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
+    of_device = [variant for variant in variants if variant.device == device]
+    return next((variant for variant in of_device if variant.run.slip_mm.value is not None), None)

@@ -1,0 +1,54 @@
+"""What the parts of section stability share: its rows by family, and claims about a family."""
+
+from collections.abc import Mapping, Sequence
+
+from markupsafe import Markup
+
+from report.claims import Claim, Outcome, at_most
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+from report.sections.stability.passing import passing
+
+NAMED_COUNT = 6
+"""Cases that a sentence names at most."""
+
+
+def family(results: Results, name: str) -> list[Row]:
+    return [row for row in results.rows if row["family"] == name]
+
+
+def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
+    """How many rows there are, as a value that points to them."""
+    return results.value(name, formula, lambda *steps: len(steps), *(row.step_ms for row in rows))
+
+
+def family_claim(
+    results: Results,
+    name: str,
+    rows: Sequence[Row],
+    *,
+    numbers: Mapping[str, Quantity | str | bool] | None = None,
+    outcome: Outcome | None = None,
+) -> Claim:
+    """Whether all rows of a family pass, of those of which something is asked.
+
+    Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass.
+    """
+    verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
+    asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
+    failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
+    none = results.chosen(f"{name}_bound", "all of them pass", 0)
+    own = {
+        "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
+        "failed_count": failed_count,
+        "failed": named(failed),
+    }
+    if not asked:
+        outcome = Outcome("unknown", "they were not measured")
+    return Claim(name, outcome or at_most(failed_count, none), own | dict(numbers or {}))
+
+
+def named(rows: Sequence[Row]) -> Markup:
+    """The cases with how they ended, as far as a sentence can hold them."""
+    text = Markup(", ").join(Markup("<code>{}</code> {}").format(row.case, row["class"]) for row in rows[:NAMED_COUNT])
+    return text + (" and others" if len(rows) > NAMED_COUNT else "")

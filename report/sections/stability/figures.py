@@ -1,0 +1,220 @@
+"""The figures of section stability."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import Figure as Drawing
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from report.figures import FAINT, INK, MAP_INK, SERIES, new_figure, tick_125, tick_at, tick_decades
+from report.format import format_code, format_short
+from report.results import Row, Series
+from report.sections.stability.classes import CLASSES, is_stable
+
+COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
+MARKS = ("o", "", "v", "*", "s", "x")
+"""A creeping run is marked by its rate."""
+HATCH = "#a9b8c6"
+"""Colour of the lines over clamped cells."""
+
+
+def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:
+    """One map above the other. A panel is a title, its rows, a bound on the step [s] over ke, and the bound's name."""
+    drawing, axes = new_figure(7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False)
+    for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
+        _draw_map(one, rows)
+        one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
+        low, high = one.get_xlim()
+        ke = np.geomspace(low, high, 200)
+        one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
+    axes[-1, 0].set_xlabel("pad ke")
+    handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
+    marks = [
+        Line2D([], [], linestyle="", marker=mark or "$1.2$", color=MAP_INK, markersize=6 if mark else 11)
+        for mark in MARKS
+    ]
+    pairs: list[Any] = list(zip(handles, marks, strict=True))
+    drawing.legend(
+        [*pairs, Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
+        [*("creeping [mm/s]" if name == "creeping" else name for name in CLASSES), "clamped"],
+        loc="outside upper center",
+        ncols=4,
+        fontsize=9,
+        handlelength=2.6,
+    )
+    return drawing
+
+
+def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
+    ke = sorted({row.pad_ke.value for row in rows})
+    steps = sorted({row.step_ms.value for row in rows})
+    cells = {(row.pad_ke.value, row.step_ms.value): row for row in rows}
+    grid = np.full((len(steps), len(ke)), np.nan)
+    for (x, y), row in cells.items():
+        grid[steps.index(y), ke.index(x)] = CLASSES.index(row["class"])
+    edges_x, edges_y = _edges(ke), _edges(steps)
+    axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
+    axes.grid(False)
+    axes.pcolormesh(
+        edges_x, edges_y, grid, cmap=ListedColormap(COLOURS), norm=BoundaryNorm(np.arange(7) - 0.5, 6), zorder=0.5
+    )
+    clamped = [(x, y) for (x, y), row in cells.items() if "clamped" in row and row.clamped]
+    axes.add_collection(
+        LineCollection(_hatching(clamped, ke, steps, edges_x, edges_y), color=HATCH, linewidths=0.6, zorder=0.6)
+    )
+    for name, mark in zip(CLASSES, MARKS, strict=True):
+        found = [place for place, row in cells.items() if row["class"] == name]
+        if mark and found:
+            x, y = zip(*found, strict=True)
+            axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
+    for (x, y), row in cells.items():
+        if row["class"] == "creeping":
+            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=MAP_INK)
+    tick_decades(axes.xaxis)
+    tick_at(axes.yaxis, steps, digits=2)
+
+
+def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
+    """Slanting lines over the cells at ``places``, as fractions of a cell: one corner to the other, and one on each
+    side."""
+    lines = []
+    for x, y in places:
+        left, right = edges_x[ke.index(x) :][:2]
+        low, high = edges_y[steps.index(y) :][:2]
+        for start, end in (((0.0, 0.0), (1.0, 1.0)), ((0.0, 0.5), (0.5, 1.0)), ((0.5, 0.0), (1.0, 0.5))):
+            lines.append([(left * (right / left) ** a, low * (high / low) ** b) for a, b in (start, end)])
+    return lines
+
+
+def _edges(centres: Sequence[float]) -> np.ndarray:
+    """Borders between cells that are spaced evenly on a log scale, or nearly so."""
+    logs = np.log(centres)
+    middle = 0.5 * (logs[1:] + logs[:-1])
+    return np.exp([2 * logs[0] - middle[0], *middle, 2 * logs[-1] - middle[-1]])
+
+
+def draw_steps(rows: Sequence[Row]) -> Drawing:
+    """Size of the drift over the step, one line for each kind of pads; marks are open where it goes the other way."""
+    drawing, axes = new_figure(7.2, 3.4)
+    for pads in dict.fromkeys(row.pads for row in rows):
+        mine = [row for row in rows if row.pads == pads and row.drift_mm_s.value is not None]
+        if not mine:
+            continue
+        last = abs(mine[-1].drift_mm_s.value)
+        axes.axhspan(0.5 * last, 2.0 * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
+        x, y = [row.step_ms.value for row in mine], [abs(row.drift_mm_s.value) for row in mine]
+        back = [i for i, row in enumerate(mine) if row.drift_mm_s.value < 0.0]
+        forward = [i for i in range(len(mine)) if i not in back]
+        [line] = axes.plot(x, y, label=pads.replace("-", " "), markevery=forward)
+        axes.plot(
+            [x[i] for i in back],
+            [y[i] for i in back],
+            linestyle="",
+            marker=line.get_marker(),
+            markevery=1,
+            color=line.get_color(),
+            markerfacecolor="none",
+        )
+    axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
+    drawing.legend(loc="outside upper left", ncols=2)
+    return drawing
+
+
+def draw_plateau(rows: Sequence[Row]) -> Drawing:
+    """Depth in the pads over ke, a line for each step; marks are filled where the clamp is at work."""
+    drawing, axes = new_figure(7.2, 3.6)
+    steps = sorted({row.substeps.value for row in rows})
+    for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
+        mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
+        label = f"{format_code(mine[0].step_ms.value, digits=2)} ms"
+        mine = [row for row in mine if is_stable(row)]
+        colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
+        x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
+        axes.plot(x, y, color=colour, linestyle=style, marker="", label=label)
+        for is_clamped in (False, True):
+            at = [i for i, row in enumerate(mine) if row.clamped is is_clamped]
+            axes.plot(
+                [x[i] for i in at],
+                [y[i] for i in at],
+                linestyle="",
+                marker="s" if is_clamped else "o",
+                markevery=1,
+                color=colour,
+                markerfacecolor=colour if is_clamped else "none",
+            )
+    axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="depth in the pads [mm]")
+    tick_decades(axes.xaxis)
+    tick_125(axes.yaxis)
+    drawing.legend(loc="outside upper left", ncols=5, title="step")
+    return drawing
+
+
+def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
+    """The runs of each series at the share of the friction limit that they need, with how they ended."""
+    drawing, axes = new_figure(7.2, 1.3 + 0.5 * len(series))
+    axes.axvspan(0.9, 1.1, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+    axes.axvline(1.0, color=INK, linewidth=1, linestyle="--")
+    colours = (SERIES[2], SERIES[0], SERIES[1], SERIES[3], SERIES[5], INK)
+    marks = ("o", "s", "v", "*", "P", "x")
+    for name, colour, mark in zip(CLASSES, colours, marks, strict=True):
+        found = [
+            (row.load.value, place)
+            for place, (_, rows) in enumerate(series)
+            for row in rows
+            if row["class"] == name and row.load.value is not None
+        ]
+        if found:
+            axes.scatter(*zip(*found, strict=True), color=colour, marker=mark, s=40, label=name, alpha=0.9, zorder=3)
+    axes.set_yticks(range(len(series)), [label for label, _ in series])
+    axes.set(xscale="log", xlabel="friction needed over friction there is", ylim=(len(series) - 0.5, -0.5))
+    tick_125(axes.xaxis)
+    axes.grid(axis="y", visible=False)
+    drawing.legend(loc="outside upper left", ncols=4)
+    return drawing
+
+
+def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
+    """Depth in the pads as a share of the edge, over the edge; lost cubes on the upper border."""
+    drawing, axes = new_figure(7.2, 3.2)
+    held = [_share(row) for row in rows if is_stable(row)]
+    top = 3.0 * max([*held, bound_percent])
+    for number, grip in enumerate(dict.fromkeys(row.grip for row in rows)):
+        mine = [row for row in rows if row.grip == grip]
+        kept = [row for row in mine if is_stable(row)]
+        colour = SERIES[number]
+        label = {"as-shipped": "grip as shipped", "scaled": "grip scaled with the mass"}.get(grip, grip)
+        x = [row.cube_edge_mm.value for row in kept]
+        axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
+        lost = [row.cube_edge_mm.value * (1.0 + 0.04 * number) for row in mine if not is_stable(row)]
+        if lost:
+            axes.plot(lost, [top] * len(lost), "v", color=colour, clip_on=False, markersize=7, markevery=1)
+    axes.axhline(bound_percent, color=INK, linewidth=1, linestyle="--")
+    axes.set(xscale="log", yscale="log", xlabel="edge [mm]", ylabel="depth over edge [%]")
+    axes.set_ylim(top=top)
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
+    handles, labels = axes.get_legend_handles_labels()
+    lost_mark = Line2D([], [], linestyle="", marker="v", color=INK, markersize=7)
+    drawing.legend([*handles, lost_mark], [*labels, "lost"], loc="outside upper left", ncols=3)
+    return drawing
+
+
+def _share(row: Row) -> float:
+    return 100.0 * row.penetration_mm.value / row.cube_edge_mm.value
+
+
+def draw_long(trace: Series) -> Drawing:
+    drawing, axes = new_figure(7.2, 3.0)
+    minutes = trace.value["time_s"] / 60.0
+    for axis in ("x", "y", "z"):
+        axes.plot(minutes, trace.value[f"{axis}_mm"], label=axis)
+    axes.set(xlabel="time of the shake [min]", ylabel="displacement [mm]")
+    drawing.legend(loc="outside upper left", ncols=3, title="in the hand along")
+    return drawing

@@ -1,0 +1,173 @@
+"""Claims of section stability about steps and stiffness."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from report.claims import Claim, Outcome, all_of, at_least, at_most
+from report.deriving.arithmetic import extreme, friction_rows_differ, ratio
+from report.quantities import Value
+from report.results import Results, Row
+from report.sections.stability.classes import is_stable
+from report.sections.stability.families import count, family, family_claim
+from report.sections.stability.passing import passed
+
+CLAMPED_MS = 1e3
+"""Over kd: half a timeconst of 2 / kd, the step [ms] from which the clamp is at work."""
+
+
+def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
+    """From which ke on every step holds with damping ratio 1, and up to which ke the default kd does as shipped."""
+    kes = sorted({row.pad_ke.value for row in critical})
+    unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
+    safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
+    least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
+    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
+    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
+    largest_step = extreme(
+        results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
+    )
+    at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
+    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
+    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=np.inf)]
+    creep = extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
+    limit = extreme(
+        results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
+    )
+    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
+    default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
+    bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
+    outcome = at_least(margin, bound) if kes else Outcome("unknown", "the grid was not measured")
+    return Claim(
+        "safe_settings",
+        outcome,
+        numbers={
+            "least": least,
+            "step": largest_step,
+            "creep": creep,
+            "stiff": stiff,
+            "margin": margin,
+            "limit": limit,
+            "default_margin": default_margin,
+            "bound": bound,
+        },
+    )
+
+
+def steps(results: Results) -> Claim:
+    rows = family(results, "steps")
+    stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
+    kept = passed(rows)
+    stiff = [row for row in rows if row.pads == "stiff"]
+    step = extreme(
+        results,
+        "stiff_step",
+        "largest step at which stiff pads pass",
+        max,
+        [row.step_ms for row in kept if row.pads == "stiff"],
+    )
+    return family_claim(
+        results,
+        "steps",
+        rows,
+        numbers={
+            "stable": stable,
+            "step": step,
+            "exponent": _step_exponent(results, stiff),
+            "some_are_lost": not all(map(is_stable, rows)),
+            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
+            "failed_are_clamped": all(
+                (row.step_ms.value or 0.0) > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
+            ),
+        },
+    )
+
+
+def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
+    """Of those that drift the way they do with long steps: where hardly anything slides, the sign may be another."""
+    drifting = [row for row in rows if is_stable(row) and (row.drift_mm_s.value or 0.0) > 0.0]
+    half = len(drifting)
+    return results.value(
+        "steps_exponent",
+        "slope of a line through the logarithms of drift and step, stiff pads, runs with a drift above zero",
+        lambda *found: np.polyfit(np.log(found[half:]), np.log(found[:half]), 1)[0] if half > 1 else np.nan,
+        *(row.drift_mm_s for row in drifting),
+        *(row.step_ms for row in drifting),
+    )
+
+
+def plateau(results: Results, rows: Sequence[Row]) -> Claim:
+    clamped = [row for row in rows if row.clamped]
+    return family_claim(
+        results,
+        "clamp_plateau",
+        clamped,
+    )
+
+
+def boundary(results: Results, rows: Sequence[Row]) -> Claim:
+    return family_claim(
+        results,
+        "explicit_boundary",
+        rows,
+    )
+
+
+def clamp(results: Results) -> Claim:
+    rows = family(results, "clamp")
+    failing = [row.timeconst_steps for row in rows if not is_stable(row)]
+    holding = [row.timeconst_steps for row in rows if is_stable(row)]
+    first = extreme(results, "clamp_fails_at", "largest timeconst over dt that fails", max, failing)
+    last = extreme(results, "clamp_holds_at", "least timeconst over dt that holds", min, holding)
+    predicted = results.value(
+        "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", lambda: 1 / (8**0.5 - 2)
+    )
+    return family_claim(
+        results,
+        "clamp_off",
+        rows,
+        numbers={
+            "first": first,
+            "last": last,
+            "predicted": predicted,
+            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
+        },
+    )
+
+
+def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
+    low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, ratios)
+    high = extreme(results, "step_ratio_most", "largest of these ratios", max, ratios)
+    two = results.chosen("step_ratio_bound", "within a factor of two", 2.0)
+    inverse = results.value("step_ratio_inverse", "one over the least ratio", lambda ratio: 1 / ratio, low)
+    return Claim(
+        "largest_step",
+        all_of(at_most(high, two), at_most(inverse, two)),
+        numbers={"low": low, "high": high},
+    )
+
+
+def predict_step(results: Results, row: Row) -> tuple[Value, Value]:
+    """The step at which theory says that a run begins to fail, and where it did over that.
+
+    The second is there if a step was seen to hold and a larger one to fail.
+    """
+    name = f"{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
+    predicted = results.value(
+        f"predicted_step_{name}",
+        "step at which dt² ke + 2 dt kd is 4",
+        lambda ke, kd: 1e3 * ((kd**2 + 4 * ke) ** 0.5 - kd) / ke,
+        row.pad_ke,
+        row.pad_kd,
+        unit="ms",
+    )
+    found = results.value(
+        f"step_ratio_{name}",
+        "geometric mean of the largest step that holds and the least that fails, over the predicted",
+        lambda found, failing, predicted: (found * failing) ** 0.5 / predicted,
+        row.largest_step_ms,
+        row.failing_step_ms,
+        predicted,
+    )
+    return predicted, found

@@ -1,0 +1,95 @@
+"""The figures of section stiffness."""
+
+from collections.abc import Sequence
+from statistics import median
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Drawing
+
+from report.figures import INK, SERIES, new_figure, tick_125
+from report.results import Results, Row
+from report.sections.stiffness.runs import Runs, drift_without_slide, is_held
+
+ENDS = {"dropped": "v", "not finite": "x", "overflow": "P"}
+"""How a run can end with no slip to show, and its mark."""
+
+
+def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
+    drawing, axes = new_figure(7.2, 4.2)
+    series = (("kd at its default", runs.ke_alone), ("kd = 2√ke, damping ratio 1", _critical(runs.together)))
+    held = [row.slip_mm.value for _, rows in series for row in rows if is_held(row)]
+    top = 3.0 * max(held)
+    for label, rows in series:
+        kept = [row for row in rows if is_held(row)]
+        axes.plot([r.pad_ke.value for r in kept], [r.slip_mm.value for r in kept], label=label, markevery=1)
+    for end, mark in ENDS.items():
+        for number, (_, rows) in enumerate(series):
+            found = [row.pad_ke.value for row in rows if not is_held(row) and _end(row) == end]
+            axes.plot(found, [top] * len(found), mark, color=SERIES[number], clip_on=False, markersize=7, markevery=1)
+        if any(_end(row) == end for _, rows in series for row in rows if not is_held(row)):
+            axes.plot([], [], mark, color=INK, markersize=7, markevery=1, label=end)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_ylim(0.6 * min(held), top)
+    _mark_clamp(axes, (clamp_kd / 2) ** 2)
+    axes.set_xlabel("pad ke")
+    axes.set_ylabel("slip [mm]")
+    tick_125(axes.yaxis)
+    drawing.legend(loc="outside upper left", ncols=3)
+    return drawing
+
+
+def _critical(rows: Sequence[Row]) -> list[Row]:
+    """Those of the fine sweep, whose damping ratio is exactly one."""
+    return [row for row in rows if row.case.startswith("sweep-")]
+
+
+def _end(row: Row) -> str:
+    """Why a run has no slip to show, in a word or two."""
+    if row.dropped:
+        return "dropped"
+    return "overflow" if "overflow" in (row.failure or "") else "not finite"
+
+
+def _mark_clamp(axes: Axes, ke: float) -> None:
+    axes.axvline(ke, color=INK, linewidth=1.0, linestyle=":")
+    axes.annotate(
+        "2/kd = 2·dt\n(kd = 2√ke)",
+        (ke, 0.42),
+        xycoords=("data", "axes fraction"),
+        xytext=(6, 0),
+        textcoords="offset points",
+    )
+
+
+def draw_law(runs: Runs, results: Results) -> Drawing:
+    drawing, axes = new_figure(7.2, 3.6)
+    rest = drift_without_slide(results).value
+    groups = {
+        "kd at its default": [row for row in runs.ke_alone if is_held(row)],
+        "ke and kd raised together": [row for row in runs.together if is_held(row)],
+        "dmax raised": [row for row in runs.named if "pad_dmax" in row and is_held(row)],
+    }
+    times = {row.case: results.derived[f"response_{row.case}"].value for rows in groups.values() for row in rows}
+    rates = [results.derived[f"rate_{case}"].value for case in times]
+    for number, (label, rows) in enumerate(groups.items()):
+        axes.plot(
+            [1e3 * times[row.case] for row in rows],
+            [row.drift_mm_s.value - (rest or 0.0) for row in rows],
+            linestyle="",
+            label=label,
+            markevery=1,
+            zorder=3 - number,
+        )
+    ends = np.array([min(times.values()), max(times.values())])
+    if None not in rates:
+        axes.plot(1e3 * ends, median(rates) * ends, color=INK, linestyle="-", linewidth=1.0, marker="")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("dmax · timeconst [ms]")
+    axes.set_ylabel("drift [mm/s]" if rest is None else "drift less that without slide [mm/s]")
+    tick_125(axes.xaxis)
+    tick_125(axes.yaxis)
+    axes.legend()
+    return drawing

@@ -1,0 +1,139 @@
+"""What raising ke does, what raising kd along with it does, and where that ends."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most, within
+from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread
+from report.quantities import Value
+from report.results import Results
+from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
+
+STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
+
+NO_SLIP = Outcome("unknown", "as shipped there is no slip to bring down")
+
+
+def knob_claims(results: Results, runs: Runs, stiffness: Mapping[str, Value], clamp: Value) -> list[Claim]:
+    """``stiffness`` [N/m] is measured, by case; beyond kd ``clamp`` the timeconst is two substeps."""
+    return [
+        _ke_is_no_spring(results, stiffness),
+        _ke_alone_does_not_help(results, runs),
+        _stiff_contact_still_slips(results, stiffness),
+        _ke_alone_fails(results, runs),
+        _together_they_hold(results),
+        _flat_below_clamp(results, runs, clamp),
+    ]
+
+
+def _ke_is_no_spring(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+    soft, stiff = results.row[SHIPPED], results.row[STIFFEST]
+    formula = "largest over smallest authored ke of the named cases"
+    authored = ratio(results, "ke_ratio", formula, stiff.pad_ke, soft.pad_ke)
+    formula = "measured stiffness at that largest ke over that at the smallest"
+    measured = ratio(results, "stiffness_ratio", formula, stiffness[stiff.case], stiffness[soft.case])
+    follows = share(results, "stiffness_follows", "measured ratio, of the authored", measured, authored)
+    bound = results.chosen("stiffness_follows_bound", "does not follow", 50.0, unit="%")
+    return Claim(
+        "ke_is_no_spring",
+        at_most(follows, bound),
+        numbers={"ke": soft.pad_ke, "k": stiffness[soft.case], "times": authored, "more": measured},
+    )
+
+
+def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
+    held = [row for row in runs.ke_alone if is_held(row)]
+    slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
+    low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
+    high = extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
+    formula = "least slip with kd at its default, of the slip as shipped"
+    of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
+    bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
+    return Claim(
+        "ke_alone_does_not_help",
+        NO_SLIP if has_slip(results) == FAILS else at_least(of_shipped, bound),
+        numbers={
+            "kd": results.row[SHIPPED].pad_kd,
+            "share": of_shipped,
+            "low": low,
+            "high": high,
+            "first": extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses),
+            "last": extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses),
+        },
+    )
+
+
+def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+    kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
+    alone = kept[0] if kept else results.row[ALONE[0]]
+    fix, shipped = results.row[FIX], results.row[SHIPPED]
+    formula = (
+        "measured stiffness with the largest named ke at the default kd that keeps the cube, over that with the fix"
+    )
+    times = ratio(results, "alone_over_fix", formula, stiffness[alone.case], stiffness[fix.case])
+    formula = "slip of that run, of the slip as shipped"
+    of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
+    one = results.chosen("alone_over_fix_bound", "at least as stiff", 1.0)
+    outcome = all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"]))
+    if not kept:
+        outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
+    return Claim(
+        "stiff_contact_still_slips",
+        NO_SLIP if has_slip(results) == FAILS else outcome,
+        numbers={"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm},
+    )
+
+
+def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
+    lost = [row for row in runs.ke_alone if not is_held(row)]
+    count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
+    none = results.chosen("ke_alone_lost_bound", "at least one", 1)
+    first = lost[0].pad_ke if lost else count
+    return Claim(
+        "ke_alone_fails",
+        at_least(count, none),
+        numbers={
+            "count": count,
+            "all": results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone)),
+            "first": first,
+            "dampratio": results.value(
+                "lost_dampratio",
+                "kd / (2 sqrt(ke)) of the first that is lost",
+                lambda ke, kd: kd / (2 * np.sqrt(ke)),
+                first,
+                results.row[SHIPPED].pad_kd,
+            ),
+        },
+    )
+
+
+def _together_they_hold(results: Results) -> Claim:
+    shipped, fix = results.row[SHIPPED], results.row[FIX]
+    gain = ratio(results, "together_gain", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
+    bound = results.chosen("together_bound", *SETTLES)
+    return Claim(
+        "together_they_hold",
+        at_least(gain, bound),
+        numbers={
+            "ke": fix.pad_ke,
+            "kd": fix.pad_kd,
+            "before": shipped.timeconst_s,
+            "after": fix.timeconst_s,
+            "slipped": shipped.slip_mm,
+            "slip": fix.slip_mm,
+            "gain": gain,
+        },
+    )
+
+
+def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
+    slips = [row.slip_mm for row in runs.together if is_held(row) and row.pad_kd.value >= clamp.value]
+    formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
+    difference = spread(results, "clamped_spread", formula, slips, unit="mm")
+    floor = noise_floor(results, "slip_floor")
+    return Claim(
+        "flat_below_clamp",
+        within(difference, floor),
+        numbers={"clamp": clamp, "spread": difference, "floor": floor},
+    )

@@ -1,0 +1,42 @@
+"""The runs of section stiffness, sorted."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from report.claims import Outcome, at_least
+from report.deriving.arithmetic import other_cell, other_value
+from report.quantities import Quantity
+from report.results import Results, Row
+
+SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The runs, sorted by what changed and by how they ended."""
+
+    named: Sequence[Row]
+    """Those that are no part of the fine sweep."""
+    ke_alone: Sequence[Row]
+    """kd at its import default."""
+    together: Sequence[Row]
+    """ke and kd raised together."""
+
+    @property
+    def held(self) -> list[Row]:
+        """Those that keep the cube; the scene as shipped is in both series and counts once."""
+        return list({row.case: row for row in (*self.ke_alone, *self.together) if is_held(row)}.values())
+
+
+def is_held(row: Row) -> bool:
+    return row.slip_mm.value is not None and not row.dropped
+
+
+def has_slip(results: Results) -> Outcome:
+    """Whether there is a slip as shipped to bring down, by what counts as one in the first section."""
+    return at_least(results.row[SHIPPED].slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
+
+
+def drift_without_slide(results: Results) -> Quantity:
+    """Drift of a shaken cube that does not slide: with the left-out acceleration put back into the contact rows."""
+    return other_cell(results, "contacts", "as-shipped-term-restored", "drift_mm_s", unit="mm/s")

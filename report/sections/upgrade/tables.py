@@ -1,0 +1,194 @@
+"""The tables and the figure of what releases have side by side."""
+
+from collections.abc import Mapping
+
+import pandas as pd
+from markupsafe import Markup
+from matplotlib.figure import Figure as Drawing
+
+from report.chapters import Releases
+from report.deriving.releases import Headline, cell, change, machines_differ, marked
+from report.figures import new_figure
+from report.parts import Figure, Table
+from report.quantities import Quantity, Value
+from report.results import Results
+
+SHIPPED, TAKEN, GIVEN, SWITCHED = (
+    "as-shipped",
+    "as-shipped-friction-timeconst-off",
+    "as-shipped-friction-timeconst-on",
+    "as-shipped-kf-off",
+)
+"""Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
+SLIP = Headline("slip as shipped", "upgrade", SHIPPED, "slip_mm", "mm")
+MUJOCO_CONTACTS = Headline(
+    "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
+)
+PYRAMID = Headline("slip with a pyramidal cone", "solver", "cone-pyramidal", "slip_mm", "mm")
+MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
+HEADLINES = (
+    SLIP,
+    Headline("drift as shipped", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
+    Headline("slip with stiff pads", "upgrade", "stiff-pads", "slip_mm", "mm"),
+    Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
+    MUJOCO_CONTACTS,
+    MUJOCO_C,
+    PYRAMID,
+    Headline("slip with ke raised alone", "stiffness", "pad-ke-2.5e5-kd-100", "slip_mm", "mm"),
+    Headline("slip with equal priorities", "priority", "priority-0", "slip_mm", "mm"),
+    Headline("slip with no contact gap", "gap", "all-gaps-zero", "slip_mm", "mm"),
+    Headline("slip of the fixed scene", "fix", "fixed", "slip_mm", "mm"),
+)
+SPEEDS = (
+    Headline("a frame as shipped", "speed", SHIPPED, "frame_ms", "ms"),
+    Headline("a frame of the fixed scene", "speed", "fixed", "frame_ms", "ms"),
+    Headline("a frame of the most worlds", "scaling", "worlds-16384", "frame_ms", "ms"),
+)
+EDGES = ("_p5", "_p95")
+"""Ends of the columns that say how far the time of a frame spreads."""
+FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
+LIVE = {
+    "timeconst_s": ("time constant", "s"),
+    "dampratio": ("damping ratio", "1"),
+    "friction_timeconst_s": ("friction rows' own time constant", "s"),
+    "friction_dampratio": ("friction rows' own damping ratio", "1"),
+    "friction_damping_per_s": ("friction rows' damping, measured", "1/s"),
+    "friction": ("friction", "1"),
+    "dmin": ("dmin", "1"),
+    "dmax": ("dmax", "1"),
+    "dim": ("rows a contact", "1"),
+    "peak_contact_count": ("most contacts", "1"),
+}
+"""Columns that say what a live contact of the scene as shipped has."""
+TRIED = {
+    SHIPPED: "as shipped",
+    TAKEN: "friction rows' time constant taken out",
+    GIVEN: "two substeps written into it",
+    SWITCHED: "switched off: kf below zero",
+    "as-shipped-kf-100": "kf 100",
+    "as-shipped-kf-30": "kf 30",
+    "as-shipped-kf-10": "kf 10",
+    "as-shipped-kf-3": "kf 3",
+    "as-shipped-mujoco-contacts": "contacts found by MuJoCo",
+    "stiff-pads": "stiff pads",
+    "stiff-pads-kf-off": "stiff pads, kf below zero",
+    "stiff-pads-mujoco-contacts": "stiff pads, contacts found by MuJoCo",
+    "hold": "arm held still",
+    "hold-kf-off": "arm held still, kf below zero",
+}
+
+
+SETTINGS = {"option": "solver option", "default": "default", "sum": "sum of the engine's"}
+"""Kinds of rows that are no runs: each has a name and a value."""
+DRAWN = (SLIP, *HEADLINES[2:6])
+
+
+def headline_table(results: Results, releases: Releases, floors: Mapping[str, Value]) -> Table:
+    columns: dict[str, list[Markup]] = {release: [] for release in releases}
+    for headline in HEADLINES:
+        cells = {release: cell(releases, release, headline) for release in releases}
+        base = next((release for release in releases if cells[release].value is not None), None)
+        for release, found in cells.items():
+            moved = None
+            if base not in (None, release):
+                moved = change(results, f"{_name(headline)}_{release}", cells[base], found)
+            noise = floors[headline.unit]
+            columns[release].append(marked(moved, noise, headline.column, cells.get(base, found), found))
+    frame = pd.DataFrame({f"Newton {release}": found for release, found in columns.items()}, dtype=object)
+    frame["noise"] = [Markup("{}").format(floors[headline.unit]) for headline in HEADLINES]
+    frame.index = pd.Index([headline.label for headline in HEADLINES], name="")
+    return Table(frame)
+
+
+def _name(headline: Headline) -> str:
+    return f"{headline.section}_{headline.case}_{headline.column}"
+
+
+def speed_table(results: Results, releases: Releases) -> Table:
+    columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
+    for headline in SPEEDS:
+        differ = machines_differ(releases, headline.section)
+        base = cell(releases, next(iter(releases)), headline)
+        for release in releases:
+            found = cell(releases, release, headline)
+            edges = [cell(releases, release, edge(headline, end)) for end in EDGES]
+            name = f"{_name(headline)}_{release}"
+            spread = results.value(f"{name}_spread", "95th less 5th percentile", lambda a, b: b - a, *edges, unit="ms")
+            moved = None if found is base or differ else change(results, name, base, found)
+            columns[f"Newton {release}"].append(marked(moved, spread, headline.column, base, found))
+    frame = pd.DataFrame(columns, dtype=object)
+    frame.index = pd.Index([headline.label for headline in SPEEDS], name="")
+    return Table(frame)
+
+
+def edge(headline: Headline, end: str) -> Headline:
+    return Headline(headline.label, headline.section, headline.case, headline.column + end, headline.unit)
+
+
+def live_table(releases: Releases) -> Table:
+    columns = {
+        f"Newton {release}": [
+            Markup("{}").format(cell(releases, release, Headline("", "upgrade", SHIPPED, column, unit)))
+            for column, (_, unit) in LIVE.items()
+        ]
+        for release in releases
+    }
+    index = pd.Index([label for label, _ in LIVE.values()], name="")
+    return Table(pd.DataFrame(columns, index=index, dtype=object))
+
+
+def tried_table(releases: Releases) -> Table:
+    columns = {
+        f"Newton {release}": [cell(releases, release, Headline("", "upgrade", case, "slip_mm", "mm")) for case in TRIED]
+        for release in releases
+    }
+    index = pd.Index(TRIED.values(), name="")
+    return Table(pd.DataFrame(columns, index=index, dtype=object))
+
+
+def option_table(releases: Releases) -> Table:
+    """Solver options and defaults that the releases do not have alike."""
+    found: dict[str, dict[str, Quantity | str]] = {}
+    for release, sections in releases.items():
+        rows = sections["upgrade"].results.rows if "upgrade" in sections else []
+        for row in rows:
+            if row.kind in SETTINGS:
+                found.setdefault(f"{SETTINGS[row.kind]} {row.name}", {})[release] = row["value"]
+    measured = [release for release, sections in releases.items() if "upgrade" in sections]
+    differing = {
+        name: values
+        for name, values in found.items()
+        if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
+    }
+    columns = {
+        f"Newton {release}": [Markup("{}").format(values.get(release, "–")) for values in differing.values()]
+        or [Markup()]
+        for release in measured
+    }
+    index = pd.Index(list(differing) or ["none"], name="")
+    return Table(pd.DataFrame(columns, index=index, dtype=object))
+
+
+def slip_figure(releases: Releases) -> Figure:
+    return Figure(
+        draw=lambda: _draw_slips(releases),
+        sources=[cell(releases, release, headline) for headline in DRAWN for release in releases],
+        numbers={"slips": [(release, cell(releases, release, SLIP)) for release in releases]},
+    )
+
+
+def _draw_slips(releases: Releases) -> Drawing:
+    drawing, axes = new_figure(7.2, 3.4)
+    places = range(len(releases))
+    for headline in DRAWN:
+        cells = [cell(releases, release, headline).value for release in releases]
+        there = [(place, value) for place, value in zip(places, cells, strict=True) if value is not None]
+        if there:
+            axes.plot(*zip(*there, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
+    axes.set_yscale("log")
+    axes.set_xticks(list(places), list(releases))
+    axes.set_xlim(-0.3, len(releases) - 0.7)
+    axes.set_xlabel("Newton release")
+    axes.set_ylabel("slip [mm]")
+    drawing.legend(loc="outside upper left", ncols=3, fontsize=9)
+    return drawing
