@@ -121,6 +121,7 @@ def make_still(project: Project, clip: Clip, frequency_hz: float, device: str) -
     return {
         "case": shown.STILL,
         **_described("file", path),
+        **_described("poster", path),  # every row of a record has the same texts
         "width_px": width,
         "height_px": height,
         "magnified": MAGNIFIED,

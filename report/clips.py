@@ -55,8 +55,8 @@ class Clips:
 
     def _said(self, row: Row) -> str:
         """The runs of a clip, and what is read out at its end."""
-        names = (name.replace("-", "_") for name in RUNS[FIRST])
-        return ", ".join(f"{name.replace('_', ' ')} {row[f'{name}_mm']}" for name in names)
+        moved = {name.replace("-", " "): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"

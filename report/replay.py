@@ -3,6 +3,7 @@
 import base64
 import hashlib
 import json
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,8 @@ from markupsafe import Markup
 
 from report import ROOT
 from report.chapters import Chapter
-from report.clips import Clips
+from report.clips import Clips, clips_of
+from report.editions import Edition
 from report.page import Templates
 from report.records.kept import kept_run
 from report.records.project import Project
@@ -38,6 +40,19 @@ COLUMNS = (
 )
 """What is packed of each sample; the cube's pose is in the TCP frame [m]."""
 WIDEST = 65535
+
+
+def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
+    """Put replay.html into the folder of a release's pages, and the clips below its ``data/``; what was not kept or not
+    made is left out."""
+    clips = clips_of(edition.project)
+    for file in clips.files if clips else ():
+        place = folder / "data" / edition.project.results.name
+        place.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, place / file.name)
+    if "poses" in edition.chapters:
+        page = replay_page(edition.project, edition.chapters["poses"], clips, templates)
+        (folder / PAGE).write_text(page, encoding="utf-8")
 
 
 def replay_page(project: Project, chapter: Chapter, clips: Clips | None, templates: Templates) -> str:

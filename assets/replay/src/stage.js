@@ -30,9 +30,9 @@ export const CUBE_RGB = [
 ];
 // Where the camera looks [m], from how far [m] and from which side [°]; it rides with the hand, or stands still.
 export const VIEWS = {
-  arm: { rides: false, target: [-0.22, -0.45, 0.34], distance: 2.1, azimuth: -45, elevation: 16 },
+  arm: { rides: false, target: [-0.22, -0.45, 0.32], distance: 1.8, azimuth: -45, elevation: 16 },
   pads: { rides: true, target: [0, 0, -0.006], distance: 0.22, azimuth: -58, elevation: 12 },
-  along: { rides: true, target: [0, 0, 0], distance: 0.26, azimuth: 0, elevation: 2 },
+  along: { rides: true, target: [0, 0, 0], distance: 0.26, azimuth: 180, elevation: 4 },
 };
 const FIELD_DEG = 30;
 const NEAREST_M = 0.12;
