@@ -39,8 +39,7 @@ def main() -> int:
     try:
         if importlib.util.find_spec("av") is None:
             raise ReportError("making clips needs PyAV, which encodes them: uv sync --group clips installs it")
-        device = measuring_device(arguments.device)
-        make_clips(project, device)
+        make_clips(project, measuring_device(arguments.device))
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
@@ -59,6 +58,8 @@ def make_clips(project: Project, device: wp.Device) -> None:
     """Render and encode each clip and the still, and write their record."""
     start = time.perf_counter()
     identity = shown.clips_identity(project)
+    if not project.record_path("poses").exists():
+        raise ReportError(f"no poses of Newton {project.release} are kept; {project.rerun('poses')} keeps them")
     poses = load_record(project.record_path("poses"))
     clips = {case: kept_clip(project, poses, case) for case in shown.RUNS}
     rows = [make_clip(project, case, clip, device.alias) for case, clip in clips.items()]
