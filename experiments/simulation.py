@@ -6,6 +6,7 @@ from functools import partial
 
 import mujoco
 import newton
+import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
@@ -68,8 +69,9 @@ class Simulation:
         self.body_q = self.state.body_q.reshape((self.world_count, -1))
         self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
         tcp = self.scene.links["fr3_hand_tcp"]
-        poses = self.body_q.numpy()[:, tcp.body]
-        self.task.phase_start.assign([wp.transform(*pose) * tcp.pose for pose in poses])
+        poses, world = np.unique(self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True)
+        starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
+        self.task.phase_start.assign(starts[world.reshape(-1)])
 
     def _build_collision(self):
         if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
