@@ -175,8 +175,8 @@ def time_cases(
         groups.setdefault(build_key(case), []).append(case)
     found = {}
     for group in groups.values():
-        gc.collect()  # frees the batch before
         simulation = None
+        gc.collect()  # frees the batch before
         for case in group:
             try:
                 if simulation is None:
