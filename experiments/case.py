@@ -94,6 +94,10 @@ class Case:
     rows to the normal row's solref. None keeps what the release writes."""
     refsafe: bool = True
     """Whether the engine takes no timeconst below two substeps."""
+    sensors: bool = True
+    """Whether the engine's sensor stage runs; the scene has no sensor."""
+    limits: bool = True
+    """Whether the engine looks for joints at their limits."""
     contact_max: int | None = None
     """Contacts per world that the buffers hold; None sizes them for the scene."""
     constraint_max: int | None = None
@@ -151,6 +155,16 @@ def batch_key(case: Case) -> Case:
     """What must be equal for two cases to be worlds of the same simulation."""
     baseline = Case(name="")
     return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
+
+
+RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
+"""Parameters that a simulation can change without being built again."""
+
+
+def build_key(case: Case) -> Case:
+    """What must be equal for two cases to be run by one simulation, one after the other."""
+    baseline = Case(name="")
+    return replace(case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS})
 
 
 def differences(case: Case) -> dict[str, object]:
