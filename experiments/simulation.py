@@ -13,6 +13,7 @@ from tqdm import tqdm
 from experiments.case import Case, CaseError, batch_key
 from experiments.compat import make_solver, warp_has_noslip
 from experiments.recorder import Recorder
+from experiments.remedies import install_remedies
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
 from experiments.trace import Trace
@@ -32,7 +33,7 @@ class Simulation:
         newton.use_coord_layout_targets = True
         case = cases[0]
         cases = list(cases)
-        self.case = case
+        self.case, self.cases = case, cases
         self.device = device
         self.world_count = len(cases)
         self.frame_dt = 1.0 / FRAME_RATE
@@ -109,6 +110,7 @@ class Simulation:
                 option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
             if case.noslip_iterations:
                 option.noslip_iterations = case.noslip_iterations
+        install_remedies(solver, self.cases)
         if not solver.update_data_interval:
             solver.reset(self.state)  # the engine starts all worlds as the first
         return solver
