@@ -23,8 +23,8 @@ Summed over a run, with u' against u a matter of the two ends:
 Each has its remedy: with the term put back the first is gone; RK4 has neither the second nor the third, Euler not the
 third; centred, the term takes the second along; R goes with 1 / impratio. All four are along the pads: across them the
 normal rows hold the cube. Rounding of positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's
-step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double precision
-with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
+step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double
+precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
 """
 
 from dataclasses import dataclass, replace
