@@ -69,6 +69,29 @@ class Turntable:
         return model
 
 
+@dataclass(frozen=True)
+class Run:
+    """What a run shows."""
+
+    radius_m: np.ndarray
+    """Distance of the box from the axis every SAMPLE_S."""
+    loaded_count: int
+    """Contacts that carry force at the end."""
+    softness_1_kg: float
+    """R / n of their friction rows, or what it is where they are not alike [1/kg]."""
+
+    @classmethod
+    def of(cls, model, radius_m, rows, friction, force, stiffness) -> "Run":
+        """From the rows' addresses, the contacts' friction and the rows' force and D, which is 1 / R."""
+        loaded = [index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0]
+        if model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
+            stiff = [stiffness[rows[index] + 1] for index in loaded]
+        else:
+            # Opposite edges pull with mu (f - f') and see mu times the sliding.
+            stiff = [2.0 * friction[index][0] ** 2 * stiffness[rows[index]] for index in loaded]
+        return cls(np.array(radius_m), len(loaded), float(1.0 / np.sum(stiff)))
+
+
 RK4 = {"integrator": int(mujoco.mjtIntegrator.mjINT_RK4)}
 VARIANTS = {
     "plain": {},
@@ -101,18 +124,23 @@ def measure(conditions: Conditions) -> Measurement:
             rows.append(row | absent(("growth_per_s", "predicted_growth_per_s"), "MuJoCo Warp here has no noslip"))
             continue
         seconds = SECONDS[conditions.profile]
-        radius = radius_in_c(case, seconds) if case.engine == "c" else radius_in_warp(case, seconds, conditions.device)
-        rows.append(row | growth_columns(radius) | {"predicted_growth_per_s": predicted_growth_per_s(case)})
+        run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+        rows.append(row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)})
     return Measurement(rows)
 
 
-def growth_columns(radius_m: np.ndarray) -> dict[str, float]:
-    """Rate of the exponential growth, from a line through the logarithm, and the ends; one radius each SAMPLE_S."""
-    time_s = SAMPLE_S * np.arange(len(radius_m))
+def growth_columns(run: Run) -> dict[str, float]:
+    """Rate of the exponential growth, from a line through the logarithm, and the ends."""
+    time_s = SAMPLE_S * np.arange(len(run.radius_m))
     settled = time_s >= SETTLE_S
-    growth = np.polyfit(time_s[settled], np.log(radius_m[settled]), 1)[0]
-    start, end = radius_m[settled][[0, -1]]
-    return {"growth_per_s": float(growth), "start_radius_mm": 1e3 * float(start), "end_radius_mm": 1e3 * float(end)}
+    growth = np.polyfit(time_s[settled], np.log(run.radius_m[settled]), 1)[0]
+    start, end = run.radius_m[settled][[0, -1]]
+    return {
+        "loaded_contact_count": run.loaded_count,
+        "growth_per_s": float(growth),
+        "start_radius_mm": 1e3 * float(start),
+        "end_radius_mm": 1e3 * float(end),
+    }
 
 
 def start_state(model: mujoco.MjModel) -> mujoco.MjData:
@@ -123,8 +151,7 @@ def start_state(model: mujoco.MjModel) -> mujoco.MjData:
     return data
 
 
-def radius_in_c(case: Turntable, seconds: float) -> np.ndarray:
-    """Distance of the box from the axis every SAMPLE_S [m]."""
+def run_in_c(case: Turntable, seconds: float) -> Run:
     model = case.model()
     data = start_state(model)
     control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
@@ -137,26 +164,26 @@ def radius_in_c(case: Turntable, seconds: float) -> np.ndarray:
             radius.append(np.hypot(*data.qpos[1:3]))
     finally:
         mujoco.set_mjcb_control(None)
-    return np.array(radius)
+    rows = np.asarray(data.contact.efc_address).reshape(-1)
+    return Run.of(model, radius, rows, data.contact.friction, data.efc_force, data.efc_D)
 
 
-def radius_in_warp(case: Turntable, seconds: float, device: str) -> np.ndarray:
-    """Distance of the box from the axis every SAMPLE_S [m]."""
+def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
     model = case.model()
     with wp.ScopedDevice(device):
         m, d = mjw.put_model(model), mjw.put_data(model, start_state(model), nconmax=32, njmax=128)
         if case.contact_bias:
             contact_bias.install(_Solver(m, d), centred=case.bias_centred)
         mjw.step(m, d)  # compiles, which must not happen inside a capture
-        step_count = round(SAMPLE_S / model.opt.timestep)
         with wp.ScopedCapture() as capture:
-            for _ in range(step_count):
+            for _ in range(round(SAMPLE_S / model.opt.timestep)):
                 mjw.step(m, d)
-        radius = []
+        radius = [np.hypot(*d.qpos.numpy()[0, 1:3].astype(float))]
         for _ in range(round(seconds / SAMPLE_S)):
-            radius.append(np.hypot(*d.qpos.numpy()[0, 1:3].astype(float)))
             wp.capture_launch(capture.graph)
-    return np.array(radius)
+            radius.append(np.hypot(*d.qpos.numpy()[0, 1:3].astype(float)))
+        rows = d.contact.efc_address.numpy()[: int(d.nacon.numpy()[0]), 0]
+        return Run.of(model, radius, rows, d.contact.friction.numpy(), d.efc.force.numpy()[0], d.efc.D.numpy()[0])
 
 
 @dataclass(frozen=True)
@@ -167,22 +194,12 @@ class _Solver:
     mjw_data: mjw.Data
 
 
-def predicted_growth_per_s(case: Turntable) -> float:
-    """The growth by the law in the module's text, with R, the number of contacts and b of the settled box in C."""
+def predicted_growth_per_s(case: Turntable, run: Run) -> float:
+    """The growth by the law in the module's text, with the softness of the contacts that the run ends with."""
     model = case.model()
     h = model.opt.timestep
-    model.opt.noslip_iterations = 0
-    data = start_state(model)
-    for _ in range(round(SETTLE_S / h)):
-        mujoco.mj_step(model, data)
-    loaded = [contact for contact in data.contact if data.efc_force[contact.efc_address] > 0.0]
-    b = contact_bias_c.damping(model, loaded[0].solref, loaded[0].solimp)
-    if model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
-        softness = [data.efc_R[contact.efc_address + 1] for contact in loaded]
-    else:
-        # Opposite edges pull with mu (f - f') and see mu times the sliding: R of that is 1 / (2 mu² D).
-        softness = [data.efc_R[contact.efc_address] / (2.0 * contact.friction[0] ** 2) for contact in loaded]
-    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG / np.sum(1.0 / np.array(softness))
+    b = contact_bias_c.damping(model, model.geom_solref[0], model.geom_solimp[0])
+    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.softness_1_kg
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
     step = 0.0 if case.options.get("integrator") == RK4["integrator"] else 0.5 * h
     return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))
