@@ -1,5 +1,7 @@
 """A box on a table that turns: no robot, no grasp, and it walks outward.
 
+It stands on four feet, since MuJoCo Warp takes a step in ten for one without contact where a box rests on a box.
+
 The table's point under the box has the acceleration ω² r to the centre, which is J̇ q̇ of the contacts. With b of their
 friction rows, R of their regularization, n contacts and the box's mass m, the parts in ``budget`` give
 
@@ -41,7 +43,11 @@ MJCF = f"""
     </body>
     <body pos="{RADIUS_M} 0 0.1">
       <freejoint/>
-      <geom type="box" size="0.05 0.05 0.05" mass="{MASS_KG}"/>
+      <geom type="box" size="0.05 0.05 0.04" mass="{MASS_KG}" contype="0" conaffinity="0"/>
+      <geom type="sphere" size="0.01" pos="0.04 0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="0.04 -0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="-0.04 0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="-0.04 -0.04 -0.04" mass="0"/>
     </body>
   </worldbody>
 </mujoco>
