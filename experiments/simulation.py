@@ -17,6 +17,7 @@ from experiments.beside import gather, processes, start
 from experiments.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
 from experiments.compat import make_solver, warp_has_noslip
 from experiments.recorder import Recorder
+from experiments.remedies import install_remedies
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
 from experiments.trace import Trace
@@ -36,7 +37,7 @@ class Simulation:
         newton.use_coord_layout_targets = True
         case = cases[0]
         cases = list(cases)
-        self.case = case
+        self.case, self.cases = case, cases
         self.device = device
         self.world_count = len(cases)
         self.frame_dt = 1.0 / FRAME_RATE
@@ -129,6 +130,7 @@ class Simulation:
         if case.noslip_iterations:
             for option in _options(solver):
                 option.noslip_iterations = case.noslip_iterations
+        install_remedies(solver, self.cases)
         if not solver.update_data_interval:
             solver.reset(self.state)  # the engine starts all worlds as the first
         return solver
