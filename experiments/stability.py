@@ -204,7 +204,8 @@ def hand_sink_m(trace: Trace) -> float:
 
 
 def freed_columns(trace: Trace) -> dict[str, object]:
-    """Whether a freed cube gains kinetic energy from when the fingers have opened to the end, and how many times.
+    """How fast a freed cube is when the fingers have opened and at the end, root mean square, and whether and how many
+    times its kinetic energy grows in between.
 
     A cube that lies still has no energy to compare with, and gains none.
     """
@@ -212,10 +213,14 @@ def freed_columns(trace: Trace) -> dict[str, object]:
     energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
     first, last = energy[FREED_FRAMES : 2 * FREED_FRAMES].mean(), energy[-FREED_FRAMES:].mean()
     reason = "" if is_finite(trace) else "the run ended as non-finite"
-    reason = reason or ("" if first > 0.0 else "the cube lay still when the fingers had opened")
-    return {"gains_energy": bool(last > ENERGY_GROWTH_LARGEST * first)} | numbers(
-        reason, energy_growth=lambda: float(last / first)
+    columns = numbers(
+        reason,
+        freed_speed_first_mm_s=lambda: 1e3 * float(first**0.5) / trace.frame_dt,
+        freed_speed_last_mm_s=lambda: 1e3 * float(last**0.5) / trace.frame_dt,
     )
+    reason = reason or ("" if first > 0.0 else "the cube lay still when the fingers had opened")
+    columns["gains_energy"] = bool(last > ENERGY_GROWTH_LARGEST * first)
+    return columns | numbers(reason, energy_growth=lambda: float(last / first))
 
 
 def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:

@@ -162,10 +162,14 @@ def freed(speeds_m_s: np.ndarray) -> dict:
 
 
 def test_a_freed_cube_gains_energy_only_if_it_does():
+    def found(first_mm_s: float, last_mm_s: float, gains: bool, growth: float) -> dict:
+        speeds = {"freed_speed_first_mm_s": first_mm_s, "freed_speed_last_mm_s": last_mm_s}
+        return pytest.approx(speeds | {"gains_energy": gains, "energy_growth": growth})
+
     coasting = np.full(4 * FREED_FRAMES, 0.1)
-    assert freed(coasting) == {"gains_energy": False, "energy_growth": pytest.approx(1.0)}
+    assert freed(coasting) == found(100.0, 100.0, False, 1.0)
     faster = np.where(np.arange(4 * FREED_FRAMES) < 2 * FREED_FRAMES, 0.1, 0.2)
-    assert freed(faster) == {"gains_energy": True, "energy_growth": pytest.approx(4.0)}
+    assert freed(faster) == found(100.0, 200.0, True, 4.0)
     lying = freed(0.0 * coasting)
     assert (lying["gains_energy"], lying["energy_growth"]) == (False, None)
     assert freed(faster - 0.1)["gains_energy"]  # from rest, so there is no ratio
