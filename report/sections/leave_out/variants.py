@@ -8,6 +8,11 @@ from report.results import Row
 REFERENCE, ALL = "untrimmed", "without-all"
 
 
+def is_identical(row: Row) -> bool:
+    """Whether a run's trajectory is the reference's to the last bit."""
+    return row.differing_frame_count.value == 0
+
+
 @dataclass(frozen=True)
 class Variant:
     """One way to leave something out, on one device."""
