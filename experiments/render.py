@@ -28,9 +28,9 @@ from experiments.run import commit, machine, measuring_device
 from report import ReportError
 from report import clips as shown
 from report.kept import kept_run
-from report.project import PROFILES, Project, own_release
-from report.records import Record, atomic_file, load_record, units_of, write_record
-from report.traces import load_trace, trace_path, write_traces
+from report.records.project import PROFILES, Project, own_release
+from report.records.record import Record, atomic_file, load_record, units_of, write_record
+from report.records.traces import load_trace, trace_path, write_traces
 
 
 def main() -> int:

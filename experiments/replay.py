@@ -10,8 +10,8 @@ from experiments.case import AS_SHIPPED, CaseError
 from experiments.poses import CUBE_POSE, JOINTS
 from experiments.scene import build_scene
 from experiments.task import FRAME_RATE
-from report.records import RecordError
-from report.traces import load_trace
+from report.records.record import RecordError
+from report.records.traces import load_trace
 
 
 class Replay:

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from report.identity import Identity, changes, files_digest, identity_of
-from report.project import Project
-from report.records import Record, RecordError, load_record
+from report.records.identity import Identity, changes, files_digest, identity_of
+from report.records.project import Project
+from report.records.record import Record, RecordError, load_record
+from report.records.status import State
+from report.records.traces import trace_path
 from report.results import Results, Row
-from report.status import State
-from report.traces import trace_path
 
 CLIPS = "clips"
 RUNS = {"3cm": ("as-shipped", "stiff-pads"), "10cm": ("as-shipped-10cm", "stiff-pads-10cm")}

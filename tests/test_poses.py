@@ -11,7 +11,7 @@ from experiments.replay import Replay
 from experiments.scene import body_index
 from report.kept import kept_run
 from report.kinematics import quaternion_matrices
-from report.traces import load_trace, trace_path, write_traces
+from report.records.traces import load_trace, trace_path, write_traces
 
 
 @pytest.fixture(scope="module")
