@@ -6,7 +6,7 @@ import warp as wp
 
 from experiments.case import AS_SHIPPED
 from experiments.cure import BEST, POSITIONS, TERMS
-from experiments.leave_out import time_case
+from experiments.leave_out import time_cases
 from experiments.measurement import Conditions, Measurement
 from experiments.timing import in_the_shake
 
@@ -27,7 +27,8 @@ def measure(conditions: Conditions) -> Measurement:
     pilot = in_the_shake(AS_SHIPPED, wp.get_device(conditions.device))
     rows = []
     for world_count in WORLD_COUNTS[kind][:1] if conditions.quick else WORLD_COUNTS[kind]:
+        timed = time_cases(CASES, world_count, pilot, REPEAT_COUNT[kind])
         for case in CASES:
             row = {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias}
-            rows.append(row | time_case(case, world_count, pilot, REPEAT_COUNT[kind]))
+            rows.append(row | timed[case.name])
     return Measurement(rows)
