@@ -29,7 +29,7 @@ from experiments.measurement import Conditions, Measurement, absent
 TURN_RAD_S = 2.0
 RADIUS_M = 0.2
 MASS_KG = 0.2
-SECONDS = {"full": 10.0, "quick": 3.0}
+SECONDS = {"full": 6.0, "quick": 3.0}
 SETTLE_S = 1.0
 """Before this the box sinks into its contacts; the growth is measured after it."""
 SAMPLE_S = 0.1
