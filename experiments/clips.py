@@ -16,7 +16,7 @@ from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from experiments.stage import CUBE, START, Camera, Stage, display
-from report.kept import TCP, KeptRun
+from report.records.kept import TCP, KeptRun
 
 FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720
@@ -32,7 +32,7 @@ FALL_S = 4.0
 """How long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell."""
 STAY_S = 1.0
 """How long the last picture stays."""
-ENCODER = {"crf": "27", "preset": "veryslow", "threads": "2"}
+ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
 JPEG_QUALITY = 85
 
 INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
@@ -249,7 +249,7 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
 def _magnified(run: KeptRun, start: int, frame: int) -> dict[str, np.ndarray]:
     """The links as at ``start``, and the cube, with its edges, where it is in the hand at ``frame``."""
     in_hand = run.cube_in_hand[frame].copy()
-    origin = run.cube_in_hand[start, :3, 3]
+    origin = run.begin_in_hand[:3, 3]
     in_hand[:3, 3] = origin + MAGNIFIED * (in_hand[:3, 3] - origin)
     cube = run.links[TCP][start] @ in_hand
     return {name: poses[start] for name, poses in run.links.items()} | {CUBE: cube, START: cube}

@@ -26,8 +26,8 @@ from experiments.clips import (
 )
 from experiments.run import commit, machine, measuring_device
 from report import ReportError
-from report import clips as shown
-from report.kept import kept_run
+from report.records import clips as shown
+from report.records.kept import kept_run
 from report.records.project import PROFILES, Project, own_release
 from report.records.record import Record, atomic_file, load_record, units_of, write_record
 from report.records.traces import load_trace, trace_path, write_traces
@@ -121,6 +121,7 @@ def make_still(project: Project, clip: Clip, frequency_hz: float, device: str) -
     return {
         "case": shown.STILL,
         **_described("file", path),
+        **_described("poster", path),  # every row of a record has the same texts
         "width_px": width,
         "height_px": height,
         "magnified": MAGNIFIED,

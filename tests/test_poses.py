@@ -1,26 +1,23 @@
 """The kept poses: measured, written and read again, they say where the cube is in the grasp."""
 
 import numpy as np
-import pandas as pd
 import pytest
 from newton.viewer import ViewerNull
 
-from experiments.measurement import Conditions
-from experiments.poses import HELD, SHAKEN, measure
-from experiments.replay import Replay
+from experiments.poses import HELD, SHAKEN
+from experiments.replay import Replay, load_poses
 from experiments.scene import body_index
-from report.kept import kept_run
-from report.kinematics import quaternion_matrices
-from report.records.traces import load_trace, trace_path, write_traces
+from report.records.kept import kept_run
+from report.records.kinematics import quaternion_matrices
+from report.records.record import load_record
+from report.records.traces import load_trace, trace_path
 
 
 @pytest.fixture(scope="module")
-def kept(tmp_path_factory):
-    """Row and poses of each case of a quick measurement, the poses as they come back from their file."""
-    measurement = measure(Conditions(device="cpu", quick=True))
-    record = tmp_path_factory.mktemp("results") / "poses.json"
-    write_traces(record, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
-    return {row["case"]: (row, load_trace(trace_path(record, row["case"]))) for row in measurement.rows}
+def kept(poses_path):
+    """Row and poses of each case."""
+    rows = load_record(poses_path).rows
+    return {row["case"]: (row, load_trace(trace_path(poses_path, row["case"]))) for row in rows}
 
 
 @pytest.mark.parametrize("case", [*SHAKEN, HELD], ids=lambda case: case.name)
@@ -29,9 +26,7 @@ def test_forward_kinematics_of_the_kept_poses_gives_the_kept_displacement(kept, 
     assert row["failure"] is None
     run = kept_run(row, poses)
     start = run.shake_start
-    position = run.cube_in_hand[start:, :3, 3]
-    # What is kept is zero in the first frame of the shake, which need not be one of those that are kept.
-    moved = 1e3 * (position - position[0]) + run.moved_mm[start]
+    moved = 1e3 * (run.cube_in_hand[start:, :3, 3] - run.begin_in_hand[:3, 3])
     np.testing.assert_allclose(moved, run.moved_mm[start:], atol=0.01)
     assert np.ptp(moved, axis=0).max() > 0.05
     assert run.slip_mm[-1] == pytest.approx(row["slip_mm"], abs=1e-4)
@@ -48,9 +43,9 @@ def test_which_frames_are_kept(kept):
         assert poses["frame"].iloc[0] < step
 
 
-def test_newton_shows_the_run_as_it_was_kept(kept):
+def test_newton_shows_the_run_as_it_was_kept(kept, poses_path):
     row, poses = kept["as-shipped"]
-    replay = Replay(ViewerNull(num_frames=1), poses.tail(3))
+    replay = Replay(ViewerNull(num_frames=1), load_poses(trace_path(poses_path, "as-shipped")).tail(3))
     for _ in range(3):
         replay.step()
         replay.render()

@@ -12,7 +12,16 @@ from report.quantities import Value
 from report.results import Results
 from report.sections.leave_out.double import change_in_double, double_table, same_in_double
 from report.sections.leave_out.tables import audit_table, case_table, cost_figure, cost_table, same_table
-from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, is_identical, reference_of, row_of, was_compared
+from report.sections.leave_out.variants import (
+    ALL,
+    REFERENCE,
+    Variant,
+    find,
+    is_identical,
+    reference_of,
+    row_of,
+    was_compared,
+)
 
 order = 150
 

@@ -13,7 +13,7 @@ from report.format import format_number
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections.leave_out.variants import was_compared, ALL, REFERENCE, Variant, find, is_identical, reference_of
+from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, is_identical, reference_of, was_compared
 
 LEFT_OUT = {
     REFERENCE: "nothing: exactly as shipped",

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from report import ROOT
-from report.kinematics import link_poses, quaternion_matrices, read_joints, relative_poses
+from report.records.kinematics import link_poses, quaternion_matrices, read_joints, relative_poses
 
 DESCRIPTION = ROOT / "assets/fr3.urdf"
 TCP = "fr3_hand_tcp"
@@ -50,9 +50,16 @@ class KeptRun:
         return int(np.argmax(np.isfinite(self.slip_mm)))
 
     @property
+    def begin_in_hand(self) -> np.ndarray:
+        """Pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4, 4]."""
+        pose = self.cube_in_hand[self.shake_start].copy()
+        pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
+        return pose
+
+    @property
     def start(self) -> np.ndarray:
         """Where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
-        return self.links[TCP] @ self.cube_in_hand[self.shake_start]
+        return self.links[TCP] @ self.begin_in_hand
 
     def in_grasp(self) -> np.ndarray:
         """Whether the cube is still in the grasp, shape [frames]."""
@@ -73,5 +80,5 @@ def kept_run(row: Mapping[str, Any], poses: pd.DataFrame, description: Path = DE
         moved_mm=poses[list(MOVED)].to_numpy(),
         contact={name: poses[name].to_numpy() for name in ("normal_force_n", "tangential_force_n", "penetration_mm")},
         cube_edge_m=row["cube_edge_m"],
-        left_grasp_s=row["left_grasp_s"],
+        left_grasp_s=row["in_grasp_s"] if row["in_grasp_s"] < row["shake_duration_s"] else None,
     )

@@ -68,10 +68,10 @@ def relative_poses(poses: np.ndarray, frame: np.ndarray) -> np.ndarray:
 
 def quaternion_matrices(position: np.ndarray, quaternion: np.ndarray) -> np.ndarray:
     """Poses of positions [m] and unit quaternions (x, y, z, w), shapes [frames, 3] and [frames, 4]."""
-    vector, real = quaternion[:, :3].astype(np.float64), quaternion[:, 3, None, None].astype(np.float64)
-    cross = _cross_matrices(vector)
+    quaternion = quaternion.astype(np.float64)
+    cross = _cross_matrices(quaternion[:, :3])
     result = np.tile(np.eye(4), (len(position), 1, 1))
-    result[:, :3, :3] += 2.0 * (real * cross + cross @ cross)
+    result[:, :3, :3] += 2.0 * (quaternion[:, 3, None, None] * cross + cross @ cross)
     result[:, :3, 3] = position
     return result
 
