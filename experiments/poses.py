@@ -39,7 +39,7 @@ def measure(conditions: Conditions) -> Measurement:
     rows, tables = [], {}
     for case, trace, kept in zip([*shaken, held], traces, coordinates, strict=True):
         step = HELD_FRAME_STEP if case is held else 1
-        rows.append(summarize(case, trace) | time_in_grasp(trace) | drawing_columns(case, step))
+        rows.append(summarize(case, trace) | left_grasp(trace) | drawing_columns(case, step))
         tables[case.name] = pose_table(trace, kept, step)
     return Measurement(rows, tables)
 
@@ -64,14 +64,14 @@ class KeptSimulation(Simulation):
         return list(worlds.swapaxes(0, 1))
 
 
-def time_in_grasp(trace: Trace) -> dict[str, object]:
-    """How much of the shake the cube is near enough to the TCP to be held; all of it where it never falls."""
-    if trace.failure:
-        return absent(["in_grasp_s"], str(trace.failure))
+def left_grasp(trace: Trace) -> dict[str, object]:
+    """When in the shake the cube is first too far from the TCP to be held; None when it never is."""
     shaken = trace.poses[trace.phase == metrics.SHAKE]
     distance = np.linalg.norm(metrics.relative_position(shaken, metrics.CUBE, metrics.TCP), axis=1)
     far = np.flatnonzero(distance > metrics.DROP_DISTANCE)
-    return {"in_grasp_s": float((far[0] if len(far) else len(shaken) - 1) * trace.frame_dt)}
+    if trace.failure or not len(far):
+        return absent(["left_grasp_s"], str(trace.failure or "the cube stays in the grasp"))
+    return {"left_grasp_s": float(far[0] * trace.frame_dt)}
 
 
 def drawing_columns(case: Case, frame_step: int) -> dict[str, object]:

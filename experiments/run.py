@@ -1,6 +1,7 @@
 """Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
 
 import argparse
+import hashlib
 import importlib.util
 import math
 import os
@@ -16,6 +17,7 @@ from types import ModuleType
 import pandas as pd
 import warp as wp
 
+from experiments.kernels import compile_for
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
 from report.records.identity import identity_of, package_versions, sections
@@ -34,7 +36,8 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     failures = 0
-    print("Kernels that this machine has not compiled yet come first, for a minute or two.")
+    print("Kernels that this machine has not compiled yet come first, for a minute or so.")
+    compile_first(device)
     for number, (section, module) in enumerate(modules.items(), start=1):
         print(f"[{number}/{len(modules)}] {section}")
         try:
@@ -47,6 +50,17 @@ def main() -> int:
             print(f"{section}: stopped; what was there is kept", file=sys.stderr)
             return 130
     return 1 if failures else 0
+
+
+def compile_first(device: wp.Device) -> None:
+    """Compile what all sections need on all cores. What goes wrong here is said, and left to the measurement."""
+    start = time.perf_counter()
+    try:
+        count = compile_for(device)
+    except Exception as error:  # a new release may build its kernels in another way
+        print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
+        return
+    print(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -80,14 +94,16 @@ def section_module(section: str) -> ModuleType:
 def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
     """Let the section's module measure, and write its record and traces."""
     project = Project(package_versions()["newton"], profile, own_release=own_release())
-    start = time.perf_counter()
+    started, start = now(), time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
         identity=identity_of(section, profile),
         machine=machine(device),
         measured={
-            "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            "date": now(),
+            "started": started,
+            "ended": now(),
             "commit": commit(),
             "command": project.rerun(section, device_kind(device)),
             "seconds": round(time.perf_counter() - start, 1),
@@ -102,6 +118,10 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
 
 
+def now() -> str:
+    return datetime.now(timezone.utc).isoformat(timespec="seconds")
+
+
 def finite(row: dict[str, object]) -> dict[str, object]:
     """The row with None, and the reason beside it, for each number that is not finite: one must not cost the others."""
     lost = [name for name, value in row.items() if isinstance(value, float) and not math.isfinite(value)]
@@ -113,7 +133,10 @@ def device_kind(device: wp.Device) -> str:
 
 
 def machine(device: wp.Device) -> dict[str, str | None]:
-    """The machine that measures, as far as a reader needs it to judge a number."""
+    """The machine that measures, as far as a reader needs it to judge a number.
+
+    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
+    """
     gpu = driver = None
     if device.is_cuda:
         gpu = device.name
@@ -125,6 +148,8 @@ def machine(device: wp.Device) -> dict[str, str | None]:
         "cpu": cpu_name(),
         "cores": str(os.cpu_count()),
         "python": platform.python_version(),
+        "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
+        "gpu_uuid": device.uuid if device.is_cuda else None,
         "system": f"{platform.system()} {platform.machine()}",
     }
 

@@ -112,7 +112,7 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
         "start_s": float(run.time_s[chosen[0]]),
         "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
         "count": len(chosen),
-        "left_grasp_s": run.left_grasp_s,
+        "left_grasp_s": row["left_grasp_s"],
         "begin": {"position": run.begin_in_hand[:3, 3].tolist(), "quaternion": turn[run.shake_start].tolist()},
         "low": low.tolist(),
         "high": high.tolist(),

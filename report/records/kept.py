@@ -80,5 +80,5 @@ def kept_run(row: Mapping[str, Any], poses: pd.DataFrame, description: Path = DE
         moved_mm=poses[list(MOVED)].to_numpy(),
         contact={name: poses[name].to_numpy() for name in ("normal_force_n", "tangential_force_n", "penetration_mm")},
         cube_edge_m=row["cube_edge_m"],
-        left_grasp_s=row["in_grasp_s"] if row["in_grasp_s"] < row["shake_duration_s"] else None,
+        left_grasp_s=row["left_grasp_s"],
     )

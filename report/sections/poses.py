@@ -44,6 +44,6 @@ def _table(results: Results) -> Table:
         "amplitude": [row.shake_amplitude_m for row in rows],
         "time": [row.shake_duration_s for row in rows],
         "slip at the end": [row.slip_mm for row in rows],
-        "of it in the grasp": [row.in_grasp_s for row in rows],
+        "out of the grasp after": [row.left_grasp_s for row in rows],
     }
     return Table(pd.DataFrame(columns, index=pd.Index(NAMES.values(), name="run")))
