@@ -7,8 +7,9 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import NEAR_NOISE, Claim, at_most, within
-from report.deriving.arithmetic import by_case, difference, in_code, noise_floor, share
+from report.deriving.arithmetic import by_case, difference, noise_floor, share
 from report.figures import FAINT, INK, SERIES, new_figure
+from report.names import case_html, name_of
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -36,7 +37,7 @@ class Variants:
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
         numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        most = in_code([self.most])
+        most = case_html(self.most)
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
@@ -75,16 +76,16 @@ def not_the_cause(results: Results, variants: Variants) -> Claim:
 
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
-    named = {in_code([case]): value for case, value in variants.difference.items()}
+    found = {case_html(case): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
         within(variants.largest, variants.floor),
-        numbers=variants.numbers | {"beyond": beyond_noise(named, variants.floor)},
+        numbers=variants.numbers | {"beyond": beyond_noise(found, variants.floor)},
     )
 
 
 def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
-    """Those of the named differences that are clearly larger than the noise, either way."""
+    """Those of the case_html differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
     return Markup(", ").join(
         Markup("{} by {}").format(name, value)
@@ -121,14 +122,16 @@ def variant_figure(variants: Variants) -> Figure:
         sources=slips,
         numbers={
             "baseline": variants.baseline.slip_mm,
-            "slips": Markup("; ").join(Markup("{}: {}").format(row.case, row.slip_mm) for row in variants.rows),
+            "slips": Markup("; ").join(
+                Markup("{}: {}").format(name_of(row.case), row.slip_mm) for row in variants.rows
+            ),
         },
     )
 
 
 def _draw_variants(variants: Variants) -> Drawing:
     rows = [row for row in (variants.baseline, *variants.rows) if row.slip_mm.value is not None]
-    names, slips = [row.case for row in rows], [row.slip_mm.value for row in rows]
+    names, slips = [name_of(row.case) for row in rows], [row.slip_mm.value for row in rows]
     drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
     left.barh(names, slips, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6)
     left.set_xlabel("slip [mm]")

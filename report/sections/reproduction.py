@@ -14,12 +14,12 @@ from report.deriving.arithmetic import (
     SETTLES,
     by_case,
     departure,
-    in_code,
     ratio,
     size_share,
     spread,
 )
 from report.figures import INK, new_figure
+from report.names import cases_html, name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Series
@@ -191,7 +191,7 @@ def _same_on_both_engines(results: Results) -> Claim:
             "shipped": _listed(shipped),
             "stiff": _listed(stiff),
             "difference": difference,
-            "lost": in_code(lost) if lost else "",
+            "lost": cases_html(lost) if lost else "",
             "reason": results.row[lost[0]].slip_mm.reason if lost else "",
         },
     )
@@ -291,7 +291,7 @@ def _draw_displacement(traces: dict[str, Series]) -> Drawing:
     for axes, (name, frame) in zip(panels[0], there.items(), strict=True):
         for start, (column, axis) in enumerate(AXES.items()):
             axes.plot(frame["time_s"], frame[column], label=axis, markevery=(30 * start, 90))
-        axes.set_title(name)
+        axes.set_title(name_of(name))
     panels[0][0].set_ylabel("displacement [mm]")
     drawing.supxlabel("time since the shake began [s]", fontsize=10)
     drawing.legend(*panels[0][0].get_legend_handles_labels(), loc="outside upper right", ncols=len(AXES))
@@ -303,7 +303,7 @@ def _draw_increments(traces: dict[str, Series], frequency_hz: float) -> Drawing:
     for name, trace in traces.items():
         if trace.value is not None:
             increments = _cycle_increments(trace.value, frequency_hz)
-            axes.plot(range(1, len(increments) + 1), increments, label=name, markevery=1)
+            axes.plot(range(1, len(increments) + 1), increments, label=name_of(name), markevery=1)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlabel("shake cycle")
