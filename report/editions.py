@@ -10,12 +10,14 @@ from typing import Any
 from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
-from report.overview import overview
 from report.page import Prose, Templates
 from report.parts import Section
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
+from report.story.found import Found
+from report.story.front import cards_of, front_of
+from report.story.story import story_of
 
 
 @dataclass(frozen=True)
@@ -28,17 +30,34 @@ class Edition:
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
 
     def summary(self, templates: Templates) -> Prose:
-        """The words above all sections, with the overview of them."""
-        figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
-        text = templates.text("summary.md.j2")
-        words = text.words if figure else {}
-        section = Section(figures={"overview": figure} if figure else {}).worded("summary", words)
-        names = {
+        """The front page: the verdict and what to do."""
+        return self._prose(templates, "front", front_of(self.chapters), {"cards": cards_of(self.chapters)})
+
+    def story(self, templates: Templates) -> Prose:
+        """The story: from the scene to the cause and the fix."""
+        return self._prose(templates, "story", story_of(self.chapters), {})
+
+    def _prose(self, templates: Templates, name: str, section: Section, names: Mapping[str, Any]) -> Prose:
+        text = templates.text(f"{name}.md.j2")
+        if not section.claims:  # where the shake test was not measured there is nothing to tell
+            section = replace(section, unmeasured=[word for _, word in text.words])
+        section = section.worded(name, text.words)
+        found = Found(self.chapters)
+        claims = {claim.name: claim for claim in section.claims}
+        own = {
+            "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
-            "overview": figure is not None,
-            "figure": _finder("summary", "figure", section.figures),
+            "is_told": bool(section.claims),
+            "does_slip": found.does_slip,
+            "overview": "overview" in section.figures,
+            "value": found.value,
+            "cell": found.cell,
+            "claim": _finder(name, "claim", {claim: told.html(name) for claim, told in claims.items()}),
+            "holds": _finder(name, "claim", {claim: told.outcome == HOLDS for claim, told in claims.items()}),
+            "table": _finder(name, "table", section.tables),
+            "figure": _finder(name, "figure", section.figures),
         }
-        return text.prose("summary", names)
+        return text.prose(name, own | dict(names))
 
 
 def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:

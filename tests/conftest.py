@@ -161,7 +161,7 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.write("experiments/toy.py", EXPERIMENT)
     toy.write("report/sections/toy.py", MODULE)
     toy.write("templates/sections/toy.md.j2", TEMPLATE)
-    toy.write("templates/summary.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    toy.write("templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
     toy.write("assets/robot.urdf", "<robot/>")
     shutil.copy(ROOT / "templates" / "base.html.j2", toy.project.templates)
     shutil.copy(ROOT / "assets" / "style.css", toy.project.root / "assets")

@@ -84,7 +84,7 @@ def test_there_is_none_without_a_baseline(results):
 
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):
-    toy.write("templates/summary.md.j2", TEMPLATE)
+    toy.write("templates/front.md.j2", TEMPLATE)
     others = [
         {"case": "soft", "slip_mm": 6.0, **WHOLE},
         {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True},
@@ -92,8 +92,8 @@ def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []
-    assert '<figure id="summary-overview">' in toy.page
+    assert '<figure id="front-overview">' in toy.page
     assert "1 without result" in toy.page
     toy.measure()
     toy.build()
-    assert "summary-overview" not in toy.page
+    assert "front-overview" not in toy.page

@@ -32,12 +32,20 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 """Where the cases were measured besides, by how their names end."""
 AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
 """Columns of a trace that hold the displacement in the axes of the TCP frame."""
+SCENE = (
+    ("cube_edge", 40, "mm"),
+    ("cube_mass", 32, "g"),
+    ("frame_rate", 60, "1/s"),
+    ("substeps", 16, "1"),
+)
+"""Name, value and unit of what the scene sets; a test compares them with the scene."""
 BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
 """Most that a batch may cost against one world, by the device that it runs on."""
 
 
 def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
+    _scene(results, shipped)
     traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
     claims = [
         _slips(results, shipped),
@@ -68,6 +76,17 @@ def derive(results: Results) -> Section:
         claims=claims,
         unmeasured=() if launched else ("launching_costs",),
     )
+
+
+def _scene(results: Results, shipped: Row) -> None:
+    """What is simulated, for pages that tell it; what no record says is as in ``experiments/``."""
+    for name, value, unit in SCENE:
+        results.value(name, "set in the scene", lambda value=value: value, unit=unit)
+    amplitude = shipped.shake_amplitude_m
+    results.value("amplitude", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
+    results.value("frequency", "as a whole number", round, shipped.shake_frequency_hz, unit="Hz")
+    formula = "size of the change in slip with stiff pads, of the slip as shipped"
+    departure(results, "stiff_share", formula, results.row["stiff-pads"].slip_mm, shipped.slip_mm)
 
 
 def _slips(results: Results, shipped: Row) -> Claim:

@@ -92,11 +92,12 @@ def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
 
 def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:
     times = Markup("; ").join(
-        Markup("{} on the {} with {} worlds: {}").format(
-            name_of(variant.case), DEVICES[variant.device], row.worlds, row.frame_ms
+        Markup("{} on the {}, {} worlds: {}").format(
+            name_of(variant.case), DEVICES[device], format_number(worlds), variant.at(worlds).frame_ms
         )
+        for device, worlds in dict.fromkeys((panels[0], panels[-1]))
         for variant in variants
-        for row in variant.rows
+        if variant.device == device and variant.case in (REFERENCE, ALL) and variant.at(worlds)
     )
     return Figure(
         draw=lambda: _draw_cost(variants, panels),
