@@ -66,6 +66,8 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
         return None
     shown = {name: results for name, results in chapters.items() if name not in SAME_AGAIN}
     lines = lines_of(shown, baseline)
+    if not lines:
+        return None
     noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
     return Figure(
         draw=lambda: _draw(lines, baseline, noise),
