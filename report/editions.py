@@ -11,6 +11,7 @@ from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.page import Prose, Templates
+from report.pairs import refuse_contradictions
 from report.parts import Section
 from report.records.project import Project
 from report.records.status import State, states_of
@@ -18,6 +19,10 @@ from report.results import Results, ResultsError
 from report.story.found import Found
 from report.story.front import cards_of, front_of
 from report.story.story import story_of
+
+
+class LostError(ReportError):
+    """A record from which nothing of its section can be derived; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +46,7 @@ class Edition:
         text = templates.text(f"{name}.md.j2")
         if not section.claims:  # where the shake test was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
-        section = section.worded(name, text.words)
+        section = section.worded(name, text.name, text.words)
         found = Found(self.chapters)
         claims = {claim.name: claim for claim in section.claims}
         own = {
@@ -53,7 +58,9 @@ class Edition:
             "value": found.value,
             "cell": found.cell,
             "claim": _finder(name, "claim", {claim: told.html(name) for claim, told in claims.items()}),
-            "holds": _finder(name, "claim", {claim: told.outcome == HOLDS for claim, told in claims.items()}),
+            "holds": _asker(
+                {**{chapter.name: chapter.section for chapter in self.chapters.values()}, name: section}, name
+            ),
             "table": _finder(name, "table", section.tables),
             "figure": _finder(name, "figure", section.figures),
         }
@@ -80,7 +87,7 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, compares=True)
             else:
-                chapter = _chapter(state, results, module.derive(results), templates)
+                chapter = _chapter(state, results, derive_section(results, {}), templates, found)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -95,19 +102,34 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
         if chapter.compares:
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
-                section = _module(name).derive(results, releases)
-                chapters[name] = replace(_chapter(chapter.state, results, section, templates), compares=True)
+                section = derive_section(results, releases)
+                chapters[name] = replace(
+                    _chapter(chapter.state, results, section, templates, edition.chapters), compares=True
+                )
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
+    refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
     return Edition(edition.project, chapters, left_out)
 
 
-def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
+def derive_section(results: Results, releases: Releases) -> Section:
+    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
+    module = _module(results.record.section)
+    try:
+        return module.derive(results, releases) if _compares(module) else module.derive(results)
+    except ReportError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        raise LostError(f"its record lacks what the section is about ({what})") from error
+
+
+def _chapter(state: State, results: Results, section: Section, templates: Templates, before: Chapters) -> Chapter:
     name = state.section
     text = templates.text(f"sections/{name}.md.j2")
-    section = section.worded(name, text.words)
-    names = _names(results, section)
+    section = section.worded(name, text.name, text.words)
+    names = _names(results, section, before)
     return Chapter(state, results, section, names, text.prose(name, names))
 
 
@@ -122,13 +144,13 @@ def _compares(module: ModuleType) -> bool:
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """A section that can't be shown: a record of older code or of another release may lack anything."""
-    if state.kind == "fresh" and project.is_own:
+    if state.kind == "fresh" and project.is_own and not isinstance(error, LostError):
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     return replace(state, record=None, notes=(" ".join(words.split()),))
 
 
-def _names(results: Results, section: Section) -> dict[str, Any]:
+def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
     name = results.record.section
     claims = {claim.name: claim.html(name) for claim in section.claims}
     return {
@@ -137,11 +159,28 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
         "rows": results.rows,
         "value": results.derived,
         "claim": _finder(name, "claim", claims),
-        "holds": _finder(name, "claim", {claim.name: claim.outcome == HOLDS for claim in section.claims}),
+        "holds": _asker({**{chapter: found.section for chapter, found in before.items()}, name: section}, name),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", section.figures),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
+
+
+def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bool]:
+    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
+    not."""
+
+    def holds(name: str) -> bool:
+        section, _, claim = name.rpartition(".")
+        section = section or own
+        if section not in sections:
+            return False
+        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
+        if claim not in claims and claim not in sections[section].unmeasured:
+            raise ResultsError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        return claims.get(claim, False)
+
+    return holds
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

@@ -114,11 +114,12 @@ class Section:
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
 
-    def worded(self, anchor: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
+    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
         """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
 
         Args:
             anchor: How the ids of its figures begin.
+            place: The template, to name in errors.
             words: What the template says, by kind and name.
         """
         claims = {claim.name: claim for claim in self.claims}
@@ -130,11 +131,12 @@ class Section:
         for kind, named in things.items():
             for name, thing in named.items():
                 if (kind, name) not in words:
-                    raise ReportError(f"{anchor} has the {kind} {name}, of which its template says nothing")
+                    raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
                 wording = words[kind, name]
                 if hasattr(thing, "wording"):
                     wording.refuse_unknown(f"{kind} {name}", thing.numbers)
                     thing = replace(thing, wording=wording)
+                    thing = thing.settled() if kind == "claim" else thing
                 found[kind][name] = replace(thing, anchor=f"{anchor}-{name}") if kind == "figure" else thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
 

@@ -15,7 +15,7 @@ order = 70
 
 
 def derive(results: Results) -> Section:
-    runs = {row.case: row for row in _of_kind(results, "run")}
+    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in _of_kind(results, "run")}
     for case, pads in zip(CASES, ("shipped", "stiff"), strict=True):
         formula = f"most of its friction cone that a contact uses through the shake, with {pads} pads"
         results.value(f"grip_used_{pads}", formula, lambda use: 100 * use, runs[case].cone_use_max, unit="%")

@@ -22,7 +22,7 @@ from report.sections.error_runtime.runs import (
     Points,
     assignment,
     distinct,
-    front_of,
+    front_rows,
     hit_iteration_limit,
     is_clamped,
     order_of,
@@ -49,8 +49,8 @@ PARAMETERS = (
 def derive(results: Results) -> Section:
     points = points_of(results)
     orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in LABELS}
-    front = front_of(points, "on_front")
-    warp_front = [row for row in front_of(points, "on_backend_front") if row.backend == points.warp]
+    front = front_rows(points, points.front)
+    warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
     references = [points.reference(pads) for pads in PADS]
     converged = [cell_or_absent(reference, GRASP, "mm/cycle") for reference in references]

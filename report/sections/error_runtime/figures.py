@@ -32,7 +32,7 @@ def draw_numerical(points: Points) -> Drawing:
         _shade_floor(axes, points.floors[pads].value)
         for backend in points.engines:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
-            _draw_engine(axes, mine, ERROR, "on_backend_front", COLOURS[backend])
+            _draw_engine(axes, mine, ERROR, points.backend_front, COLOURS[backend])
             _name_engine(axes, mine, ERROR, backend)
             shipped = points.shipped(pads, backend)
             if shipped is not None:
@@ -85,9 +85,9 @@ def _places(rows: Sequence[Row], error: str, left: float) -> tuple[np.ndarray, n
     return x, np.array([row[TIME].value for row in rows])
 
 
-def _draw_engine(axes: Axes, rows: Sequence[Row], error: str, front: str, colour: str) -> None:
+def _draw_engine(axes: Axes, rows: Sequence[Row], error: str, front: frozenset[str], colour: str) -> None:
     axes.scatter(*_places(rows, error, LEAST_ERROR_MM), s=12, color=colour, alpha=FADED, linewidths=0, clip_on=False)
-    best = sorted((row for row in rows if row[front]), key=lambda row: row[error].value)
+    best = sorted((row for row in rows if row.case in front), key=lambda row: row[error].value)
     if best:
         x, y = _places(best, error, LEAST_ERROR_MM)
         style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
