@@ -11,8 +11,9 @@ from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.overview import overview
-from report.page import Prose, Templates
-from report.parts import Section
+from report.page import Prose, Templates, Text
+from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
+from report.parts import Figure, Making, Section
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
@@ -27,18 +28,31 @@ class Edition:
     left_out: Sequence[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
 
-    def summary(self, templates: Templates) -> Prose:
-        """The words above all sections, with the overview of them."""
+    @property
+    def pages(self) -> dict[Page, list[Chapter]]:
+        """Its pages with what each shows; one that would show nothing is not there."""
+        chapters = self.chapters.values()
+        shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
+        return {page: found for page, found in shown.items() if found or page == FRONT}
+
+    def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
+        """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
         figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
-        text = templates.text("summary.md.j2")
-        words = text.words if figure else {}
-        section = Section(figures={"overview": figure} if figure else {}).worded("summary", words)
-        names = {
+        return [self._text(templates.text(template), figure, names) for template in page.texts]
+
+    def _text(self, text: Text, figure: Figure | None, names: Mapping[str, Any]) -> Prose:
+        anchor = text.name.rpartition("/")[2].partition(".")[0]
+        is_shown = figure is not None and ("figure", "overview") in text.words
+        section = Section(figures={"overview": figure} if is_shown else {})
+        making = Making("report/overview.py", "make page")
+        section = section.worded(anchor, text.words if is_shown else {}, making)
+        known = {
+            "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
-            "overview": figure is not None,
-            "figure": _finder("summary", "figure", section.figures),
+            "overview": is_shown,
+            "figure": _finder(anchor, "figure", section.figures),
         }
-        return text.prose("summary", names)
+        return text.prose(anchor, {**known, **names})
 
 
 def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:
@@ -59,9 +73,9 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
         results = Results(state.record, project.record_path(state.section), others)
         try:
             if _compares(module):
-                chapter = Chapter(state, results, Section(), {}, None, compares=True)
+                chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)
             else:
-                chapter = _chapter(state, results, module.derive(results), templates)
+                chapter = _chapter(project, state, results, module.derive(results), templates)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -77,23 +91,30 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
                 section = _module(name).derive(results, releases)
-                chapters[name] = replace(_chapter(chapter.state, results, section, templates), compares=True)
+                made = _chapter(edition.project, chapter.state, results, section, templates)
+                chapters[name] = replace(made, compares=True)
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
     return Edition(edition.project, chapters, left_out)
 
 
-def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
+def _chapter(project: Project, state: State, results: Results, section: Section, templates: Templates) -> Chapter:
     name = state.section
+    module = _module(name)
     text = templates.text(f"sections/{name}.md.j2")
-    section = section.worded(name, text.words)
+    source = f"report/sections/{name}/" if hasattr(module, "__path__") else f"report/sections/{name}.py"
+    section = section.worded(name, text.words, Making(source, project.rerun(name)))
     names = _names(results, section)
-    return Chapter(state, results, section, names, text.prose(name, names))
+    return Chapter(state, results, section, names, text.prose(name, names), _page(module))
 
 
 def _module(section: str) -> ModuleType:
     return import_module(f"report.sections.{section}")
+
+
+def _page(module: ModuleType) -> Page:
+    return page_named(getattr(module, "page", DEFAULT), module.__name__)
 
 
 def _compares(module: ModuleType) -> bool:

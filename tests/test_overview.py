@@ -17,7 +17,7 @@ SHAKE = {
 }
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
-TEMPLATE = """# A report
+TEMPLATE = """# The story
 
 {% if overview %}
 {% figure overview %} All. {% alt %} {{ runs }} runs. {% endfigure %}
@@ -70,7 +70,7 @@ def test_there_is_none_without_a_baseline(results):
 
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):
-    toy.write("templates/summary.md.j2", TEMPLATE)
+    toy.write("templates/story.md.j2", TEMPLATE)
     others = [
         {"case": "soft", "slip_mm": 6.0, **WHOLE},
         {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True},
@@ -78,8 +78,8 @@ def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []
-    assert '<figure id="summary-overview">' in toy.page
-    assert "1 without result" in toy.page
+    assert '<figure id="story-overview">' in toy.front
+    assert "1 without result" in toy.front
     toy.measure()
     toy.build()
-    assert "summary-overview" not in toy.page
+    assert "story-overview" not in toy.front

@@ -11,6 +11,7 @@ from report.quantities import Quantity
 from report.results import Results, Row
 
 order = 100
+page = "fix"
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")

@@ -25,6 +25,7 @@ from report.sections.stability.figures import (
 )
 
 order = 145
+page = "limits"
 
 LET_GO = "the fingers let the cube go"
 
