@@ -286,7 +286,7 @@ document.addEventListener("DOMContentLoaded", () => {
   followOldLink();
   addSchemeSwitch();
   markPlace();
-  for (const table of document.querySelectorAll("main table")) rove([addCopying(table), ...addSorting(table)]);
+  for (const table of document.querySelectorAll("main table")) rove([...addSorting(table), addCopying(table)]);
   addOrigins();
 });
 addEventListener("hashchange", followOldLink);

@@ -83,7 +83,8 @@ class Text:
             raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
         top = markdown.toc_tokens[0]
         headings = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
-        body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1))
+        # What may be wider than the page is scrolled with the keyboard too.
+        body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
         return Prose(_put_back(top["name"], printed), body, printed, anchor, headings)
 
 

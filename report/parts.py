@@ -99,7 +99,7 @@ class Download:
         return Markup('<a href="download/{0}" download>{0}</a>').format(self.name)
 
     def __html__(self) -> Markup:
-        return Markup("<figure><pre><code>{}</code></pre><figcaption>{}</figcaption></figure>").format(
+        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>").format(
             self.text, self.link
         )
 

@@ -106,7 +106,7 @@ def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
     with matplotlib.rc_context({**STYLE, "figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()
-        for place, (release, pair) in enumerate(slips.items()):
+        for place, pair in enumerate(slips.values()):
             for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
                 if slip is not None:
                     axes.barh(place + shift, slip, height=0.34, color=SERIES[1 - number], label=label)
