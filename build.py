@@ -92,7 +92,8 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
     _refuse_unmeasured(project)
     for chapter in editions_of(project, Templates(project.templates))[project.release].chapters.values():
         for claim in chapter.section.claims:
-            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
+            said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
+            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
     return 0
 
 

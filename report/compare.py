@@ -215,7 +215,7 @@ def _ranges(records: Iterable[Record]) -> dict[str, float]:
 
 def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
     """Rows by what tells them apart; those that nothing tells apart are left out."""
-    keys = [tuple(row.get(name) for name in KEYS) for row in chapter.results.record.rows]
+    keys = [tuple(_plain(row[name]) if name in row else None for name in KEYS) for row in chapter.results.rows]
     counts = Counter(keys)
     return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
 

@@ -13,10 +13,15 @@ from report.claims import HOLDS
 from report.overview import overview
 from report.page import Prose, Templates, Text
 from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
+from report.pairs import refuse_contradictions
 from report.parts import Figure, Making, Section
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
+
+
+class LostError(ReportError):
+    """A record from which nothing of its section can be derived; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -45,12 +50,13 @@ class Edition:
         is_shown = figure is not None and ("figure", "overview") in text.words
         section = Section(figures={"overview": figure} if is_shown else {})
         making = Making("report/overview.py", "make page")
-        section = section.worded(anchor, text.words if is_shown else {}, making)
+        section = section.worded(anchor, text.name, text.words if is_shown else {}, making)
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
             "overview": is_shown,
             "figure": _finder(anchor, "figure", section.figures),
+            "holds": _asker({name: chapter.section for name, chapter in self.chapters.items()}),
         }
         return text.prose(anchor, {**known, **names})
 
@@ -75,7 +81,7 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)
             else:
-                chapter = _chapter(project, state, results, module.derive(results), templates)
+                chapter = _chapter(project, state, results, derive_section(results, {}), templates, found)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -90,22 +96,37 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
         if chapter.compares:
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
-                section = _module(name).derive(results, releases)
-                made = _chapter(edition.project, chapter.state, results, section, templates)
+                section = derive_section(results, releases)
+                made = _chapter(edition.project, chapter.state, results, section, templates, edition.chapters)
                 chapters[name] = replace(made, compares=True)
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
+    refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
     return Edition(edition.project, chapters, left_out)
 
 
-def _chapter(project: Project, state: State, results: Results, section: Section, templates: Templates) -> Chapter:
+def derive_section(results: Results, releases: Releases) -> Section:
+    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
+    module = _module(results.record.section)
+    try:
+        return module.derive(results, releases) if _compares(module) else module.derive(results)
+    except ReportError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        raise LostError(f"its record lacks what the section is about ({what})") from error
+
+
+def _chapter(
+    project: Project, state: State, results: Results, section: Section, templates: Templates, before: Chapters
+) -> Chapter:
     name = state.section
     module = _module(name)
     text = templates.text(f"sections/{name}.md.j2")
     source = f"report/sections/{name}/" if hasattr(module, "__path__") else f"report/sections/{name}.py"
-    section = section.worded(name, text.words, Making(source, project.rerun(name)))
-    names = _names(results, section)
+    section = section.worded(name, text.name, text.words, Making(source, project.rerun(name)))
+    names = _names(results, section, before)
     return Chapter(state, results, section, names, text.prose(name, names), _page(module))
 
 
@@ -124,13 +145,13 @@ def _compares(module: ModuleType) -> bool:
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """A section that can't be shown: a record of older code or of another release may lack anything."""
-    if state.kind == "fresh" and project.is_own:
+    if state.kind == "fresh" and project.is_own and not isinstance(error, LostError):
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     return replace(state, record=None, notes=(" ".join(words.split()),))
 
 
-def _names(results: Results, section: Section) -> dict[str, Any]:
+def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
     name = results.record.section
     claims = {claim.name: claim.html(name) for claim in section.claims}
     return {
@@ -139,11 +160,28 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
         "rows": results.rows,
         "value": results.derived,
         "claim": _finder(name, "claim", claims),
-        "holds": _finder(name, "claim", {claim.name: claim.outcome == HOLDS for claim in section.claims}),
+        "holds": _asker({**{chapter: found.section for chapter, found in before.items()}, name: section}, name),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", section.figures),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
+
+
+def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bool]:
+    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
+    not."""
+
+    def holds(name: str) -> bool:
+        section, _, claim = name.rpartition(".")
+        section = section or own
+        if section not in sections:
+            return False
+        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
+        if claim not in claims and claim not in sections[section].unmeasured:
+            raise ResultsError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        return claims.get(claim, False)
+
+    return holds
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

@@ -61,6 +61,7 @@ class Figure:
     making: Making | None = None
 
     def drawn(self) -> Markup:
+        assert self.making, f"no one says how the figure {self.anchor} comes about"
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
@@ -99,7 +100,7 @@ class Download:
         return Markup('<a href="download/{0}" download>{0}</a>').format(self.name)
 
     def __html__(self) -> Markup:
-        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>").format(
+        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>').format(
             self.text, self.link
         )
 
@@ -116,13 +117,14 @@ class Section:
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
 
-    def worded(self, anchor: str, words: Mapping[tuple[str, str], Wording], making: Making) -> "Section":
+    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making) -> "Section":
         """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
 
         Args:
             anchor: How the ids of its figures begin.
+            place: The template, to name in errors.
             words: What the template says, by kind and name.
-            making: How its figures come about.
+            making: How its figures come about, where they are to be drawn.
         """
         claims = {claim.name: claim for claim in self.claims}
         things = {"claim": claims, "figure": self.figures, "table": self.tables}
@@ -133,11 +135,12 @@ class Section:
         for kind, named in things.items():
             for name, thing in named.items():
                 if (kind, name) not in words:
-                    raise ReportError(f"{anchor} has the {kind} {name}, of which its template says nothing")
+                    raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
                 wording = words[kind, name]
                 if hasattr(thing, "wording"):
                     wording.refuse_unknown(f"{kind} {name}", thing.numbers)
                     thing = replace(thing, wording=wording)
+                    thing = thing.settled() if kind == "claim" else thing
                 if kind == "figure":
                     thing = replace(thing, anchor=f"{anchor}-{name}", making=making)
                 found[kind][name] = thing

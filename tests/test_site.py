@@ -48,7 +48,6 @@ def test_text_from_results_is_no_markup(toy):
         ("{{ nothing }}", "nothing"),
         ("{{ value.nothing }}", "nothing"),
         ('{{ row["stiff"].nothing_mm }}', "toy: stiff has no column nothing_mm"),
-        ('{{ row["firm"].slip_mm }}', "firm"),
         ('{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
         ('{{ figure("nothing") }}', "toy has no figure"),
         ("{{ 3.5 }}", "says nothing of where it comes from"),

@@ -1,0 +1,63 @@
+"""Words: what a template says of claims, figures and tables is found before anything is rendered."""
+
+import pytest
+from conftest import MODULE, TEMPLATE
+
+from report import ReportError
+from report.claims import FAILS, HOLDS, Claim, Outcome
+from report.page import Templates
+
+ASKS = "{% asks %} whether it helps\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("claim helps", "claim hepls", r"sections/toy.md.j2:4: there is no claim hepls; there are: helps"),
+        (ASKS, "", r"sections/toy.md.j2:3: claim helps has no {% asks %}"),
+        ("{% alt %} It moves {{ slip }}.", "", r"sections/toy.md.j2:11: figure way has no {% alt %}"),
+        ("{% holds %}", "Well: {% holds %}", r"sections/toy.md.j2:3: .*belongs behind one of its tags"),
+        ("{{ gain }}", "{{ gian }}", r"sections/toy.md.j2:4: claim helps names gian, .* it is given: gain"),
+        ("It helps {{ gain }}", "It helps {{ 3 }}", r"prints 3, which says nothing of where it comes from"),
+        (
+            "{% table cases %} All cases {% endtable %}",
+            "",
+            r"templates/sections/toy.md.j2 says nothing of the table cases",
+        ),
+        (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
+    ],
+)
+def test_what_is_wrong_with_the_words_stops_the_build(toy, old, new, message):
+    assert old in TEMPLATE
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+    with pytest.raises(ReportError, match=message):
+        toy.build()
+
+
+def test_a_claim_without_words_stops_the_build(toy):
+    extra = 'Claim("lasts", at_least(gain, bound), {"gain": gain}), Claim('
+    toy.write(
+        "report/sections/toy.py", MODULE.replace("Claim(", extra, 1).replace("import Claim(", "import Claim, ", 1)
+    )
+    with pytest.raises(ReportError, match=r"templates/sections/toy.md.j2 says nothing of the claim lasts"):
+        toy.build()
+
+
+def test_words_are_known_without_rendering(toy):
+    text = Templates(toy.project.templates).text("sections/toy.md.j2")
+    wording = text.words["claim", "helps"]
+    claim = Claim("helps", HOLDS, {"gain": "3"}, wording)
+    assert claim.text == "It helps 3 times."
+    assert str(claim.html("toy")).endswith("</span> Because it is stiff.")
+    for outcome, said in (
+        (FAILS, "It does not."),
+        (Outcome("unknown", "it fell"), "Whether it helps cannot be told (it fell)."),
+    ):
+        assert Claim("helps", outcome, {"gain": "3"}, wording).text == said
+    assert wording.names == {"gain"}
+
+
+def test_a_sentence_stands_where_it_is_written(toy):
+    toy.build()
+    assert "Because it is stiff.\nStiff is <data" in toy.page
+    assert toy.page.index("It helps") < toy.page.index('<figure id="toy-way"') < toy.page.index("All cases")
