@@ -83,10 +83,10 @@ class Text:
         if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
             raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
         top = markdown.toc_tokens[0]
-        headings = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
+        inner = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
         # What may be wider than the page is scrolled with the keyboard too.
         body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
-        return Prose(_put_back(top["name"], printed), body, printed, anchor, headings)
+        return Prose(_put_back(top["name"], printed), body, printed, anchor, inner)
 
 
 class Templates:

@@ -117,7 +117,9 @@ class Section:
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
 
-    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making) -> "Section":
+    def worded(
+        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None
+    ) -> "Section":
         """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
 
         Args:

@@ -7,6 +7,7 @@ import re
 import shutil
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -173,7 +174,7 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
         name = link[1]
         return link[0] if name in ids[file] or name not in places else f"{places[name]}#{name}"
 
-    return {file: INNER_LINK.sub(lambda link, file=file: connect(file, link), html) for file, html in pages.items()}
+    return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
 
 
 def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:

@@ -72,7 +72,7 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers
-            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=MAP_INK)
+            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=7, color=MAP_INK)
     tick_decades(axes.xaxis)
     tick_at(axes.yaxis, steps, digits=2)
 
