@@ -17,7 +17,7 @@ SHAKE = {
 }
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
-TEMPLATE = """# A report
+TEMPLATE = """# The story
 
 {% if overview %}
 {% figure overview %} All. {% alt %} {{ runs }} runs. {% endfigure %}
@@ -92,8 +92,8 @@ def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []
-    assert '<figure id="front-overview">' in toy.page
-    assert "1 without result" in toy.page
+    assert '<figure id="front-overview">' in toy.front
+    assert "1 without result" in toy.front
     toy.measure()
     toy.build()
-    assert "front-overview" not in toy.page
+    assert "front-overview" not in toy.front

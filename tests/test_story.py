@@ -13,6 +13,7 @@ from report.check import check_site
 from report.claims import FAILS, HOLDS, Outcome
 from report.editions import editions_of
 from report.page import Templates
+from report.pages import FRONT
 from report.records.project import Project, own_release
 from report.sections.reproduction import SCENE
 from report.story.found import Found
@@ -36,6 +37,14 @@ def editions(templates):
     return editions_of(Project(own_release()), templates)
 
 
+def front_text(edition, templates):
+    return edition.texts(FRONT, templates, {})[0]
+
+
+def story_text(edition, templates):
+    return edition.texts(FRONT, templates, {})[1]
+
+
 def html_of(prose) -> str:
     return prose.html({figure.anchor: f"[{figure.anchor}]" for figure in prose.figures})
 
@@ -47,8 +56,8 @@ def words_of(prose) -> int:
 
 def test_the_story_is_short(editions, templates):
     for edition in editions.values():
-        assert words_of(edition.story(templates)) <= MOST_WORDS
-        assert words_of(edition.summary(templates)) <= MOST_WORDS / 3
+        assert words_of(story_text(edition, templates)) <= MOST_WORDS
+        assert words_of(front_text(edition, templates)) <= MOST_WORDS / 3
 
 
 @pytest.mark.parametrize("name", ["front", "story"])
@@ -61,7 +70,7 @@ def test_no_number_is_typed(name):
 
 def test_the_story_says_every_number_once(editions, templates):
     for edition in editions.values():
-        prose = edition.story(templates)
+        prose = story_text(edition, templates)
         said = "".join(str(thing) for thing in prose.printed)
         sources = Counter(re.findall(r'data-src="([^"]+)"', said))
         assert [source for source, count in sources.items() if count > 1] == []
@@ -69,18 +78,18 @@ def test_the_story_says_every_number_once(editions, templates):
 
 
 def test_what_was_measured_whole_is_told(editions, templates):
-    told = [release for release, edition in editions.items() if edition.story(templates).printed]
+    told = [release for release, edition in editions.items() if story_text(edition, templates).printed]
     assert told == ["1.4.0", "1.8.0"]
 
 
-@pytest.mark.parametrize(("make", "page"), [(front_of, "summary"), (story_of, "story")])
+@pytest.mark.parametrize(("make", "page"), [(front_of, "front"), (story_of, "story")])
 def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, templates, make, page):
     for edition in editions.values():
-        prose = getattr(edition, page)(templates)
+        prose = {"front": front_text, "story": story_text}[page](edition, templates)
         said = html_of(prose) + prose.title
         names = {claim.name for claim in make(edition.chapters).claims}
         assert set(re.findall(r'data-claim="\w+\.(\w+)"', said)) == names
-        words = templates.text("front.md.j2" if page == "summary" else "story.md.j2").words
+        words = templates.text(f"{page}.md.j2").words
         for claim in make(edition.chapters).claims:
             claim = replace(claim, wording=words["claim", claim.name])
             texts = [replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "a test"))]
@@ -89,7 +98,7 @@ def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, temp
 
 
 def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
-    titles = {release: edition.summary(templates).title.striptags() for release, edition in editions.items()}
+    titles = {release: front_text(edition, templates).title.striptags() for release, edition in editions.items()}
     assert titles["1.4.0"].startswith("The cube walks out of a firm grasp")
     assert titles["1.8.0"].startswith("As shipped the cube stays in the grasp")
 
@@ -99,7 +108,7 @@ def test_a_claim_that_flips_changes_the_front_page(editions, templates):
     chapter = edition.chapters["reproduction"]
     claims = [replace(claim, outcome=FAILS) if claim.name == "slips" else claim for claim in chapter.section.claims]
     flipped = replace(chapter, section=replace(chapter.section, claims=claims))
-    front = replace(edition, chapters={**edition.chapters, "reproduction": flipped}).summary(templates)
+    front = front_text(replace(edition, chapters={**edition.chapters, "reproduction": flipped}), templates)
     assert front.title.striptags().startswith("As shipped the cube stays in the grasp")
     assert "The cube keeps its place" in front.figures[0].wording("caption", front.figures[0].numbers)
 
@@ -114,7 +123,11 @@ def test_the_scene_that_is_told_is_the_one_that_is_simulated():
 
 def test_alternative_texts_are_short(editions, templates):
     for edition in editions.values():
-        proses = [edition.summary(templates), edition.story(templates), *(c.prose for c in edition.chapters.values())]
+        proses = [
+            front_text(edition, templates),
+            story_text(edition, templates),
+            *(c.prose for c in edition.chapters.values()),
+        ]
         figures = [figure for prose in proses for figure in prose.figures]
         alts = {figure.anchor: figure.wording("alt", figure.numbers).striptags() for figure in figures}
         assert {anchor: len(alt) for anchor, alt in alts.items() if len(alt) > 300} == {}
@@ -130,5 +143,5 @@ def test_what_is_not_there_is_said(editions):
 def test_without_the_shake_test_there_is_a_title_alone(toy):
     toy.write("templates/front.md.j2", (ROOT / "templates" / "front.md.j2").read_text(encoding="utf-8"))
     toy.build()
-    assert "<h1>A shake test on a grasped cube</h1>" in toy.page
+    assert "<h1>A shake test on a grasped cube</h1>" in toy.front
     assert check_site(toy.project.site) == []

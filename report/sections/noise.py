@@ -17,6 +17,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 20
+page = "method"
 
 RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
 """Least difference [mm, mm/s] that counts, however well a machine repeats itself."""

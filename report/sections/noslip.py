@@ -11,6 +11,7 @@ from report.quantities import Value
 from report.results import Results, Row
 
 order = 75
+page = "cause"
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")

@@ -12,6 +12,7 @@ from report.quantities import Quantity
 from report.results import Results, Row
 
 order = 100
+page = "fix"
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
@@ -164,7 +165,7 @@ def _draw_slips(rows: list[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 2.6)
     for place, row in enumerate(there):
         group = 0 if row.case in CUBE else 1 if "pad_ke" in row else 2
-        axes.barh(place, row.slip_mm.value, color=SERIES[group], hatch=(None, "///", "...")[group], height=0.65)
+        axes.barh(place, row.slip_mm.value, color=SERIES[group], hatch=(None, "//", "\\\\")[group], height=0.65)
     axes.set_yticks(range(len(there)), [name_of(row.case) for row in there])
     axes.grid(visible=False, axis="y")
     axes.set_xlabel("slip [mm]")

@@ -15,6 +15,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 170
+page = "cost"
 
 FLOOR_COUNTS = (1, 4096, 16384)
 """Numbers of worlds for which the floor is a target."""

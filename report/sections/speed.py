@@ -15,6 +15,7 @@ from report.parts import Figure, Section, Table
 from report.results import Results, Row
 
 order = 160
+page = "cost"
 
 EDGES = ("frame_ms_p5", "frame_ms_p95")
 UNTRIMMED = "as-shipped-untrimmed"

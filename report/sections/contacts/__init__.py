@@ -12,6 +12,7 @@ from report.results import Results, Row, Series
 from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
 
 order = 70
+page = "cause"
 
 
 def derive(results: Results) -> Section:

@@ -32,6 +32,7 @@ from report.sections.error_runtime.runs import (
 from report.sections.error_runtime.worlds import derive_worlds
 
 order = 155
+page = "error"
 
 PARAMETERS = (
     "iterations",

@@ -16,6 +16,7 @@ from report.sections.leave_out.tables import audit_table, case_table, cost_figur
 from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, reference_of, row_of
 
 order = 150
+page = "cost"
 
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""
