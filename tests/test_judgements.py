@@ -111,7 +111,8 @@ def test_what_starts_too_deep_passes_up_to_the_speed_of_a_spring(verdicts):
 def test_a_freed_cube_must_not_gain_energy(verdicts):
     cells = [{"class": "creeping"}, {"class": "non-finite"}]
     cells += [{"class": "dropped", "gains_energy": gains} for gains in (False, True)]
-    assert verdicts("gravity", *cells) == [True, False, True, False]
+    cells += [{"class": "dropped", "gains_energy": False, "energy_growth": growth} for growth in (1.01, 1.02)]
+    assert verdicts("gravity", *cells) == [True, False, True, False, True, False]
 
 
 def test_an_overflow_must_name_its_buffer(verdicts):
@@ -134,6 +135,17 @@ def test_a_long_run_must_not_speed_up(verdicts):
 
 def test_what_was_not_measured_is_not_judged(made):
     assert passing([]) == passed([]) == []
+
+
+def test_a_stable_run_that_lacks_its_number_is_not_judged(verdicts):
+    cells = [("creeping", None), ("creeping", 1.0), ("creeping", 2.0)]
+    rows = [{"class": kind, "cube_edge_mm": 400.0, "penetration_mm": depth} for kind, depth in cells]
+    assert verdicts("size", *rows) == [None, True, True]
+
+
+def test_steps_of_opposite_drift_or_none_do_not_pass(verdicts):
+    cells = [{"class": "creeping", "pads": "stiff", "substeps": n, "drift_mm_s": d} for n, d in ((1, -1.0), (2, 0.0))]
+    assert verdicts("steps", *cells, cells[1] | {"substeps": 4}) == [False, False, False]
 
 
 def test_those_that_pass(made):
