@@ -146,7 +146,7 @@ def gravity(results: Results) -> Claim:
         max,
         [cell_or_absent(row, "hand_sink_mm", "mm") for row in lost],
     )
-    tried = Markup(", ").join(Markup("{}").format(row.gravity_m_s2) for row in rows)
+    tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
     return family_claim(
         results,
