@@ -140,6 +140,17 @@ def test_what_was_not_measured_is_not_judged(made):
     assert passing([]) == passed([]) == []
 
 
+def test_a_stable_run_that_lacks_its_number_is_not_judged(verdicts):
+    cells = [("creeping", None), ("creeping", 1.0), ("creeping", 2.0)]
+    rows = [{"class": kind, "cube_edge_mm": 400.0, "penetration_mm": depth} for kind, depth in cells]
+    assert verdicts("size", *rows) == [None, True, True]
+
+
+def test_steps_of_opposite_drift_or_none_do_not_pass(verdicts):
+    cells = [{"class": "creeping", "pads": "stiff", "substeps": n, "drift_mm_s": d} for n, d in ((1, -1.0), (2, 0.0))]
+    assert verdicts("steps", *cells, cells[1] | {"substeps": 4}) == [False, False, False]
+
+
 def test_those_that_pass(made):
     rows = made([{"family": "mass", "class": "", "finite": finite} for finite in (True, False, True)])
     assert passed(rows) == [rows[0], rows[2]]

@@ -10,7 +10,7 @@ from experiments.case import AS_SHIPPED, FIXED
 from experiments.classify import classify
 from experiments.scene import CUBE_IN_HAND
 from experiments.simulation import is_due, simulate
-from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
+from experiments.stability import ENERGY_GROWTH_LARGEST, FREED_FRAMES, bracket, freed_columns, worst
 from experiments.stability_families import BASE, PADS, Probe, closed_m
 from experiments.stability_limits import (
     demand_m_s2,
@@ -22,8 +22,15 @@ from experiments.stability_limits import (
     target_demand_m_s2,
 )
 from experiments.trace import FRAME_COLUMNS, Trace
+from report.sections.stability.extremes import MU
+from report.sections.stability.passing import ENERGY_LARGEST
 
 STIFF = replace(BASE, **PADS["stiff"])
+
+
+def test_what_the_page_says_was_set_is_what_was_set():
+    assert MU == {"shake": stability_families.SHAKE_MU, "grip": stability_families.GRIP_MU}
+    assert ENERGY_LARGEST == ENERGY_GROWTH_LARGEST
 
 
 def test_solref_of_the_pads_as_shipped():
