@@ -238,6 +238,7 @@ def upgraded(toy) -> Toy:
     toy.write(
         "templates/sections/upgrade.md.j2", (ROOT / "templates/sections/upgrade.md.j2").read_text(encoding="utf-8")
     )
+    toy.write("templates/sources.toml", (ROOT / "templates/sources.toml").read_text(encoding="utf-8"))
     toy.write("experiments/upgrade.py", EXPERIMENT_OF_RELEASES)
     floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
     toy.write(
