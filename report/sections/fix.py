@@ -5,7 +5,7 @@ Read as it was judged when it was measured, for want of a number in the record: 
 
 import pandas as pd
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most
+from report.claims import Claim, all_of, at_least, at_most, decided
 from report.deriving.arithmetic import SETTLES, other_cell, ratio
 from report.downloads import fix_files
 from report.parts import Download, Section, Table
@@ -37,22 +37,20 @@ def derive(results: Results) -> Section:
 
 
 def _recommended(shipped: Row, fixed: Row, gain: Value, bound: Value) -> Claim:
-    outcome = at_least(gain, bound)
+    passes = decided(bool(fixed.test_passed), fixed.slip_mm)
     return Claim(
         "recommended",
-        FAILS if outcome == HOLDS and not fixed.test_passed else outcome,
+        all_of(at_least(gain, bound), passes),
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
     )
 
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:
-    outcome = HOLDS if fixed.test_passed and not shipped.test_passed else FAILS
-    for row in (shipped, fixed):
-        if row.slip_mm.value is None:  # a script that breaks down fails its test for another reason
-            outcome = Outcome("unknown", row.slip_mm.reason)
+    """A script that breaks down has no slip and fails its test for another reason."""
+    is_told = bool(fixed.test_passed) and not shipped.test_passed
     return Claim(
         "test_tells",
-        outcome,
+        decided(is_told, shipped.slip_mm, fixed.slip_mm),
         numbers={"before": PASSED[bool(shipped.test_passed)], "after": PASSED[bool(fixed.test_passed)]},
     )
 
@@ -63,7 +61,7 @@ def _same_on_mujoco_c(results: Results, bound: Value) -> Claim:
     return Claim(
         "same_on_mujoco_c",
         at_least(gain, bound),
-        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm},
+        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain, "bound": bound},
     )
 
 
@@ -85,7 +83,7 @@ def _same_as_report(results: Results) -> Claim:
     return Claim(
         "same_as_report",
         at_most(difference, bound),
-        numbers={"difference": difference},
+        numbers={"difference": difference, "bound": bound},
     )
 
 
