@@ -11,6 +11,7 @@ from report.figures import FAINT, INK, SERIES, new_figure
 from report.format import format_number
 from report.quantities import Quantity
 from report.results import Row
+from report.sections.error_runtime.counting import counts, hit_iteration_limit
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
@@ -18,7 +19,6 @@ from report.sections.error_runtime.runs import (
     LABELS,
     PADS,
     Points,
-    hit_iteration_limit,
     is_clamped,
     is_own_model,
 )
@@ -48,13 +48,15 @@ def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -
         axes.set_xlabel("numerical error [mm]")
         _shade_floor(axes, points.floors[pads].value)
         _say_reference(axes, points.reference(pads))
-        _draw_spread(axes, [row for row in points.settings if row["pads"] == pads and row.valid and is_own_model(row)])
+        _draw_spread(
+            axes, [row for row in points.settings if row["pads"] == pads and counts(row) and is_own_model(row)]
+        )
         for method, (colour, line, mark) in STYLES.items():
-            ladder = [row for row in points.ladder(pads, method) if row.valid]
+            ladder = [row for row in points.ladder(pads, method) if counts(row)]
             x, y = _places(ladder, ERROR, LEAST_ERROR_MM)
             axes.plot(x, y, linestyle=line, color=colour, marker="", linewidth=1.0, alpha=0.6)
             _scatter(axes, x, y, ladder, colour, mark, points.backend_front)
-        others = [row for row in points.knobs(pads) if row.valid and is_own_model(row)]
+        others = [row for row in points.knobs(pads) if counts(row) and is_own_model(row)]
         axes.scatter(*_places(others, ERROR, LEAST_ERROR_MM), s=9, color=INK, alpha=FADED)
         _draw_front(axes, points, pads, LEAST_ERROR_MM)
         _mark_failures(axes, [row for row in points.settings if row["pads"] == pads], right, top)
@@ -65,7 +67,7 @@ def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -
 
 def _limits(rows: Sequence[Row], error: str) -> tuple[float, float]:
     """Right and upper end of the axes."""
-    valid = [row for row in rows if row.valid and row[error].value is not None]
+    valid = [row for row in rows if counts(row) and row[error].value is not None]
     return 3.0 * max(row[error].value for row in valid), 4.0 * max(row.ms_per_s.value for row in valid)
 
 
@@ -73,7 +75,7 @@ def _set_axes(axes: Axes, left: float, right: float, top: float, rows: Sequence[
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(left, right)
-    axes.set_ylim(0.4 * min(row.ms_per_s.value for row in rows if row.valid), top)
+    axes.set_ylim(0.4 * min(row.ms_per_s.value for row in rows if counts(row)), top)
     axes.minorticks_off()
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=9)
 
@@ -148,11 +150,11 @@ def _mark_failures(axes: Axes, rows: Sequence[Row], right: float, top: float) ->
 
 
 def _limited(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and hit_iteration_limit(row)]
+    return [row for row in rows if not counts(row) and hit_iteration_limit(row)]
 
 
 def _lost(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and not hit_iteration_limit(row)]
+    return [row for row in rows if not counts(row) and not hit_iteration_limit(row)]
 
 
 def _legend(drawing: Drawing, points: Points, orders: Mapping[tuple[str, str], Quantity]) -> None:
@@ -186,7 +188,7 @@ def _order_note(orders: Sequence[Quantity | None]) -> str:
 
 def draw_grasp(points: Points) -> Drawing:
     drawing, axes = new_figure(7.2, 4.6)
-    rows = [row for row in points.settings if row.valid and row.grasp_error_mm_per_cycle.value]
+    rows = [row for row in points.settings if counts(row) and row.grasp_error_mm_per_cycle.value]
     errors = [row.grasp_error_mm_per_cycle.value for row in rows]
     right, top = _limits(rows, GRASP)
     _set_axes(axes, 0.5 * min(errors), right, top, rows)
