@@ -160,7 +160,7 @@ def _draw_variants(variants: Variants) -> Drawing:
         right.axvline(0.0, color=INK, linewidth=1, linestyle="--")
         if variants.floor.value is not None:
             right.axvspan(-variants.floor.value, variants.floor.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
-        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=None, markersize=6)
+        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=1, markersize=6)
     right.set_xlabel("difference from baseline [mm]")
     right.locator_params(axis="x", nbins=4)
     right.tick_params(axis="y", left=False)
