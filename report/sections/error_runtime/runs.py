@@ -83,7 +83,8 @@ class Points:
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method not in ("reference", "worlds")]
     # The numerical error compares settings of one model; the grasp error compares everything.
-    own_model = [row for row in settings if is_own_model(row)]
+    counted = [row for row in settings if counts(row)]
+    own_model = [row for row in counted if is_own_model(row)]
     return Points(
         results=results,
         settings=settings,
@@ -92,8 +93,8 @@ def points_of(results: Results) -> Points:
         floors={pads: _floor(results, settings, pads) for pads in PADS},
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
-        grasp_front=front(settings, GRASP),
-        grasp_backend_front=front(settings, GRASP, ("backend",)),
+        grasp_front=front(counted, GRASP),
+        grasp_backend_front=front(counted, GRASP, ("backend",)),
     )
 
 
