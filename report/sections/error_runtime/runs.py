@@ -83,7 +83,7 @@ class Points:
         """The settings as shipped on a backend, where they count."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self.results.row.get(with_shipped_steps(pads, method))
-        return row if row and row.valid and row.backend == backend else None
+        return row if row and counts(row) and row.backend == backend else None
 
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""
