@@ -4,15 +4,21 @@ import argparse
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.devices import NO_CUDA, measuring_device
 from report.records.environment import python_of, refuse_bad_release
+from report.records.files import settle
 from report.records.identity import sections
-from report.records.measure import NO_CUDA, measure, measuring_device
+from report.records.measure import measure
 from report.records.project import PROFILES, Project, own_release
 from report.records.status import expected_packages, states_of, status_matrix, status_table
+
+if TYPE_CHECKING:
+    from report.editions import Edition
 
 
 def main() -> int:
@@ -20,6 +26,7 @@ def main() -> int:
         arguments = _parse_arguments()
         own = own_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
+        settle(project.results.parent)
         result = arguments.run(project, arguments)
         sys.stdout.flush()
         return result
@@ -39,11 +46,7 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, project.profile)
     if not device:
         _refuse_unmeasured(project)
-    states = states_of(project)
-    for state in states:
-        if state.kind == "damaged":
-            print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
-    stale = [state.section for state in states if state.kind != "fresh"]
+    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
@@ -53,9 +56,10 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         except ReportError as error:
             print(error, file=sys.stderr)
             failed = True
-    if _build(project) and not device:
+    damaged, lacking = _build(project)
+    if lacking and not device:
         print(f"{NO_CUDA}, in up to hours")
-    return int(failed)
+    return int(failed or damaged)
 
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
@@ -64,15 +68,13 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    _build(project)
-    return 0
+    return int(_build(project)[0])
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site from what is measured, and measure nothing."""
     _refuse_unmeasured(project)
-    _build(project)
-    return 0
+    return int(_build(project)[0])
 
 
 def status(project: Project, arguments: argparse.Namespace) -> int:
@@ -90,10 +92,13 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
     from report.page import Templates
 
     _refuse_unmeasured(project)
-    for chapter in editions_of(project, Templates(project.templates))[project.release].chapters.values():
+    edition = editions_of(project, Templates(project.templates))[project.release]
+    for chapter in edition.chapters.values():
         for claim in chapter.section.claims:
             print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
-    return 0
+    for state in edition.left_out:
+        print(f"{'absent':8} {state.section}: {'; '.join(state.notes) or 'it was not measured'}")
+    return int(_say_damage([edition]))
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
@@ -106,9 +111,11 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     for side in sides:
         _refuse_unmeasured(side)
     templates = Templates(project.templates)
-    comparison = compare((arguments.a, arguments.b), *(derive_edition(side, templates).chapters for side in sides))
+    editions = [derive_edition(side, templates) for side in sides]
+    comparison = compare((arguments.a, arguments.b), *(edition.chapters for edition in editions))
     print(comparison.text)
-    return 1 if comparison.flips else 0
+    damaged = _say_damage(editions)
+    return 1 if comparison.flips or damaged else 0
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -125,18 +132,27 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
-def _build(project: Project) -> bool:
-    """Build the site, and say what it lacks; whether it lacks anything."""
+def _build(project: Project) -> tuple[bool, bool]:
+    """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    edition = build(project)
+    editions = build(project)
+    edition = editions[project.release]
     stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
     for state in edition.left_out:
         print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
     for name in stale:
         print(f"{name} is stale: {project.rerun(name)} renews it")
     print(f"built {project.site / 'index.html'}")
-    return bool(edition.left_out or stale)
+    return _say_damage(editions.values()), bool(edition.left_out or stale)
+
+
+def _say_damage(editions: "Iterable[Edition]") -> bool:
+    """Name each record that can't be trusted; whether there is one."""
+    damaged = [state for edition in editions for state in edition.left_out if state.kind == "damaged"]
+    for state in damaged:
+        print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
+    return bool(damaged)
 
 
 def _refuse_unmeasured(project: Project) -> None:

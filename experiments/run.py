@@ -2,7 +2,6 @@
 
 import argparse
 import importlib.util
-import math
 import os
 import platform
 import subprocess
@@ -13,16 +12,16 @@ from datetime import datetime, timezone
 from pathlib import Path
 from types import ModuleType
 
-import pandas as pd
 import warp as wp
 
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
+from report.records.columns import is_number, number_problem, units_of
+from report.records.devices import NO_CUDA
 from report.records.identity import identity_of, package_versions, sections
-from report.records.measure import NO_CUDA
 from report.records.project import Project, own_release
-from report.records.record import Record, check_record, units_of, write_record
-from report.records.traces import write_traces
+from report.records.record import Record, write_record
+from report.records.traces import packed
 
 
 def main() -> int:
@@ -93,18 +92,16 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
-        rows=[finite(row) for row in measurement.rows],
+        rows=[believable(row) for row in measurement.rows],
     )
     path = project.record_path(section)
-    check_record(record, path.name)  # before traces take the place of those that are there
-    write_traces(path, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
-    write_record(path, record)
+    write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
 
 
-def finite(row: dict[str, object]) -> dict[str, object]:
-    """The row with None, and the reason beside it, for each number that is not finite: one must not cost the others."""
-    lost = [name for name, value in row.items() if isinstance(value, float) and not math.isfinite(value)]
+def believable(row: dict[str, object]) -> dict[str, object]:
+    """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
+    lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     return row | dict.fromkeys(lost) | {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
 
 

@@ -35,8 +35,8 @@ class Link:
     """Sections that it has."""
 
 
-def build(project: Project) -> Edition:
-    """Write the site and return the edition of ``project``; until the site is whole, the one that was there stays.
+def build(project: Project) -> dict[str, Edition]:
+    """Write the site and return the edition of each release; until the site is whole, the one that was there stays.
 
     Its page is the first of the site; those of other releases that have results lie in a folder each, and are written
     only when something that they are made from has changed.
@@ -49,7 +49,7 @@ def build(project: Project) -> Edition:
         _replace(project.site, fresh)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
-    return editions[project.release]
+    return editions
 
 
 def _write_site(folder: Path, project: Project, editions: Mapping[str, Edition], templates: Templates) -> None:
@@ -111,7 +111,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             path = chapter.results.path
             there = folder / path.parent.name
             there.mkdir(parents=True, exist_ok=True)
-            for file in (path, *(traces_of(path) if own else ())):
+            for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]

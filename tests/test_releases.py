@@ -19,7 +19,8 @@ from report.quantities import Quantity, mixed
 from report.records.environment import requirements
 from report.records.identity import MISSING
 from report.records.project import Project
-from report.records.record import Origin, load_record, write_record
+from report.records.reading import load_record
+from report.records.record import Origin, write_record
 from report.records.status import status_matrix
 from report.results import Results
 
