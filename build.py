@@ -1,15 +1,24 @@
 """The command line that make calls; ``make help`` says what there is."""
 
+import signal
+import sys
+from pathlib import Path
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # which PYTHONSAFEPATH leaves out
+
 import argparse
+import io
 import os
 import subprocess
-import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
-from report.records.devices import NO_CUDA, measuring_device
+from report.records.columns import UNPRINTABLE
+from report.records.devices import DEVICES, NO_CUDA, measuring_device
 from report.records.environment import python_of, refuse_bad_release
 from report.records.files import settle
 from report.records.identity import sections
@@ -22,23 +31,39 @@ if TYPE_CHECKING:
 
 
 def main() -> int:
+    for stop in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(stop, signal.default_int_handler)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # closed, it is None
+            stream.reconfigure(errors="replace")
     try:
         arguments = _parse_arguments()
         own = own_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
         settle(project.results.parent)
         result = arguments.run(project, arguments)
-        sys.stdout.flush()
+        print(end="", flush=True)
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _drop_output()
         return 1
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
         print("stopped; what was measured before is kept", file=sys.stderr)
         return 130
+    except OSError as error:
+        _drop_output()
+        print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
+        return 1
     except ReportError as error:
-        print(error, file=sys.stderr)
+        print(UNPRINTABLE.sub("?", " ".join(str(error).split())), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
+
+
+def _drop_output() -> None:
+    """What could not be written is not tried again at the end."""
+    if sys.stdout:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
@@ -132,6 +157,23 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
+def torture(project: Project, arguments: argparse.Namespace) -> int:
+    """Kill, fill and damage whatever there is, and write how that went into docs/reliability.md."""
+    return subprocess.run([sys.executable, "-m", "tests.torture"], cwd=project.root, check=False).returncode
+
+
+def serve(project: Project, arguments: argparse.Namespace) -> int:
+    """Serve the site until Ctrl-C."""
+    handler = partial(SimpleHTTPRequestHandler, directory=project.site)
+    try:
+        server = ThreadingHTTPServer(("127.0.0.1", arguments.port), handler)
+    except OSError as error:
+        raise UsageError(f"PORT={arguments.port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
+    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    server.serve_forever()
+    return 0
+
+
 def _build(project: Project) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
@@ -175,10 +217,16 @@ def _release(option: str, release: str) -> str:
     return release
 
 
-def _profile(name: str) -> str:
-    if name not in PROFILES:
-        raise UsageError(f"PROFILE={name} is no profile; use one of: {', '.join(PROFILES)}")
+def _one_of(option: str, names: Iterable[str], name: str) -> str:
+    if name not in names:
+        raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
     return name
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
+        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
+    return int(text)
 
 
 # An option's type checks its default as well, so one that must be given has a default that is refused.
@@ -187,9 +235,14 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "newton": {"type": partial(_release, "NEWTON"), "help": "Newton release, where it is not the project's own"},
     "a": {"type": partial(_release, "A"), "default": "", "help": "Newton release to compare from"},
     "b": {"type": partial(_release, "B"), "default": "", "help": "Newton release to compare with it"},
-    "device": {"help": "cuda or cpu, to measure there on purpose"},
-    "profile": {"type": _profile, "default": "full", "help": "quick: small grids and short runs, kept apart"},
-    "target": {"default": "", "help": "where to publish, as dir:PATH"},
+    "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
+    "profile": {
+        "type": partial(_one_of, "PROFILE", PROFILES),
+        "default": "full",
+        "help": "quick: small grids and short runs, kept apart",
+    },
+    "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
+    "port": {"type": _port, "default": "8000", "help": "where to serve"},
 }
 COMMANDS = {
     report: ("newton", "device", "profile"),
@@ -199,7 +252,9 @@ COMMANDS = {
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),
     publish: ("target",),
+    serve: ("port",),
     test: ("newton",),
+    torture: (),
 }
 """What there is to run, and the options that each has."""
 
@@ -208,19 +263,31 @@ class _Parser(argparse.ArgumentParser):
     """One that says in one line what it can't read."""
 
     def error(self, message: str):
-        raise UsageError(f"{message}; see {self.prog} --help")
+        raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
 
 
 def _parse_arguments() -> argparse.Namespace:
-    parser = _Parser(prog="build.py", description=__doc__)
+    given = _given_to_make()
+    parser = _Parser(prog="build.py", description=__doc__, allow_abbrev=False)
     parser.set_defaults(newton=None, profile="full")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for run, options in COMMANDS.items():
-        command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__)
+        command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__, allow_abbrev=False)
         command.set_defaults(run=run)
         for option in options:
-            command.add_argument(f"--{option}", **OPTIONS[option])
+            default = {"default": given[option]} if option in given else {}
+            command.add_argument(f"--{option}", **{**OPTIONS[option], **default})
     return parser.parse_args()
+
+
+def _given_to_make() -> Mapping[str, str]:
+    """What the variables of make's command line say, as the Makefile passes it on; what makes no sense is refused."""
+    # Programs that are started from here, as the tests, are no part of what make was asked for.
+    given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
+    given = {name: value for name, value in given.items() if value}
+    for name, value in given.items():
+        OPTIONS[name]["type"](value)
+    return given
 
 
 if __name__ == "__main__":

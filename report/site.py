@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,10 +12,12 @@ from markupsafe import Markup
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
 from report.page import Prose, Templates
+from report.placing import aside, replace
 from report.quantities import VALUES_FILE
+from report.records.files import locked
 from report.records.identity import files_digest, package_versions
 from report.records.project import Project
-from report.records.traces import traces_of
+from report.records.traces import BYTE_LIMIT, traces_of
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
 """Folders that a page is made from."""
@@ -41,14 +42,11 @@ def build(project: Project) -> dict[str, Edition]:
     Its page is the first of the site; those of other releases that have results lie in a folder each, and are written
     only when something that they are made from has changed.
     """
-    fresh = project.root / f".site-{os.getpid()}"
     templates = Templates(project.templates)
-    editions = editions_of(project, templates)
-    try:
+    with aside(project.site) as fresh, locked(project.results.parent, alone=False):
+        editions = editions_of(project, templates)
         _write_site(fresh, project, editions, templates)
-        _replace(project.site, fresh)
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
+        replace(project.site, fresh)
     return editions
 
 
@@ -130,7 +128,10 @@ def _local(text: str, release: str) -> str:
 def _digest(project: Project) -> str:
     """Of all that the pages are made from."""
     files = (path for folder in INPUTS for path in (project.root / folder).rglob("*"))
-    sources = [path for path in files if "__pycache__" not in path.parts]
+    sources = [path for path in files if "__pycache__" not in path.parts and path.is_file()]
+    sources = [
+        path for path in sources if path.stat().st_size <= BYTE_LIMIT
+    ]  # larger ones are refused by their readers
     made_from = (project, package_versions(), files_digest(sources, project.root))
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
@@ -140,11 +141,3 @@ def _read_digest(folder: Path) -> str | None:
         return (folder / DIGEST_FILE).read_text(encoding="utf-8")
     except OSError:
         return None
-
-
-def _replace(site: Path, fresh: Path) -> None:
-    old = fresh.with_name(f"{fresh.name}-old")
-    if site.exists():
-        os.rename(site, old)
-    os.rename(fresh, site)
-    shutil.rmtree(old, ignore_errors=True)

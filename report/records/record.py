@@ -122,7 +122,7 @@ def check_record(record: Record, place: str) -> None:
         for column, value in row.items():
             problem = _problem(record, row, column, value)
             if problem:
-                raise RecordError(f"{place}: {column} of {case!r} {problem}")
+                raise RecordError(f"{place}: {column:.80} of {case!r:.80} {problem}")
     _check_columns(record, place)
 
 
