@@ -120,7 +120,8 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
     edition = editions_of(project, Templates(project.templates))[project.release]
     for chapter in edition.chapters.values():
         for claim in chapter.section.claims:
-            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}")
+            said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
+            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
     for state in edition.left_out:
         print(f"{'absent':8} {state.section}: {'; '.join(state.notes) or 'it was not measured'}")
     return int(_say_damage([edition]))

@@ -10,9 +10,14 @@ START, END = "```mermaid\n", "```\n"
 FOLDERS = ("experiments", "report")
 ROOMS = ("report.records", "report.deriving", "report.sections", "experiments", "report", "build")
 """Rooms by the start of a module's name; the first that fits counts."""
+FACTS = "facts"
+SHARED = ("experiments.case", "experiments.classify", "experiments.metrics", "experiments.trace")
+"""The room of what both sides read, which has no name of its own, and its modules: the last two are what classify
+reads."""
 LABELS = {
     "build": "build.py<br>the command line",
     "experiments": "experiments/<br>measure",
+    FACTS: "experiments/: case, classify<br>facts of the scene and of how a run ends",
     "report.records": "report/records/<br>what was measured",
     "report": "report/<br>claims, figures, pages",
     "report.deriving": "report/deriving/<br>what sections share",
@@ -47,16 +52,18 @@ def _named(tree: ast.Module) -> Iterator[str]:
 
 
 def room_of(module: str) -> str:
+    if module in SHARED:
+        return FACTS
     return next(room for room in ROOMS if module == room or module.startswith(f"{room}."))
 
 
 def arrows() -> set[tuple[str, str]]:
-    """Pairs of rooms of which the first imports the second; ``report``, which all may name, left out."""
+    """Pairs of rooms of which the first imports the second; the folders themselves, which all may name, left out."""
     return {
         (room_of(module), room_of(named))
         for module, found in imports().items()
         for named in found
-        if room_of(module) != room_of(named) and named != "report"
+        if room_of(module) != room_of(named) and named not in FOLDERS
     }
 
 

@@ -9,7 +9,8 @@ from report.chapters import Chapter, Chapters
 from report.claims import NEAR_NOISE, Claim
 from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
 from report.quantities import Quantity
-from report.records.record import REASON, Record
+from report.records.columns import REASON
+from report.records.record import Record
 from report.results import Row
 
 KEYS = ("case", "kind", "device", "worlds", "substeps")
@@ -215,7 +216,7 @@ def _ranges(records: Iterable[Record]) -> dict[str, float]:
 
 def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
     """Rows by what tells them apart; those that nothing tells apart are left out."""
-    keys = [tuple(row.get(name) for name in KEYS) for row in chapter.results.record.rows]
+    keys = [tuple(_plain(row[name]) if name in row else None for name in KEYS) for row in chapter.results.rows]
     counts = Counter(keys)
     return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
 

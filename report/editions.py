@@ -14,11 +14,16 @@ from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.overview import overview
 from report.page import Prose, Templates
+from report.pairs import refuse_contradictions
 from report.parts import Section
 from report.records.files import RecordError, place_of
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
+
+
+class LostError(ReportError):
+    """A record from which nothing of its section can be derived; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,7 @@ class Edition:
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
             "overview": figure is not None,
             "figure": _finder("summary", "figure", section.figures),
+            "holds": _asker({name: chapter.section for name, chapter in self.chapters.items()}),
         }
         return text.prose("summary", names)
 
@@ -64,7 +70,7 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, compares=True)
             else:
-                chapter = _chapter(state, results, module.derive(results), templates)
+                chapter = _chapter(state, results, derive_section(results, {}), templates, found)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -79,19 +85,34 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
         if chapter.compares:
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
-                section = _module(name).derive(results, releases)
-                chapters[name] = replace(_chapter(chapter.state, results, section, templates), compares=True)
+                section = derive_section(results, releases)
+                chapters[name] = replace(
+                    _chapter(chapter.state, results, section, templates, edition.chapters), compares=True
+                )
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
+    refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
     return Edition(edition.project, chapters, left_out)
 
 
-def _chapter(state: State, results: Results, section: Section, templates: Templates) -> Chapter:
+def derive_section(results: Results, releases: Releases) -> Section:
+    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
+    module = _module(results.record.section)
+    try:
+        return module.derive(results, releases) if _compares(module) else module.derive(results)
+    except ReportError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
+        raise LostError(f"its record lacks what the section is about ({what})") from error
+
+
+def _chapter(state: State, results: Results, section: Section, templates: Templates, before: Chapters) -> Chapter:
     name = state.section
     text = templates.text(f"sections/{name}.md.j2")
     section = section.worded(name, text.name, text.words)
-    names = _names(results, section)
+    names = _names(results, section, before)
     return Chapter(state, results, section, names, text.prose(name, names))
 
 
@@ -110,10 +131,9 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     A record of older code may lack anything. One that is fresh should not: then it is damaged, or its section is wrong.
     A fault of the template, which is not the record's, stops the build.
     """
-    of_record = isinstance(error, RecordError | ResultsError) or not isinstance(error, ReportError)
-    if state.kind == "fresh" and project.is_own and not of_record:
+    if state.kind == "fresh" and project.is_own and not isinstance(error, RecordError | ResultsError | LostError):
         raise error
-    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error} ({_line_of(error)})"
+    words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
     place = "" if isinstance(error, RecordError) else f"{place_of(project.record_path(state.section))}: "
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
@@ -125,7 +145,7 @@ def _line_of(error: Exception) -> str:
     return f"{Path(where.filename).name}:{where.lineno}"
 
 
-def _names(results: Results, section: Section) -> dict[str, Any]:
+def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
     name = results.record.section
     claims = {claim.name: claim.html(name) for claim in section.claims}
     return {
@@ -134,11 +154,28 @@ def _names(results: Results, section: Section) -> dict[str, Any]:
         "rows": results.rows,
         "value": results.derived,
         "claim": _finder(name, "claim", claims),
-        "holds": _finder(name, "claim", {claim.name: claim.outcome == HOLDS for claim in section.claims}),
+        "holds": _asker({**{chapter: found.section for chapter, found in before.items()}, name: section}, name),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", section.figures),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
+
+
+def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bool]:
+    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
+    not."""
+
+    def holds(name: str) -> bool:
+        section, _, claim = name.rpartition(".")
+        section = section or own
+        if section not in sections:
+            return False
+        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
+        if claim not in claims and claim not in sections[section].unmeasured:
+            raise ResultsError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        return claims.get(claim, False)
+
+    return holds
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

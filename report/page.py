@@ -25,6 +25,7 @@ from markupsafe import Markup, escape
 
 from report import ReportError
 from report.parts import Figure
+from report.stated import StatedTag, references
 from report.words import Wording, WordTags, wordings
 
 # What a template prints passes Markdown as a token between two private characters and is put back afterwards,
@@ -92,7 +93,9 @@ class Templates:
             lstrip_blocks=True,
         )
         self._prose = self._layout.overlay(finalize=_as_token)
+        self._layout.globals["references"] = references(folder)
         self._prose.add_extension(WordTags)
+        self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
 
     def text(self, name: str) -> Text:

@@ -136,6 +136,7 @@ class Section:
                 if hasattr(thing, "wording"):
                     wording.refuse_unknown(f"{kind} {name}", thing.numbers)
                     thing = replace(thing, wording=wording)
+                    thing = thing.settled() if kind == "claim" else thing
                 found[kind][name] = replace(thing, anchor=f"{anchor}-{name}") if kind == "figure" else thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
 

@@ -27,6 +27,11 @@ class Quantity:
     """What it was measured with; none for what was not measured."""
 
     @property
+    def reads(self) -> frozenset[str]:
+        """Pointers to itself and to all that it is computed from."""
+        return frozenset({self.source} if self.source else ())
+
+    @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
         return self._written(format_number(self.value))
@@ -71,6 +76,17 @@ class Value(Quantity):
     """How it is computed, in words."""
     sources: Sequence[str] = ()
     """Pointers to what it is computed from."""
+    roots: frozenset[str] = frozenset()
+    """The same, and pointers to what those are computed from, down to the records."""
+
+    @property
+    def reads(self) -> frozenset[str]:
+        return super().reads | self.roots
+
+    @property
+    def is_chosen(self) -> bool:
+        """Whether nobody measured it."""
+        return not self.sources
 
     @property
     def _hint(self) -> str:

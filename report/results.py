@@ -2,6 +2,7 @@
 
 import math
 import os
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -11,9 +12,11 @@ from typing import Any
 import pandas as pd
 
 from report import ReportError
-from report.quantities import VALUES_FILE, Quantity, Value, mixed
+from report.quantities import VALUES_FILE, Quantity, Value, absent, mixed
+from report.records.columns import REASON
 from report.records.record import Origin, Record
 from report.records.traces import load_trace, trace_path
+from report.settings import case_settings
 
 
 class ResultsError(ReportError):
@@ -29,25 +32,44 @@ class Series:
     reason: str = ""
     origins: frozenset[Origin] = frozenset()
 
+    @property
+    def reads(self) -> frozenset[str]:
+        """A pointer to itself."""
+        return frozenset({self.source})
+
 
 class Row:
-    """One row of a record: ``row.slip_mm`` is a Quantity; text and yes or no stay as they are."""
+    """One row of a record: ``row.slip_mm`` is a Quantity; text and yes or no stay as they are.
 
-    def __init__(self, record: Record, index: int, source: str):
-        self._cells = record.rows[index]
-        self._units = record.units
+    What the record's other rows have and this one lacks is an absent Quantity, or no text. A row that the record lacks
+    has nothing but the name of its case.
+    """
+
+    def __init__(self, record: Record, index: int | None, source: str, case: str = ""):
+        self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
+        self._lack = f"there is no single row of case {case}" if index is None else ""
+        self._record = record
         self._place = f"{record.section}: {self._cells['case']}"
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
 
     def __getitem__(self, column: str) -> Any:
+        units = self._record.units
         if column not in self._cells:
-            raise ResultsError(f"{self._place} has no column {column}")
+            return self._lacking(column)
         value = self._cells[column]
-        if column not in self._units or isinstance(value, bool | str):
+        if column not in units or isinstance(value, bool | str):
             return value
         reason = self._cells.get(f"{column}_reason", "")
-        return Quantity(value, self._units[column], f"{self._source}/{column}", reason, self._origins)
+        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins)
+
+    def _lacking(self, column: str) -> Any:
+        if column in self._record.units:
+            reason = self._lack or f"{self._cells['case']} has no {column}"
+            return absent(self._record.units[column], reason)
+        if not self._lack and not any(column in row for row in self._record.rows):
+            raise ResultsError(f"{self._place} has no column {column}")
+        return ""
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -57,16 +79,24 @@ class Row:
     def __contains__(self, column: str) -> bool:
         return column in self._cells
 
+    def __bool__(self) -> bool:
+        """Whether the record has it."""
+        return not self._lack
+
     @property
     def columns(self) -> list[str]:
         return list(self._cells)
 
 
 class Rows(dict):
-    """Rows by case."""
+    """Rows by case; of a case that has no single row, one without anything."""
 
-    def __missing__(self, case: str):
-        raise ResultsError(f"there is no single row of case {case!r}; there are: {', '.join(self)}")
+    def __init__(self, rows: Mapping[str, Row], record: Record):
+        super().__init__(rows)
+        self._record = record
+
+    def __missing__(self, case: str) -> Row:
+        return Row(self._record, None, "", case)
 
 
 @dataclass(frozen=True)
@@ -87,13 +117,15 @@ class Results:
 
     @cached_property
     def rows(self) -> list[Row]:
-        return [Row(self.record, index, self.source) for index in range(len(self.record.rows))]
+        """All rows but those that are damaged in what tells them apart."""
+        whole = _whole(self.record)
+        return [Row(self.record, index, self.source) for index, is_whole in enumerate(whole) if is_whole]
 
     @cached_property
     def row(self) -> Rows:
         """Rows by case, those whose case is not unique left out."""
         cases = [row.case for row in self.rows]
-        return Rows({row.case: row for row in self.rows if cases.count(row.case) == 1})
+        return Rows({row.case: row for row in self.rows if cases.count(row.case) == 1}, self.record)
 
     @cached_property
     def seconds(self) -> Quantity:
@@ -134,12 +166,28 @@ class Results:
             origins=frozenset().union(*origins),
             formula=formula,
             sources=tuple(source.source for source in sources if source.source),
+            roots=frozenset().union(*(source.reads for source in sources)),
         )
         return self.derived[name]
 
     def chosen(self, name: str, why: str, value: float, unit: str = "1") -> Value:
         """The value ``name``, which nobody measured: a bound that was set, and ``why`` in words."""
         return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
+
+
+def _whole(record: Record) -> list[bool]:
+    """Which rows have what says of which run they are: texts, yes and no, and settings.
+
+    A row lacks it where one of these is null for a reason, or a text is there in all other rows.
+    """
+    cells = Counter(column for row in record.rows for column in row)
+    texts = {column for column in cells if column not in record.units}
+    telling = texts | (case_settings() & set(cells))
+    common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
+    return [
+        common <= set(row) and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
+        for row in record.rows
+    ]
 
 
 def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> tuple[float | None, str]:
@@ -152,5 +200,10 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
         value = function(values, default=math.nan) if function in (max, min) else function(*values)
     except ZeroDivisionError:
         return None, "it would be a division by zero"
+    except (ArithmeticError, ValueError, LookupError) as error:
+        # A damaged record may hold what no measurement gives, such as a coordinate twice.
+        return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
+    if isinstance(value, complex):
+        return None, "it has no finite value"
     value = getattr(value, "item", lambda: value)()
     return (value, "") if math.isfinite(value) else (None, "it has no finite value")

@@ -11,6 +11,7 @@
 
     {% table cases %} All cases. {% endtable %}
 
+A claim may have ``{% opposite %}`` beside ``{% fails %}``, for a test that shows it.
 Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
 """
 
@@ -28,12 +29,12 @@ from markupsafe import Markup
 from report import ReportError
 
 PARTS = {
-    "claim": ("holds", "fails", "asks", "because"),
+    "claim": ("holds", "fails", "opposite", "asks", "because"),
     "figure": ("caption", "alt"),
     "table": ("caption",),
 }
 """The parts of each kind. ``caption`` is what follows the opening tag; the others have a tag of their own."""
-OPTIONAL = {"because"}
+OPTIONAL = {"opposite", "because"}
 SEPARATOR = "__"
 """Between kind, name and part in the name of the block that Jinja keeps a part as."""
 

@@ -24,6 +24,12 @@ def test_experiments_read_records_alone():
     assert outside == {"report.downloads"}, "the files of the fix, which are offered and measured"
 
 
+def test_the_page_s_side_reads_two_modules_of_the_experiments():
+    page = {module: found for module, found in rooms.imports().items() if not module.startswith("experiments")}
+    found = {named for names in page.values() for named in names if named.startswith("experiments.")}
+    assert found == {"experiments.case", "experiments.classify"}, "what a case is, and how a run ends"
+
+
 def test_no_import_leads_in_a_circle():
     names = rooms.imports()
     # A package is there before the modules in it, so that what they take from it is no circle.
@@ -32,7 +38,11 @@ def test_no_import_leads_in_a_circle():
 
 
 def test_the_page_s_side_never_imports_the_simulator():
-    files = [path for name, path in rooms.modules().items() if not name.startswith("experiments")]
+    imports, modules = rooms.imports(), rooms.modules()
+    reached = {name for name in modules if not name.startswith("experiments")}
+    while more := {named for name in reached for named in imports[name]} - reached:
+        reached |= more
+    files = [modules[name] for name in reached]
     assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
 
 

@@ -165,8 +165,12 @@ def test_a_value_is_derived_once(results):
 def test_a_name_that_does_not_exist_is_an_error(results):
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s
-    with pytest.raises(ResultsError, match=r"'firm'.*soft, stiff"):
-        _ = results.row["firm"]
+
+
+def test_a_row_that_is_not_there_has_nothing_and_says_so(results):
+    firm = results.row["firm"]
+    assert firm.case == "firm" and not firm
+    assert firm.slip_mm == absent("mm", "there is no single row of case firm")
 
 
 def test_a_lost_trace_says_so(results):

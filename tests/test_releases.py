@@ -111,7 +111,7 @@ def test_the_check_follows_links_to_other_pages(toy, newer):
 def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
     assert build.page(toy.project, Namespace()) == 1
-    assert "newton-1.4.0/toy.json: IndexError: list index out of range (toy.py:" in toy.page
+    assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
     assert "<b>toy</b> is left out" in toy.page and "IndexError" in toy.page

@@ -12,8 +12,6 @@ from report.results import Results, Row
 
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
-SHIPPED_SUBSTEPS = 16
-
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
 NO_DRIFT = ("no comparable drift", 10.0)

@@ -10,7 +10,7 @@ from report.claims import NEAR_NOISE, Claim, at_most, within
 from report.deriving.arithmetic import by_case, difference, in_code, noise_floor, share
 from report.figures import FAINT, INK, SERIES, new_figure
 from report.parts import Figure, Table
-from report.quantities import Quantity, Value
+from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
 
@@ -21,7 +21,7 @@ class Variants:
     baseline: Row
     rows: Sequence[Row]
     """Without the baseline."""
-    difference: Mapping[str, Value]
+    difference: Mapping[str, Quantity]
     """Slip of a case less that of the baseline [mm]."""
     largest: Value
     """The largest of the differences, either way."""
@@ -40,10 +40,17 @@ class Variants:
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
+class Differences(dict):
+    """By case; that of a case without a row is absent."""
+
+    def __missing__(self, case: str) -> Quantity:
+        return absent("mm", f"there is no single row of case {case}")
+
+
 def variants_of(results: Results, baseline: str) -> Variants:
     """Every row of the section against the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
-    difference = {row.case: _difference(results, row, reference) for row in rows}
+    difference = Differences({row.case: _difference(results, row, reference) for row in rows})
     largest = results.value(
         "largest_difference",
         "largest difference in slip from the baseline, either way",
@@ -53,7 +60,7 @@ def variants_of(results: Results, baseline: str) -> Variants:
     )
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
-    most = max(difference, key=lambda case: abs(difference[case].value or 0.0))
+    most = max(difference, key=lambda case: abs(difference[case].value or 0.0), default="none")
     return Variants(reference, rows, difference, largest, most, largest_share, noise_floor(results, "slip_floor"))
 
 
@@ -83,7 +90,7 @@ def within_noise(variants: Variants) -> Claim:
     )
 
 
-def beyond_noise(differences: Mapping[Markup, Value], floor: Quantity) -> Markup:
+def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
     """Those of the named differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
     return Markup(", ").join(

@@ -168,7 +168,7 @@ def _batch_is_fast(results: Results, row: Row) -> Claim:
     )
     bound = results.chosen("batch_gain_bound", "what the batch is aimed at", 500.0)
     outcome = at_least(gain, bound)
-    if row.world_count.value < bound.value:
+    if row.world_count.value is not None and row.world_count.value < bound.value:
         outcome = Outcome("unknown", "the map has fewer worlds than that")
     return Claim(
         "batch_is_fast",

@@ -1,4 +1,7 @@
-"""The fix as a download: do the very files that are offered do what they promise?"""
+"""The fix as a download: do the very files that are offered do what they promise?
+
+Read as it was judged when it was measured, for want of a number in the record: ``test_passed``.
+"""
 
 import pandas as pd
 
@@ -50,7 +53,7 @@ def _test_tells(shipped: Row, fixed: Row) -> Claim:
     return Claim(
         "test_tells",
         outcome,
-        numbers={"before": PASSED[shipped.test_passed], "after": PASSED[fixed.test_passed]},
+        numbers={"before": PASSED[bool(shipped.test_passed)], "after": PASSED[bool(fixed.test_passed)]},
     )
 
 

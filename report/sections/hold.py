@@ -51,7 +51,7 @@ def derive(results: Results) -> Section:
     )
     return Section(
         tables={
-            "cases": _table([row for row in results.rows if "slip_mm" in row]),
+            "cases": _table(results),
             "precision": _precision_table(results),
         },
         figures={"motion": motion},
@@ -59,7 +59,7 @@ def derive(results: Results) -> Section:
             _drift_needs_cycle(results),
             _creep_goes_the_other_way(results),
             _creep_goes_on(results, long),
-            _creep_is_monotonic(long),
+            _creep_is_monotonic(long, traces["hold-60s"]),
             _stiff_pads_keep_creep(results, long, stiff),
             _same_creep_in_c(results),
             _creep_is_rounding(results),
@@ -114,13 +114,21 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
     )
 
 
-def _creep_is_monotonic(long: Row) -> Claim:
-    outcome = HOLDS if long.monotonic else FAILS
+def _creep_is_monotonic(long: Row, trace: Series) -> Claim:
+    reason = long.increment_final_mm.reason or trace.reason
     return Claim(
         "creep_is_monotonic",
-        Outcome("unknown", long.monotonic_reason) if long.monotonic is None else outcome,
+        Outcome("unknown", reason) if reason else HOLDS if is_monotonic(trace.value) else FAILS,
         numbers={"first": long.increment_first_mm, "last": long.increment_final_mm},
     )
+
+
+def is_monotonic(frame: pd.DataFrame) -> bool:
+    """Whether the cube goes in every whole second in the direction in which it ends up."""
+    second = round(1.0 / frame["time_s"].iloc[1])
+    moved = frame[["x_mm", "y_mm", "z_mm"]].to_numpy()
+    way = moved[::second] @ moved[-1]
+    return bool((np.diff(way) > 0.0).all())
 
 
 def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
@@ -214,16 +222,24 @@ def _precision_table(results: Results) -> Table:
     return Table(pd.DataFrame(columns, index=pd.Index(PRECISION.values(), name="positions")))
 
 
-def _table(rows: list[Row]) -> Table:
+def _table(results: Results) -> Table:
+    rows = [row for row in results.rows if "slip_mm" in row]
     columns = {
         "time": [row.shake_duration_s for row in rows],
         "slip": [row.slip_mm for row in rows],
         "wander": [row.wander_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],
         "drift down": [row.creep_z_mm_s for row in rows],
-        "monotonic": [row.monotonic for row in rows],
+        "monotonic": [_monotonic(results, row) for row in rows],
     }
     return by_case(rows, columns)
+
+
+def _monotonic(results: Results, row: Row) -> bool | None:
+    """None where there is no whole second of motion."""
+    trace = results.trace(row.case)
+    there = row.increment_final_mm.value is not None and trace.value is not None
+    return is_monotonic(trace.value) if there else None
 
 
 def _draw_motion(traces: dict[str, Series]) -> Drawing:

@@ -5,7 +5,7 @@ import pandas as pd
 from report.claims import FAILS, HOLDS, Claim
 from report.deriving.arithmetic import cell_or_absent
 from report.parts import Section, Table
-from report.quantities import Quantity
+from report.quantities import Quantity, absent
 from report.results import Results, Row
 
 order = 130
@@ -103,4 +103,4 @@ def _table(findings: list[Row]) -> Table:
 
 
 def _value(row: Row, name: str) -> Quantity:
-    return next(row[name + unit] for unit in UNITS if name + unit in row)
+    return next((row[name + unit] for unit in UNITS if name + unit in row), absent("1", "it was not kept"))

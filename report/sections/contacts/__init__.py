@@ -14,7 +14,7 @@ order = 70
 
 
 def derive(results: Results) -> Section:
-    runs = {row.case: row for row in _of_kind(results, "run")}
+    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in _of_kind(results, "run")}
     gaps = {case: _gap(results, row) for case, row in runs.items()}
     tables = {case: results.trace(case) for case in CASES}
     rows = Figure(

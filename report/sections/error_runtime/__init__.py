@@ -21,7 +21,7 @@ from report.sections.error_runtime.runs import (
     Points,
     assignment,
     distinct,
-    front_of,
+    front_rows,
     hit_iteration_limit,
     is_clamped,
     order_of,
@@ -48,8 +48,8 @@ PARAMETERS = (
 def derive(results: Results) -> Section:
     points = points_of(results)
     orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in STYLES}
-    front = front_of(points, "on_front")
-    warp_front = [row for row in front_of(points, "on_backend_front") if row.backend == points.warp]
+    front = front_rows(points, points.front)
+    warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
     return Section(
         tables={
@@ -67,7 +67,7 @@ def derive(results: Results) -> Section:
             "grasp": Figure(
                 draw=lambda: draw_grasp(points),
                 sources=[row.grasp_error_mm_per_cycle for row in points.settings],
-                numbers={"front": _listed([row for row in points.settings if row.on_grasp_front], GRASP)},
+                numbers={"front": _listed([row for row in points.settings if row.case in points.grasp_front], GRASP)},
             ),
             "worlds": worlds_figure,
         },

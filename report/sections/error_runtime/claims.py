@@ -13,7 +13,7 @@ from report.sections.error_runtime.runs import (
     TIME,
     Points,
     distinct,
-    front_of,
+    front_rows,
     named,
     with_shipped_steps,
 )
@@ -36,7 +36,7 @@ def accuracy_claims(points: Points, orders: Mapping[tuple[str, str], Value]) -> 
 
 def _c_is_cheapest(points: Points) -> Claim:
     """Whether every point of the fronts over all engines is C's."""
-    front = front_of(points, "on_front")
+    front = front_rows(points, points.front)
     others = [row for row in distinct(points, front) if row.backend != "mujoco-c"]
     warp, c = points.cell(SHIPPED, TIME), points.cell(SHIPPED_C, TIME)
     gain = ratio(points.results, "c_gain", "run time in Warp over that in C, settings as shipped", warp, c)

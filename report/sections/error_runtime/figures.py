@@ -53,10 +53,10 @@ def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -
             ladder = [row for row in points.ladder(pads, method) if row.valid]
             x, y = _places(ladder, ERROR, LEAST_ERROR_MM)
             axes.plot(x, y, linestyle=line, color=colour, marker="", linewidth=1.0, alpha=0.6)
-            _scatter(axes, x, y, ladder, colour, mark, "on_backend_front")
+            _scatter(axes, x, y, ladder, colour, mark, points.backend_front)
         others = [row for row in points.knobs(pads) if row.valid and is_own_model(row)]
         axes.scatter(*_places(others, ERROR, LEAST_ERROR_MM), s=9, color=INK, alpha=FADED)
-        _draw_front(axes, points.settings, pads, LEAST_ERROR_MM)
+        _draw_front(axes, points, pads, LEAST_ERROR_MM)
         _mark_failures(axes, [row for row in points.settings if row["pads"] == pads], right, top)
     panels[0][0].set_ylabel("run time [ms per simulated s]")
     _legend(drawing, points, orders)
@@ -102,11 +102,13 @@ def _places(rows: Sequence[Row], error: str, left: float) -> tuple[np.ndarray, n
     return x, np.array([row.ms_per_s.value for row in rows])
 
 
-def _scatter(axes: Axes, x: np.ndarray, y: np.ndarray, rows: Sequence[Row], colour: str, mark: str, front: str) -> None:
+def _scatter(
+    axes: Axes, x: np.ndarray, y: np.ndarray, rows: Sequence[Row], colour: str, mark: str, front: frozenset[str]
+) -> None:
     """Marks: open where the timeconst is raised, faint where another setting of the same engine beats it."""
     for clamped in (False, True):
         for best in (False, True):
-            mine = [i for i, row in enumerate(rows) if is_clamped(row) is clamped and row[front] is best]
+            mine = [i for i, row in enumerate(rows) if is_clamped(row) is clamped and (row.case in front) is best]
             if mine:
                 axes.scatter(
                     x[mine],
@@ -121,10 +123,9 @@ def _scatter(axes: Axes, x: np.ndarray, y: np.ndarray, rows: Sequence[Row], colo
                 )
 
 
-def _draw_front(axes: Axes, rows: Sequence[Row], pads: str, left: float) -> None:
-    front = sorted(
-        (row for row in rows if row.on_front and row["pads"] == pads), key=lambda row: row.numerical_error_mm.value
-    )
+def _draw_front(axes: Axes, points: Points, pads: str, left: float) -> None:
+    mine = (row for row in points.settings if row.case in points.front and row["pads"] == pads)
+    front = sorted(mine, key=lambda row: row.numerical_error_mm.value)
     if front:
         x, y = _places(front, ERROR, left)
         axes.step(
@@ -193,7 +194,7 @@ def draw_grasp(points: Points) -> Drawing:
         for backend, mark in GRASP_STYLES.items():
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
             x, y = _places(mine, GRASP, 0.0)
-            _scatter(axes, x, y, mine, SERIES[number], mark, "on_grasp_backend_front")
+            _scatter(axes, x, y, mine, SERIES[number], mark, points.grasp_backend_front)
             if mine:
                 label = f"{title}, {ENGINES[backend].replace('MuJoCo Warp', 'Warp')}"
                 axes.plot([], [], linestyle="", marker=mark, color=SERIES[number], label=label)
@@ -207,7 +208,7 @@ def draw_grasp(points: Points) -> Drawing:
                 marker="",
                 label=f"{title}, converged",
             )
-    front = sorted((row for row in rows if row.on_grasp_front), key=lambda row: row.grasp_error_mm_per_cycle.value)
+    front = sorted((row for row in rows if row.case in points.grasp_front), key=lambda row: row[GRASP].value)
     x, y = _places(front, GRASP, 0.0)
     axes.step(
         [*x, right],

@@ -1,7 +1,8 @@
 """What the points say of the knobs, and of what only the model changes."""
 
+from experiments.case import AS_SHIPPED
 from report.claims import FAILS, HOLDS, Claim, at_least, at_most, greater, within
-from report.deriving.arithmetic import SHIPPED_SUBSTEPS, departure, difference, other_cell, ratio
+from report.deriving.arithmetic import departure, difference, other_cell, ratio
 from report.quantities import Quantity
 from report.results import Row
 from report.sections.error_runtime.runs import (
@@ -86,14 +87,14 @@ def _is_solver_knob(row: Row) -> bool:
 
 
 def _is_refresh(row: Row) -> bool:
-    return row.method == "newton-each-substep" and row.substeps.value == SHIPPED_SUBSTEPS
+    return row.method == "newton-each-substep" and row.substeps.value == AS_SHIPPED.substeps
 
 
 def _contact_source(points: Points) -> Claim:
     """Whether the contacts of MuJoCo Warp keep as close to C as Newton's do, from the shipped substeps on."""
     worst = {}
     for method in ("newton", "mujoco"):
-        rows = [row for row in points.ladder("as-shipped", method) if row.substeps.value >= SHIPPED_SUBSTEPS]
+        rows = [row for row in points.ladder("as-shipped", method) if row.substeps.value >= AS_SHIPPED.substeps]
         worst[method] = points.results.value(
             f"c_difference_{method}",
             f"largest distance from C with the same steps, {method} contacts, from the shipped number of substeps on",
@@ -220,7 +221,7 @@ def _impratio(points: Points) -> Claim:
 
 def _cone_not_left(points: Points) -> Claim:
     """The margin of the friction cone with the shipped substeps and finer, and who came to its edge."""
-    fine = [row for row in points.settings if row.valid and row.substeps.value >= SHIPPED_SUBSTEPS]
+    fine = [row for row in points.settings if row.valid and row.substeps.value >= AS_SHIPPED.substeps]
     at_edge = [row for row in points.settings if row.valid and (row.cone_use_max.value or 0.0) >= 1.0]
     margin = points.results.value(
         "cone_margin",

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from markupsafe import Markup
 
-from report.deriving.arithmetic import SHIPPED_SUBSTEPS
+from experiments.case import AS_SHIPPED
 from report.deriving.timing import cell
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections.error_runtime.fronts import front
 
 PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
 LABELS = {
@@ -29,12 +30,12 @@ ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s
 
 def with_shipped_steps(pads: str, method: str) -> str:
     """The case with the substeps as shipped."""
-    return f"{pads}/{method}/substeps-{SHIPPED_SUBSTEPS}"
+    return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
 
 
 def hit_iteration_limit(row: Row) -> bool:
     """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
-    return "iterations" in row.invalid_reason
+    return "iterations" in (row.invalid_reason or "")
 
 
 SHIPPED = with_shipped_steps("as-shipped", "newton")
@@ -51,6 +52,14 @@ class Points:
     """Many worlds at once, fewest first."""
     floors: dict[str, Value]
     """By pads: how far Warp is from C with the same steps [mm]."""
+    front: frozenset[str]
+    """Cases that no other setting of the same pads and model beats in numerical error and run time."""
+    backend_front: frozenset[str]
+    """The same among those of one backend."""
+    grasp_front: frozenset[str]
+    """Cases that no other setting, of whatever pads or model, beats in grasp error and run time."""
+    grasp_backend_front: frozenset[str]
+    """The same among those of one backend."""
 
     @property
     def warp(self) -> str:
@@ -77,12 +86,18 @@ class Points:
 
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method not in ("reference", "worlds")]
+    # The numerical error compares settings of one model; the grasp error compares everything.
+    own_model = [row for row in settings if is_own_model(row)]
     return Points(
         results=results,
         settings=settings,
         references=[row for row in results.rows if row.method == "reference"],
         worlds=[row for row in results.rows if row.case.startswith("worlds-")],
         floors={pads: _floor(results, settings, pads) for pads in PADS},
+        front=front(own_model, ERROR, ("pads",)),
+        backend_front=front(own_model, ERROR, ("pads", "backend")),
+        grasp_front=front(settings, GRASP),
+        grasp_backend_front=front(settings, GRASP, ("backend",)),
     )
 
 
@@ -93,7 +108,7 @@ def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
         if row["pads"] == pads
         and row.method in ("newton", "newton-each-substep", "mujoco")
         and row.knob == "substeps"
-        and row.substeps.value >= SHIPPED_SUBSTEPS
+        and row.substeps.value >= AS_SHIPPED.substeps
     ]
     formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
     return results.value(f"floor_{pads}", formula, lambda *distance: max(distance), *cells, unit="mm")
@@ -106,7 +121,8 @@ def is_own_model(row: Row) -> bool:
 
 def is_clamped(row: Row) -> bool:
     """Whether MuJoCo raises the contacts' timeconst to two substeps."""
-    return row.timeconst_ms.value < 2.0 * row.substep_ms.value
+    cells = row.timeconst_ms.value, row.substep_ms.value
+    return None in cells or cells[0] < 2.0 * cells[1]
 
 
 def order_of(points: Points, pads: str, method: str) -> Value:
@@ -134,10 +150,10 @@ def order_of(points: Points, pads: str, method: str) -> Value:
     )
 
 
-def front_of(points: Points, column: str) -> list[Row]:
+def front_rows(points: Points, cases: frozenset[str]) -> list[Row]:
     """Rows on a front of numerical error and run time, by pads and rising time."""
-    rows = [row for row in points.settings if row[column]]
-    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value))
+    rows = [row for row in points.settings if row.case in cases]
+    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
 
 
 def distinct(points: Points, front: Sequence[Row]) -> list[Row]:

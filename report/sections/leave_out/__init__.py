@@ -98,11 +98,11 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
         (before.buffer_bytes_per_world, after.buffer_bytes_per_world)
         for full in variants
         if full.case == REFERENCE and (lean := find(variants, full.device, ALL))
-        for before, after in zip(full.rows, lean.rows, strict=True)
+        for before, after in zip(full.rows, lean.rows, strict=False)
         if None not in (before.buffer_bytes_per_world.value, after.buffer_bytes_per_world.value)
     ]
     none = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
-    before, after = min(pairs, key=lambda pair: pair[0].value / pair[1].value, default=(none, none))
+    before, after = min(pairs, key=lambda pair: pair[0].value / (pair[1].value or math.inf), default=(none, none))
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = ratio(results, "memory_saving", formula, before, after)
     bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)

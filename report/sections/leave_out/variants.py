@@ -1,4 +1,8 @@
-"""The ways to leave something out, as their rows say."""
+"""The ways to leave something out, as their rows say.
+
+Read as it was judged when it was measured, for want of a number in the record: ``bit_identical``, which is about the
+orientations too, and ``pose_difference_mm`` is not.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

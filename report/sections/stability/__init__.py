@@ -14,7 +14,8 @@ from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
-from report.sections.stability.families import CLASSES, family, is_stable
+from report.sections.stability.classes import CLASSES, is_stable
+from report.sections.stability.families import family
 from report.sections.stability.figures import (
     draw_loads,
     draw_long,
@@ -23,6 +24,7 @@ from report.sections.stability.figures import (
     draw_sizes,
     draw_steps,
 )
+from report.sections.stability.passing import DEPTH_LARGEST, passing
 
 order = 145
 
@@ -31,7 +33,7 @@ LET_GO = "the fingers let the cube go"
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
-    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", 1.0, unit="%")
+    depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
     searched = family(results, "largest-step")
     plain = sorted((row for row in searched if row.of == "ke-kd-100"), key=lambda row: row.pad_ke.value)
     predicted = {row.case: limits.predict_step(results, row) for row in plain}
@@ -170,14 +172,15 @@ def _overlap_table(rows: Sequence[Row]) -> Table:
 
 def _others_table(results: Results) -> Table:
     names = ("friction", "mass", "gravity", "buffers")
-    rows = [row for name in names for row in family(results, name)]
+    families = [family(results, name) for name in names]
+    rows = [row for members in families for row in members]
     columns = {
         "ends": ["let go" if _is_freed(row) else row["class"] for row in rows],
         "drift": [absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s for row in rows],
         "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
         "depth": [row.penetration_mm for row in rows],
         "friction used": [_friction_used(row) for row in rows],
-        "passes": [bool(row.passes) for row in rows],
+        "passes": [bool(passes) for members in families for passes in passing(members)],
     }
     return by_case(rows, columns)
 

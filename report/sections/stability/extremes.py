@@ -6,7 +6,9 @@ from report.claims import Claim, Outcome, at_most, within
 from report.deriving.arithmetic import cell_or_absent, extreme, in_code, share
 from report.quantities import Value, absent
 from report.results import Results
-from report.sections.stability.families import CLASSES, count, family, family_claim, is_stable
+from report.sections.stability.classes import CLASSES, is_stable
+from report.sections.stability.families import count, family, family_claim
+from report.sections.stability.passing import passed
 
 
 def crossover(results: Results, name: str) -> Claim:
@@ -63,11 +65,9 @@ def mass(results: Results) -> Claim:
 
 def size(results: Results, bound: Value) -> Claim:
     rows = family(results, "size")
-    passing = {
-        grip: [row.cube_edge_mm for row in rows if row.grip == grip and row.passes] for grip in ("as-shipped", "scaled")
-    }
-    shipped = extreme(results, "size_shipped", "least edge that passes, grip as shipped", min, passing["as-shipped"])
-    scaled = extreme(results, "size_scaled", "least edge that passes, grip scaled", min, passing["scaled"])
+    edges = {grip: [row.cube_edge_mm for row in passed(rows) if row.grip == grip] for grip in ("as-shipped", "scaled")}
+    shipped = extreme(results, "size_shipped", "least edge that passes, grip as shipped", min, edges["as-shipped"])
+    scaled = extreme(results, "size_scaled", "least edge that passes, grip scaled", min, edges["scaled"])
     return family_claim(
         results,
         "sizes",
@@ -127,7 +127,7 @@ def freed(results: Results) -> Claim:
         max,
         [cell_or_absent(row, "energy_growth", "1") for row in rows],
     )
-    at_rest = [row.case for row in rows if row.passes and row.energy_growth.value is None]
+    at_rest = [row.case for row in passed(rows) if row.energy_growth.value is None]
     return family_claim(
         results,
         "freed_cube",

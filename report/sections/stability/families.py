@@ -1,4 +1,4 @@
-"""What the parts of section stability share: its rows by family, the classes, and claims about a family."""
+"""What the parts of section stability share: its rows by family, and claims about a family."""
 
 from collections.abc import Mapping, Sequence
 
@@ -7,20 +7,14 @@ from markupsafe import Markup
 from report.claims import Claim, Outcome, at_most
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections.stability.passing import passing
 
-CLASSES = ("holding", "creeping", "dropped", "exploded", "overflow", "non-finite")
-"""From the best to the worst."""
-STABLE = CLASSES[:2]
 NAMED_COUNT = 6
 """Cases that a sentence names at most."""
 
 
 def family(results: Results, name: str) -> list[Row]:
     return [row for row in results.rows if row["family"] == name]
-
-
-def is_stable(row: Row) -> bool:
-    return row["class"] in STABLE
 
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
@@ -40,8 +34,8 @@ def family_claim(
 
     Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass.
     """
-    asked = [row for row in rows if row.passes is not None]
-    failed = [row for row in asked if not row.passes]
+    verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
+    asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
     none = results.chosen(f"{name}_bound", "all of them pass", 0)
     own = {

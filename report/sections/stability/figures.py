@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from report.figures import FAINT, INK, MAP_INK, SERIES, new_figure, tick_125, tick_at, tick_decades
 from report.format import format_code, format_short
 from report.results import Row, Series
-from report.sections.stability.families import CLASSES, is_stable
+from report.sections.stability.classes import CLASSES, is_stable
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")

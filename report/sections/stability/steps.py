@@ -4,13 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from experiments.case import AS_SHIPPED, STIFF_PADS
 from report.claims import Claim, Outcome, all_of, at_least, at_most
-from report.deriving.arithmetic import SHIPPED_SUBSTEPS, extreme, friction_rows_differ, ratio
+from report.deriving.arithmetic import extreme, friction_rows_differ, ratio
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections.stability.families import count, family, family_claim, is_stable
+from report.sections.stability.classes import is_stable
+from report.sections.stability.families import count, family, family_claim
+from report.sections.stability.passing import passed
 
-SHIPPED_KE, STIFF_KE = 2.5e3, 2.5e5
 CLAMPED_MS = 1e3
 """Over kd: half a timeconst of 2 / kd, the step [ms] from which the clamp is at work."""
 
@@ -21,19 +23,19 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
-    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_KE)
+    stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
     margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
     largest_step = extreme(
         results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
     )
-    at_shipped = [row for row in default_kd if row.substeps.value == SHIPPED_SUBSTEPS]
-    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > SHIPPED_KE]
+    at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
+    broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
     kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=np.inf)]
     creep = extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
     limit = extreme(
         results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
     )
-    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: SHIPPED_KE)
+    shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
     default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
     outcome = at_least(margin, bound) if kes else Outcome("unknown", "the grid was not measured")
@@ -56,14 +58,14 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
 def steps(results: Results) -> Claim:
     rows = family(results, "steps")
     stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
-    failed = [row for row in rows if row.passes is False]
+    kept = passed(rows)
     stiff = [row for row in rows if row.pads == "stiff"]
     step = extreme(
         results,
         "stiff_step",
         "largest step at which stiff pads pass",
         max,
-        [row.step_ms for row in stiff if row.passes],
+        [row.step_ms for row in kept if row.pads == "stiff"],
     )
     return family_claim(
         results,
@@ -75,14 +77,16 @@ def steps(results: Results) -> Claim:
             "exponent": _step_exponent(results, stiff),
             "some_are_lost": not all(map(is_stable, rows)),
             "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
-            "failed_are_clamped": all(row.step_ms.value > CLAMPED_MS / row.pad_kd.value for row in failed),
+            "failed_are_clamped": all(
+                (row.step_ms.value or 0.0) > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
+            ),
         },
     )
 
 
 def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
     """Of those that drift the way they do with long steps: where hardly anything slides, the sign may be another."""
-    drifting = [row for row in rows if is_stable(row) and row.drift_mm_s.value > 0.0]
+    drifting = [row for row in rows if is_stable(row) and (row.drift_mm_s.value or 0.0) > 0.0]
     half = len(drifting)
     return results.value(
         "steps_exponent",

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from report.deriving.arithmetic import SHIPPED_SUBSTEPS, by_case
+from experiments.case import AS_SHIPPED
+from report.deriving.arithmetic import by_case
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
@@ -23,7 +24,7 @@ def derive(results: Results) -> Section:
         together=_by_ke(row for row in plain if row.pad_kd.value != default_kd or row.case == SHIPPED),
     )
     substep = results.value(
-        "substep", "given by the scene: frame time over substeps", lambda: 1 / 60 / SHIPPED_SUBSTEPS, unit="s"
+        "substep", "given by the scene: frame time over substeps", lambda: 1 / 60 / AS_SHIPPED.substeps, unit="s"
     )
     least = results.value("least_timeconst", "two substeps", lambda step: 2 * step, substep, unit="s")
     clamp = results.value("clamp_kd", "kd at which 2 / kd is two substeps", lambda shortest: 2 / shortest, least)

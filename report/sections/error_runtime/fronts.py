@@ -1,0 +1,31 @@
+"""Fronts of error and run time: the settings that no other one beats in both."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from report.results import Row
+
+
+def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozenset[str]:
+    """The cases of the valid rows that no other has a smaller ``error`` in less time than.
+
+    Only rows that are alike in the columns ``groups`` compete.
+    """
+    competing: dict[tuple, list[Row]] = {}
+    for row in rows:
+        if row.valid and row[error].value is not None:
+            competing.setdefault(tuple(row[name] for name in groups), []).append(row)
+    return frozenset(case for group in competing.values() for case in _unbeaten(group, error))
+
+
+def _unbeaten(rows: Sequence[Row], error: str) -> Iterable[str]:
+    best = pareto_front(*(np.array([row[column].value for row in rows]) for column in (error, "ms_per_s")))
+    return (row.case for row, is_best in zip(rows, best, strict=True) if is_best)
+
+
+def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """Which points no other point beats: none is at most as far off at most as dear, and better in one; shape [n]."""
+    no_worse = (error[None, :] <= error[:, None]) & (cost[None, :] <= cost[:, None])
+    better = (error[None, :] < error[:, None]) | (cost[None, :] < cost[:, None])
+    return ~(no_worse & better).any(axis=1)
