@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 
 def main() -> int:
+    os.environ.pop("PYTHONSAFEPATH", None)  # programs that are started from here are modules of this folder
     for stop in (signal.SIGINT, signal.SIGTERM):
         signal.signal(stop, signal.default_int_handler)
     for stream in (sys.stdout, sys.stderr):

@@ -132,7 +132,8 @@ def _digest(project: Project) -> str:
     sources = [
         path for path in sources if path.stat().st_size <= BYTE_LIMIT
     ]  # larger ones are refused by their readers
-    made_from = (project, package_versions(), files_digest(sources, project.root))
+    place = (project.release, project.profile, project.own_release)  # and not where the folder lies
+    made_from = (place, package_versions(), files_digest(sources, project.root))
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 
