@@ -77,8 +77,8 @@ def _move_into(folder: Path, fresh: Path) -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a folder, or a link to one."""
-    if path.is_symlink():
-        path.unlink()
-    else:
+    """Remove whatever is there: a folder, a file, or a link, but not what it leads to."""
+    if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)

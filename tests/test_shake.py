@@ -41,7 +41,7 @@ def test_every_option_of_the_contract_is_there():
         (["--num-frames", "1000000000"], "--num-frames must be"),
         (["--json", "/dev/full"], "--json /dev/full"),
         (["--viewer", "usd"], "--viewer usd"),
-        (["--viewer", "file"], "--viewer file"),
+        (["--viewer", "file"], "argument --viewer"),
         (["--device", "cuda:99"], "--device cuda:99"),
         (["--viewer", "gl"], "--viewer gl needs pyglet"),
         (["--json", "/no/where/summary.json"], "--json /no/where/summary.json"),
