@@ -31,7 +31,7 @@ LOOK_FRAME_STEP = 10
 """Frames between two looks at the inverse kinematics and at the writes of Newton's state."""
 
 
-class Scene(Protocol):
+class AuditedScene(Protocol):
     model: newton.Model
     solver: SolverMuJoCo
     contacts: newton.Contacts | None
@@ -73,7 +73,7 @@ class Seen:
     ik_iterations_moving: int = 0
 
 
-def audit(scene: Scene, frame_count: int = FRAME_COUNT) -> list[Item]:
+def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
     """Run the scene for ``frame_count`` frames and list what it has against what it used."""
     seen = Seen(set(), set(), set(), [], [])
     task = getattr(scene, "task", None)
@@ -96,7 +96,7 @@ def audit(scene: Scene, frame_count: int = FRAME_COUNT) -> list[Item]:
     ]
 
 
-def _look(scene: Scene, seen: Seen) -> None:
+def _look(scene: AuditedScene, seen: Seen) -> None:
     data = scene.solver.mjw_data
     count = min(int(data.nacon.numpy()[0]), data.naconmax)
     mine = data.contact.worldid.numpy()[:count] == 0
@@ -117,7 +117,7 @@ def _look(scene: Scene, seen: Seen) -> None:
     seen.actuators_moved.update(int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0]))
 
 
-def _shape_items(scene: Scene, seen: Seen) -> list[Item]:
+def _shape_items(scene: AuditedScene, seen: Seen) -> list[Item]:
     model = scene.model
     flags, world = model.shape_flags.numpy(), model.shape_world.numpy()
     first = [shape for shape in range(model.shape_count) if world[shape] <= 0]
@@ -135,7 +135,7 @@ def _shape_items(scene: Scene, seen: Seen) -> list[Item]:
     ]
 
 
-def _contact_items(scene: Scene, seen: Seen) -> list[Item]:
+def _contact_items(scene: AuditedScene, seen: Seen) -> list[Item]:
     data = scene.solver.mjw_data
     contact_max = data.naconmax // data.nworld
     bytes_per_world = buffer_bytes_per_world(scene.solver, scene.contacts)
@@ -156,7 +156,7 @@ def _contact_items(scene: Scene, seen: Seen) -> list[Item]:
     ]
 
 
-def _feature_items(scene: Scene, seen: Seen) -> list[Item]:
+def _feature_items(scene: AuditedScene, seen: Seen) -> list[Item]:
     engine = scene.solver.mj_model
     limited = int(np.count_nonzero(engine.jnt_limited))
     return [
@@ -180,7 +180,7 @@ def _changed_count(looks: list[np.ndarray]) -> int:
     return int((np.array(looks) != looks[0]).any(axis=0).sum())
 
 
-def _state_change(scene: Scene) -> float:
+def _state_change(scene: AuditedScene) -> float:
     """How much the largest change of a coordinate is when Newton's state is written into the engine."""
     data = scene.solver.mjw_data
     kept = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
@@ -191,7 +191,7 @@ def _state_change(scene: Scene) -> float:
     return change
 
 
-def _state_item(scene: Scene, seen: Seen) -> Item:
+def _state_item(scene: AuditedScene, seen: Seen) -> Item:
     changes = seen.state_changes if scene.solver.update_data_interval else []
     return Item(
         "looks at a write of Newton's state into the engine, against those where it changed a bit",
@@ -236,7 +236,7 @@ def table(items: list[Item]) -> str:
     return "\n".join(lines)
 
 
-def shake_scene() -> Scene:
+def shake_scene() -> AuditedScene:
     """One world of the shake scene exactly as shipped."""
     return Simulation([UNTRIMMED], wp.get_device())
 

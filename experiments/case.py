@@ -58,6 +58,15 @@ class Case:
     gravity_m_s2: float = 9.81
     """Downward acceleration [m/s²]; negative is upward."""
 
+    contact_bias: bool = False
+    """Whether friction rows get back the acceleration J̇ q̇ that the engine leaves out of them."""
+    bias_centred: bool = False
+    """Whether they also see the velocity of the last step's motion, and not that at its end."""
+    bias_normal: bool = False
+    """Whether normal rows get it back as well."""
+    compensated: bool = False
+    """Whether joint positions are summed with what rounding took from them kept; MuJoCo Warp only."""
+
     # What all worlds of a batch share: mujoco_warp keeps one geom_priority, one set of geoms, one solver.
     ground_gap_m: float = 0.005
     pad_priority: int = 1
@@ -94,6 +103,10 @@ class Case:
     rows to the normal row's solref. None keeps what the release writes."""
     refsafe: bool = True
     """Whether the engine takes no timeconst below two substeps."""
+    sensors: bool = True
+    """Whether the engine's sensor stage runs; the scene has no sensor."""
+    limits: bool = True
+    """Whether the engine looks for joints at their limits."""
     contact_max: int | None = None
     """Contacts per world that the buffers hold; None sizes them for the scene."""
     constraint_max: int | None = None
@@ -135,6 +148,9 @@ class Case:
         for name in ("substeps", "collide_count", "iterations", "ls_iterations", "ik_iterations", "frame_count"):
             if getattr(self, name) < 1:
                 raise CaseError(f"{name} must be at least 1, got {getattr(self, name)}")
+        for name in ("bias_centred", "bias_normal"):
+            if getattr(self, name) and not self.contact_bias:
+                raise CaseError(f"{name} needs contact_bias, which is off")
         if self.substeps % self.collide_count:
             raise CaseError(f"collide_count must divide substeps ({self.substeps}), got {self.collide_count}")
 
@@ -142,7 +158,7 @@ class Case:
 WORLD_FIELDS = (
     "pad_ke pad_kd pad_mu pad_dmax pad_kf cube_ke cube_kd cube_mu cube_density_kg_m3 cube_gap_m robot_gap_m"
     " shake_amplitude_m shake_frequency_hz pad_direct cube_edge_m cube_offset_m cube_in_hand start_overlap_m"
-    " finger_closed_m finger_shake_m gravity_m_s2"
+    " finger_closed_m finger_shake_m gravity_m_s2 contact_bias bias_centred bias_normal compensated"
 ).split()
 """Parameters that may differ between the worlds of one batch."""
 
@@ -151,6 +167,16 @@ def batch_key(case: Case) -> Case:
     """What must be equal for two cases to be worlds of the same simulation."""
     baseline = Case(name="")
     return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
+
+
+RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
+"""Parameters that a simulation can change without being built again."""
+
+
+def build_key(case: Case) -> Case:
+    """What must be equal for two cases to be run by one simulation, one after the other."""
+    baseline = Case(name="")
+    return replace(case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS})
 
 
 def differences(case: Case) -> dict[str, object]:

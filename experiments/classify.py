@@ -1,4 +1,4 @@
-"""How a run ends: in exactly one class, by a pure function of its trace."""
+"""How a run ends: in exactly one class, by a pure function of its trace; and how it creeps there, cycle by cycle."""
 
 import numpy as np
 
@@ -107,3 +107,16 @@ def creep_mm_s(case: Case, trace: Trace) -> float:
         return 0.0
     change = moved.vector_m[-1] - moved.vector_m[-1 - period]
     return 1e3 * float(np.linalg.norm(change)) / (period * trace.frame_dt)
+
+
+def cycle_increments(time_s: np.ndarray, along: np.ndarray, frequency_hz: float) -> np.ndarray:
+    """Change along the shake's main axis over each full shake cycle, at the phase of the first frame, shape [cycles].
+
+    Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
+
+    Args:
+        time_s: Time since the first frame of the shake, shape [frames].
+        along: Displacement along the axis, shape [frames]; the increments are in its unit.
+    """
+    cycle_count = int(np.floor(time_s[-1] * frequency_hz + 1e-9))
+    return np.diff(np.interp(np.arange(cycle_count + 1) / frequency_hz, time_s, along))

@@ -2,7 +2,6 @@
 
 import gc
 import os
-from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
@@ -11,7 +10,7 @@ import warp as wp
 
 from experiments import metrics
 from experiments.case import FIXED, Case, differences
-from experiments.error_settings import FRAME_COUNT, MODEL_FIELDS, PADS, Setting, native_of, reference_of, settings
+from experiments.error_settings import FRAME_COUNT, PADS, Setting, native_of, reference_of, settings
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, run
@@ -27,7 +26,6 @@ REPEAT_COUNT = 40
 TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
-FRONT_COLUMNS = ("on_front", "on_backend_front", "on_grasp_front", "on_grasp_backend_front")
 
 
 def measure(conditions: Conditions) -> Measurement:
@@ -53,7 +51,6 @@ def measure(conditions: Conditions) -> Measurement:
     # Nothing else runs from here on: what is timed has the machine for itself. Each row takes its errors before its
     # times, since on the CPU a trace is a view of what later frames write to.
     rows = [point_row(point, shakes | natives, traces, finest) for point in points]
-    mark_fronts(rows)
     rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
     return Measurement([*rows, *worlds, one_core_row(starts["stiff"])])
 
@@ -117,11 +114,7 @@ def reference_row(
     """
     row = describe(point, traces[point], natives[point])
     row |= errors(traces[point], traces[reference_of(point, point.case.substeps // 2)])
-    return (
-        row
-        | absent(TIME_COLUMNS, "a reference runs beside others and is not timed")
-        | dict.fromkeys(FRONT_COLUMNS, False)
-    )
+    return row | absent(TIME_COLUMNS, "a reference runs beside others and is not timed")
 
 
 def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, object]:
@@ -173,39 +166,6 @@ def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
     return spread("ms_per_s", FRAME_RATE * shake.frame_ms(REPEAT_COUNT))
 
 
-def mark_fronts(rows: Sequence[dict[str, object]]) -> None:
-    """Say of each row whether no other one that counts has a smaller error in less time.
-
-    The numerical error compares settings of one model, so another cone or impratio is on no such front; the grasp error
-    compares everything. With ``backend`` in the column's name only settings of one backend compete.
-    """
-    own_model = [row for row in rows if not any(name in row for name in MODEL_FIELDS)]
-    mark_front(rows, own_model, "on_front", "numerical_error_mm", ("pads",))
-    mark_front(rows, own_model, "on_backend_front", "numerical_error_mm", ("pads", "backend"))
-    mark_front(rows, rows, "on_grasp_front", "grasp_error_mm_per_cycle", ())
-    mark_front(rows, rows, "on_grasp_backend_front", "grasp_error_mm_per_cycle", ("backend",))
-
-
-def mark_front(
-    rows: Sequence[dict[str, object]],
-    candidates: Sequence[dict[str, object]],
-    column: str,
-    error: str,
-    groups: Sequence[str],
-) -> None:
-    """Set ``column`` of each row: whether it is on the front of its group, rows that are alike in ``groups``."""
-    competing: dict[tuple, list[dict[str, object]]] = {}
-    for row in candidates:
-        if row["valid"] and row[error] is not None:
-            competing.setdefault(tuple(row[name] for name in groups), []).append(row)
-    for row in rows:
-        row[column] = False
-    for group in competing.values():
-        front = metrics.pareto_front(*(np.array([row[name] for row in group]) for name in (error, "ms_per_s")))
-        for row, best in zip(group, front, strict=True):
-            row[column] = bool(best)
-
-
 def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[str, object]:
     """The fixed scene in many worlds at once, timed in the shake."""
     gc.collect()  # frees the batch before
@@ -231,7 +191,6 @@ def one_core_row(start: Start) -> dict[str, object]:
 def timed_only(case: Case, invalid: str | None, backend: str, world_count: int) -> dict[str, object]:
     row = {"case": case.name, **differences(case), "backend": backend, "method": "worlds", "worlds": world_count}
     row |= {"valid": invalid is None, "invalid_reason": invalid}
-    row |= dict.fromkeys(FRONT_COLUMNS, False)
     return row | absent(ERROR_COLUMNS, "only the time is measured here")
 
 

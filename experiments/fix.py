@@ -46,5 +46,5 @@ def try_script(row: dict[str, object], device: str, frame_count: int) -> dict[st
         row[name] = value if value is not None and math.isfinite(value) else None
         if row[name] is None:
             row[f"{name}_reason"] = words[0] if run.returncode and words else "the script does not say it"
-    test = {"test_passed": run.returncode == 0, "test_message": words[0] if run.returncode and words else None}
+    test = {"exit_status": run.returncode, "test_message": words[0] if run.returncode and words else None}
     return row | {"dropped": said.get("dropped"), **test, "frame_count": frame_count}

@@ -3,17 +3,21 @@
 import gc
 from collections.abc import Sequence
 from dataclasses import replace
+from multiprocessing.pool import AsyncResult, Pool
 
 import numpy as np
 import warp as wp
 
 from experiments import metrics
 from experiments.audit import audit, audit_rows
-from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
+from experiments.beside import gather, processes, start
+from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
-from experiments.reference import NativeShake, pilot_at_shake, starts_of
-from experiments.simulation import Simulation, simulate
+from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation import Simulation, batches, run_batch, simulate
+from experiments.stages import stage_rows
 from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of, spread
+from experiments.trace import Trace
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},
@@ -25,57 +29,87 @@ WITHOUT = {
     "visuals": {"visuals": False},
     "fixed-joints": {"fixed_joints": False},
     "broad-phase": {"broad_phase": "explicit"},
+    "sensors": {"sensors": False},
+    "limits": {"limits": False},
 }
 """What is left out, by name, and the parameters that do it."""
 IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
 """What of it is in the engine's model. The rest is about how the model is run."""
+UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
+"""Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
-REPEAT_COUNT = {"cuda": 30, "cpu": 10}
-RUN_COUNT = {"cuda": 8, "cpu": 1}
-"""Worlds in which a case is run to the end; on a CPU they would all be the same."""
+REPEAT_COUNT = {"cuda": 20, "cpu": 6}
+RUN_COUNT = 8
+"""Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
+TIMED = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
 
 
 def variants(quick: bool) -> list[Case]:
     """The cases; of those that leave out one thing only the one that matters most when ``quick``."""
     names = ("buffers",) if quick else WITHOUT
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
-    return [UNTRIMMED, *single, replace(LEAN, name="without-all"), AS_SHIPPED]
+    return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
 
 
 def measure(conditions: Conditions) -> Measurement:
+    kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
+    trajectories, double_rows = run_to_end(conditions, kinds)
+    # Nothing else runs from here on: what is timed has the machine for itself.
     rows = []
-    for kind in ("cuda", "cpu") if conditions.is_cuda else ("cpu",):
-        trajectories = run_to_end(conditions, kind)
+    for kind in kinds:
         pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
         for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
+            timed = time_cases(variants(conditions.quick), world_count, pilot, REPEAT_COUNT[kind])
             for case in variants(conditions.quick):
                 row = {"case": case.name, "device": kind, "worlds": world_count}
-                row |= time_case(case, world_count, pilot, REPEAT_COUNT[kind])
-                rows.append(row | trajectories[case.name])
+                rows.append(row | timed[case.name] | trajectories[kind][case.name])
+        rows += stage_rows(pilot, kind)
     frame_count = AUDIT_FRAME_COUNT[conditions.profile]
     items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
-    return Measurement(rows + double_rows(conditions) + audit_rows(items))
+    return Measurement(rows + double_rows + audit_rows(items))
 
 
-def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]]:
-    """Every variant run to the end: mean slip, peaks, and whether the trajectory is the reference's to the last bit.
+def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> tuple[dict[str, dict], list[dict[str, object]]]:
+    """Every variant run to the end on each kind of device, and in C: columns by kind and case, and rows of C.
 
-    The reference is the untrimmed scene. On the CPU, where the large buffers take minutes, all cases are run to the end
-    without them, and the reference is the one that leaves out nothing else.
+    The CPU's runs have processes of their own, beside the GPU. The reference is the untrimmed scene. On the CPU, where
+    the large buffers take minutes, all cases are run without them, and the reference is the one that leaves out nothing
+    else.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick)]
+    on_cpu = [
+        replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases[1:]
+    ]
+    groups = batches(on_cpu)
+    with processes(len(groups) + len(IN_THE_MODEL) + 2) as pool:
+        calls = [([on_cpu[index] for index in members], "cpu") for members in groups]
+        waiting = start(pool, run_batch, calls)
+        doubles, waiting_in_c = start_doubles(conditions, pool)
+        columns = {}
+        if "cuda" in kinds:
+            worlds = [case for case in cases for _ in range(RUN_COUNT)]
+            columns["cuda"] = compared(cases, simulate(worlds, device="cuda", title="leave_out on cuda"), RUN_COUNT)
+        found = gather(waiting, "leave_out on cpu")
+        traces = {
+            index: world
+            for members, worlds in zip(groups, found, strict=True)
+            for index, world in zip(members, worlds, strict=True)
+        }
+        columns["cpu"] = {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}
+        columns["cpu"] |= compared(on_cpu, [traces[index] for index in range(len(on_cpu))], 1)
+        return columns, double_rows(doubles, gather(waiting_in_c, "leave_out in C"))
+
+
+def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
+    """Mean slip, peaks, and whether the trajectory is that of the first case to the last bit, by case.
+
+    Args:
+        traces: ``run_count`` runs of each case, one case after the other.
+    """
     found = {}
-    if kind == "cpu":
-        reason = "not run to the end on the CPU, where it takes minutes"
-        found[cases.pop(0).name] = absent(MEASURED, reason)
-        cases = [
-            replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases
-        ]
-    run_count = RUN_COUNT[kind]
-    traces = simulate([case for case in cases for _ in range(run_count)], device=kind, title=f"leave_out on {kind}")
     for index, case in enumerate(cases):
         worlds = traces[index * run_count : (index + 1) * run_count]
         found[case.name] = mean_columns([summarize(case, trace) for trace in worlds])
@@ -83,16 +117,22 @@ def run_to_end(conditions: Conditions, kind: str) -> dict[str, dict[str, object]
     return found
 
 
-def double_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """The shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left out?
-
-    Where it is, differences that single precision shows are rounding. All runs start from the same state.
+def start_doubles(conditions: Conditions, pool: Pool) -> tuple[list[Case], list[AsyncResult]]:
+    """Start the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
+    out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
     """
     wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
-    cases = [case for case in variants(conditions.quick) if case.name in wanted]
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
-    [start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
-    traces = [NativeShake(replace(case, frame_count=frame_count), start).run() for case in cases]
+    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick) if case.name in wanted]
+    [at_start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
+    return cases, start(pool, run_native, [(case, at_start) for case in cases])
+
+
+def run_native(case: Case, at_start: Start) -> Trace:
+    return NativeShake(case, at_start).run()
+
+
+def double_rows(cases: Sequence[Case], traces: Sequence[Trace]) -> list[dict[str, object]]:
     return [
         {
             "case": f"double-{case.name}",
@@ -106,9 +146,11 @@ def double_rows(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def likeness(poses: np.ndarray, reference: np.ndarray) -> dict[str, object]:
-    """Whether a trajectory is the reference's to the last bit, and the largest distance of any body in any frame."""
+    """In how many frames any number of a trajectory differs from the reference's, and the largest distance of any body
+    in any frame."""
+    differing = (poses != reference).reshape(len(poses), -1).any(axis=1)
     apart = np.abs(poses[..., :3] - reference[..., :3]).max()
-    return {"bit_identical": bool(np.array_equal(poses, reference)), "pose_difference_mm": 1e3 * float(apart)}
+    return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}
 
 
 def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
@@ -124,15 +166,30 @@ def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
     return columns
 
 
-def time_case(case: Case, world_count: int, pilot: Simulation, repeat_count: int) -> dict[str, object]:
-    """Time frames of the shake in ``world_count`` worlds; every number None, with the reason, if memory runs out."""
-    gc.collect()  # frees the batch before
-    try:
-        simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
-        put_in_state_of(simulation, pilot)
-        times = frame_ms(simulation, repeat_count)
-    except RuntimeError as error:
-        reason = " ".join(str(error).split())[:120]
-        return absent(("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world"), reason)
-    memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
-    return spread("frame_ms", times) | {"buffer_bytes_per_world": memory}
+def time_cases(
+    cases: Sequence[Case], world_count: int, pilot: Simulation, repeat_count: int
+) -> dict[str, dict[str, object]]:
+    """Time frames of the shake in ``world_count`` worlds, by case; every number None, with the reason, if memory runs
+    out. What differs only in how it is run is run by one simulation, one case after the other.
+    """
+    groups: dict[Case, list[Case]] = {}
+    for case in cases:
+        groups.setdefault(build_key(case), []).append(case)
+    found = {}
+    for group in groups.values():
+        simulation = None
+        gc.collect()  # frees the batch before
+        for case in group:
+            try:
+                if simulation is None:
+                    simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
+                simulation.vary(case)
+                put_in_state_of(simulation, pilot)
+                times = frame_ms(simulation, repeat_count)
+            except RuntimeError as error:
+                reason = " ".join(str(error).split())[:120]
+                found[case.name] = absent(TIMED, reason)
+                continue
+            memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
+            found[case.name] = spread("frame_ms", times) | {"buffer_bytes_per_world": memory}
+    return found

@@ -254,7 +254,7 @@ def _body(name: str) -> str:
 
 
 @dataclass(frozen=True)
-class Scene:
+class LintedScene:
     """A scene to be linted, and the case whose run says what its buffers need."""
 
     case: Case
@@ -263,8 +263,8 @@ class Scene:
 
 SCENES = {
     # The buffers of the untrimmed scene make a run on the CPU slow; what it needs of them the trimmed one needs too.
-    "as-shipped": Scene(UNTRIMMED, AS_SHIPPED),
-    "fixed": Scene(*[replace(STIFF_PADS, cube_gap_m=STIFF_PADS.robot_gap_m)] * 2),
+    "as-shipped": LintedScene(UNTRIMMED, AS_SHIPPED),
+    "fixed": LintedScene(*[replace(STIFF_PADS, cube_gap_m=STIFF_PADS.robot_gap_m)] * 2),
 }
 PEAK_FRAME_COUNT = SETUP_FRAME_COUNT + FRAME_RATE
 """Frames of the run for the peaks: the set-up and one cycle of the shake."""

@@ -7,6 +7,7 @@ import numpy as np
 
 from experiments import metrics
 from experiments.case import AS_SHIPPED, Case, differences
+from experiments.classify import cycle_increments
 from experiments.simulation import simulate
 from experiments.trace import ContactRows, Trace
 
@@ -84,7 +85,7 @@ def summarize(case: Case, trace: Trace) -> dict[str, object]:
     if not reason and len(moved.time_s) < 2:
         reason = "the shake was never reached"
     row |= absent(SHAKE_COLUMNS, reason) if reason else _shake_numbers(moved, trace)
-    increments = np.zeros(0) if reason else metrics.cycle_increments_mm(moved, case.shake_frequency_hz)
+    increments = np.zeros(0) if reason else cycle_increments(moved.time_s, 1e3 * moved.along_m, case.shake_frequency_hz)
     cycle_reason = reason or "the shake is shorter than one cycle"
     row |= _cycle_numbers(increments) if len(increments) else absent(CYCLE_COLUMNS, cycle_reason)
     row["dropped"] = None if trace.failure else metrics.is_dropped(trace)

@@ -85,16 +85,6 @@ def wander_mm(moved: Displacement) -> float:
     return 1e3 * float(np.linalg.norm(moved.vector_m, axis=1).max())
 
 
-def cycle_increments_mm(moved: Displacement, frequency_hz: float) -> np.ndarray:
-    """Change along the main axis over each full shake cycle, at the phase of the first frame [mm], shape [cycles].
-
-    Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
-    """
-    cycle_count = int(np.floor(moved.time_s[-1] * frequency_hz + 1e-9))
-    at = np.interp(np.arange(cycle_count + 1) / frequency_hz, moved.time_s, moved.along_m)
-    return 1e3 * np.diff(at)
-
-
 def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
     """Length of the mean change in position over a shake cycle, the first cycle and an odd last one left out [mm].
 
@@ -112,13 +102,6 @@ def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
 def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
     """Root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
     return 1e3 * float(np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1))))
-
-
-def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
-    """Which points no other point beats: none is at most as far off at most as dear, and better in one; shape [n]."""
-    no_worse = (error[None, :] <= error[:, None]) & (cost[None, :] <= cost[:, None])
-    better = (error[None, :] < error[:, None]) | (cost[None, :] < cost[:, None])
-    return ~(no_worse & better).any(axis=1)
 
 
 def cube_height_m(trace: Trace) -> float:

@@ -1,14 +1,13 @@
 """The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
-import mujoco
 import numpy as np
 import warp as wp
 
 from experiments import metrics
 from experiments.case import Case
+from experiments.contact_bias_c import velocity_product
 from experiments.measurement import SETUP_FRAME_COUNT, absent
 from experiments.simulation import Simulation
 from experiments.trace import Trace
@@ -45,11 +44,12 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 def restored_row(case: Case) -> dict[str, object]:
     """The same run with the term put back: every contact row asks for -b v - J̇ q̇."""
-    simulation = _in_c(case)
-    simulation.solver._mujoco = SimpleNamespace(mj_step=_step_with_term)  # what Newton calls to step the engine
+    simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
-    return {"case": f"{case.name}-term-restored", "kind": "term-restored"} | _motion(_trace(simulation))
+    return {"case": f"{case.name}-term-restored", "kind": "term-restored", "contact_bias": True} | _motion(
+        _trace(simulation)
+    )
 
 
 def _in_c(case: Case) -> Simulation:
@@ -72,23 +72,6 @@ def _motion(trace: Trace) -> dict[str, object]:
     }
 
 
-def _step_with_term(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
-    mujoco.mj_step1(engine, data)
-    for contact in data.contact:
-        if contact.efc_address >= 0:
-            missing = contact.frame.reshape(3, 3) @ velocity_product_m_s2(engine, data, contact)
-            data.efc_aref[contact.efc_address : contact.efc_address + 3] -= missing
-    mujoco.mj_step2(engine, data)
-
-
-def velocity_product_m_s2(engine: mujoco.MjModel, data: mujoco.MjData, contact: mujoco.MjContact) -> np.ndarray:
-    """J̇ q̇ of a contact's second geom against its first, in the world [m/s²], shape [3]."""
-    of_geom = np.zeros((2, 3, engine.nv))
-    for jacobian, geom in zip(of_geom, contact.geom, strict=True):
-        mujoco.mj_jacDot(engine, data, jacobian, None, contact.pos, engine.geom_bodyid[geom])
-    return (of_geom[1] - of_geom[0]) @ data.qvel
-
-
 def mean_along_shake_m_s2(simulation: Simulation) -> float:
     """J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
     engine, data = simulation.solver.mj_model, simulation.solver.mj_data
@@ -97,5 +80,5 @@ def mean_along_shake_m_s2(simulation: Simulation) -> float:
     for contact in data.contact:
         if contact.efc_address >= 0 and data.efc_force[contact.efc_address] > 0.0 and cube in contact.geom:
             sign = 1.0 if contact.geom[1] == cube else -1.0
-            found.append(sign * metrics.MAIN_AXIS @ velocity_product_m_s2(engine, data, contact))
+            found.append(sign * metrics.MAIN_AXIS @ velocity_product(engine, data, contact)[0])
     return float(np.mean(found)) if found else 0.0

@@ -1,6 +1,7 @@
 """Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
 
 import argparse
+import hashlib
 import importlib.util
 import io
 import os
@@ -16,6 +17,7 @@ from types import ModuleType
 
 import warp as wp
 
+from experiments.kernels import compile_for
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
 from report.records.columns import is_number, number_problem, units_of
@@ -45,7 +47,8 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 2
     failures = 0
-    print("Kernels that this machine has not compiled yet come first, for a minute or two.")
+    print("Kernels that this machine has not compiled yet come first, for a minute or so.")
+    compile_first(device)
     for number, (section, module) in enumerate(modules.items(), start=1):
         print(f"[{number}/{len(modules)}] {section}")
         try:
@@ -71,6 +74,17 @@ def reason_of(error: Exception) -> str:
     if not isinstance(error, ReportError):
         traceback.print_exc()
     return said or type(error).__name__
+
+
+def compile_first(device: wp.Device) -> None:
+    """Compile what all sections need on all cores. What goes wrong here is said, and left to the measurement."""
+    start = time.perf_counter()
+    try:
+        count = compile_for(device)
+    except Exception as error:  # a new release may build its kernels in another way
+        print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
+        return
+    print(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -104,14 +118,16 @@ def section_module(section: str) -> ModuleType:
 def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
     """Let the section's module measure, and write its record and traces."""
     project = Project(package_versions()["newton"], profile, own_release=own_release())
-    start = time.perf_counter()
+    started, start = now(), time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
         identity=identity_of(section, profile),
         machine=machine(device),
         measured={
-            "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+            "date": now(),
+            "started": started,
+            "ended": now(),
             "commit": commit(),
             "command": project.rerun(section, device_kind(device)),
             "seconds": round(time.perf_counter() - start, 1),
@@ -122,6 +138,10 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
     path = project.record_path(section)
     write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
+
+
+def now() -> str:
+    return datetime.now(timezone.utc).isoformat(timespec="seconds")
 
 
 def believable(row: dict[str, object]) -> dict[str, object]:
@@ -135,7 +155,10 @@ def device_kind(device: wp.Device) -> str:
 
 
 def machine(device: wp.Device) -> dict[str, str | None]:
-    """The machine that measures, as far as a reader needs it to judge a number."""
+    """The machine that measures, as far as a reader needs it to judge a number.
+
+    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
+    """
     gpu = driver = None
     if device.is_cuda:
         gpu = device.name
@@ -147,6 +170,8 @@ def machine(device: wp.Device) -> dict[str, str | None]:
         "cpu": cpu_name(),
         "cores": str(os.cpu_count()),
         "python": platform.python_version(),
+        "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
+        "gpu_uuid": device.uuid if device.is_cuda else None,
         "system": f"{platform.system()} {platform.machine()}",
     }
 

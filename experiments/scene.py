@@ -11,6 +11,7 @@ from newton import GeoType, ModelBuilder, ShapeFlags
 from newton.solvers import SolverMuJoCo
 
 from experiments.case import CUBE_GAP_DEFAULT, Case
+from experiments.worlds import model_of
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -144,7 +145,44 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
 
 def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     """Build one world per case; the cases must have the same ``batch_key``."""
-    robot, links = robot_builder(cases[0])
+    case = cases[0]
+    built: list[_World] = []
+
+    def build(world_count: int) -> newton.Model:
+        # Each from builders of its own: finalizing a mesh a second time frees what the first model points to.
+        built.append(_world_builder(case))
+        scene = ModelBuilder()
+        scene.replicate(built[-1].builder, world_count)
+        scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=Case(name="").ground_gap_m))
+        return scene.finalize(device=device)
+
+    model = model_of(len(cases), build)
+    world = built[-1]
+    result = Scene(
+        model=model,
+        robot=robot_builder(case)[0].finalize(device=device),
+        links={"cube": Link(world.cube_body, wp.transform_identity()), **world.links},
+        pads=world.pads,
+        cube=world.cube_shape,
+    )
+    _apply_world_parameters(result, cases, world.cube_body)
+    return result
+
+
+@dataclass(frozen=True)
+class _World:
+    """One world to be built, and where to find things in it."""
+
+    builder: ModelBuilder
+    links: dict[str, Link]
+    pads: tuple[int, ...]
+    cube_body: int
+    cube_shape: int
+
+
+def _world_builder(case: Case) -> _World:
+    """The arm and the cube; ``_apply_world_parameters`` then says what each case has for itself."""
+    robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
     world.add_builder(robot)
@@ -156,22 +194,7 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
     )
     assert world.rigid_gap == CUBE_GAP_DEFAULT, "newton changed ModelBuilder.rigid_gap: as shipped is no longer 0.1"
     cube_shape = world.add_shape_box(cube_body, hx=half, hy=half, hz=half, cfg=cube_cfg, label="cube")
-
-    scene = ModelBuilder()
-    scene.replicate(world, len(cases))
-    scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=baseline.ground_gap_m))
-
-    model = scene.finalize(device=device)
-    result = Scene(
-        model=model,
-        # From a builder of its own: finalizing a mesh a second time frees what the first model points to.
-        robot=robot_builder(cases[0])[0].finalize(device=device),
-        links={"cube": Link(cube_body, wp.transform_identity()), **links},
-        pads=pad_shapes(robot),
-        cube=cube_shape,
-    )
-    _apply_world_parameters(result, cases, cube_body)
-    return result
+    return _World(world, links, pad_shapes(robot), cube_body, cube_shape)
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 python -m experiments.shake --viewer gl
 python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
+python -m experiments.shake --viewer gl --replay results/newton-1.4.0/poses.as-shipped.csv.gz
 """
 
 import importlib.util
@@ -17,6 +18,7 @@ import warp as wp
 
 from experiments.case import AS_SHIPPED, Case, CaseError
 from experiments.measurement import summarize
+from experiments.replay import Replay, load_poses
 from experiments.simulation import Simulation
 from experiments.trace import Trace
 
@@ -98,6 +100,9 @@ def create_parser():
         "--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo's C engine"
     )
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
+    parser.add_argument(
+        "--replay", type=Path, metavar="FILE", help="show the kept poses of a run, and simulate nothing"
+    )
     return parser
 
 
@@ -175,10 +180,14 @@ def run(parser) -> int:
     check_device(args.device)
     check_viewer(args.viewer)
     check_json(args.json)
+    poses = load_poses(args.replay) if args.replay else None
     try:
         viewer, args = newton.examples.init(parser)
     except (ImportError, ValueError, RuntimeError) as error:
         raise CaseError(f"--viewer {args.viewer}: {' '.join(str(error).split())}") from None
+    if poses is not None:
+        newton.examples.run(Replay(viewer, poses), args)
+        return 0
     example = Example(viewer, args)
     status = 0
     try:

@@ -2,17 +2,22 @@
 
 import time
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
+from dataclasses import replace
 from functools import partial
 
 import mujoco
 import newton
+import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 from tqdm import tqdm
 
-from experiments.case import Case, CaseError, batch_key
+from experiments.beside import gather, processes, start
+from experiments.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
 from experiments.compat import make_solver, warp_has_noslip
 from experiments.recorder import Recorder
+from experiments.remedies import install_remedies
 from experiments.scene import ARM_DOF_COUNT, build_scene
 from experiments.task import FRAME_RATE, build_task
 from experiments.trace import Trace
@@ -32,7 +37,7 @@ class Simulation:
         newton.use_coord_layout_targets = True
         case = cases[0]
         cases = list(cases)
-        self.case = case
+        self.case, self.cases = case, cases
         self.device = device
         self.world_count = len(cases)
         self.frame_dt = 1.0 / FRAME_RATE
@@ -51,9 +56,26 @@ class Simulation:
                 self.task.plan(self.body_q)
                 self.task.solve()
         wp.synchronize_device(device)  # what was built on the device's own stream is used on another
+        self._start_uncaptured()
+
+    def _start_uncaptured(self) -> None:
         self.parts = [self.queue_targets, self.queue_physics]
-        self.part_beside = self.task.solve if case.ik_beside else None
+        self.part_beside = self.task.solve if self.case.ik_beside else None
         self.captured = False
+
+    def vary(self, case: Case) -> None:
+        """Go on as another case, which may differ in RUN_TIME_FIELDS only; its first step is captured anew.
+
+        The state stays as it is: see ``timing.put_in_state_of``.
+        """
+        case = replace(case, frame_count=self.case.frame_count)
+        if build_key(case) != build_key(self.case):
+            raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
+        self.case = case
+        self.task = replace(self.task, ik_iterations=case.ik_iterations)
+        self.solver.update_data_interval = _update_data_interval(case)
+        self._set_flags(self.solver)
+        self._start_uncaptured()
 
     def _start_at_approach_pose(self) -> None:
         model = self.model
@@ -68,8 +90,9 @@ class Simulation:
         self.body_q = self.state.body_q.reshape((self.world_count, -1))
         self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
         tcp = self.scene.links["fr3_hand_tcp"]
-        poses = self.body_q.numpy()[:, tcp.body]
-        self.task.phase_start.assign([wp.transform(*pose) * tcp.pose for pose in poses])
+        poses, world = np.unique(self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True)
+        starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
+        self.task.phase_start.assign(starts[world.reshape(-1)])
 
     def _build_collision(self):
         if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
@@ -101,17 +124,25 @@ class Simulation:
             njmax=case.constraint_max or CONSTRAINT_MAX,
             use_mujoco_contacts=self.pipeline is None,
             use_mujoco_cpu=case.backend == "mujoco",
-            # Only by being written at every step does Newton's start reach MuJoCo's C engine.
-            update_data_interval=1 if case.state_sync or case.backend == "mujoco" else 0,
+            update_data_interval=_update_data_interval(case),
         )
-        for option in (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt):
-            if not case.refsafe:
-                option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
-            if case.noslip_iterations:
+        self._set_flags(solver)
+        if case.noslip_iterations:
+            for option in _options(solver):
                 option.noslip_iterations = case.noslip_iterations
+        install_remedies(solver, self.cases)
         if not solver.update_data_interval:
             solver.reset(self.state)  # the engine starts all worlds as the first
         return solver
+
+    def _set_flags(self, solver: SolverMuJoCo) -> None:
+        """Switch each stage of the engine off or on, as the case says."""
+        bits = mujoco.mjtDisableBit
+        stages = {"refsafe": bits.mjDSBL_REFSAFE, "sensors": bits.mjDSBL_SENSOR, "limits": bits.mjDSBL_LIMIT}
+        for option in _options(solver):
+            for name, bit in stages.items():
+                kept = option.disableflags & ~int(bit)
+                option.disableflags = kept | (0 if getattr(self.case, name) else int(bit))
 
     def queue_targets(self) -> None:
         """Queue the joint targets of this frame."""
@@ -169,6 +200,16 @@ class Simulation:
             stream.wait_stream(other)
 
 
+def _options(solver: SolverMuJoCo) -> tuple:
+    """The options of the engine in C, and of the one in Warp where there is one."""
+    return (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt)
+
+
+def _update_data_interval(case: Case) -> int:
+    """Only by being written at every step does Newton's start reach MuJoCo's C engine."""
+    return 1 if case.state_sync or case.backend == "mujoco" else 0
+
+
 def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
     """Run all frames of all simulations side by side and return the traces of each one's worlds.
 
@@ -183,7 +224,7 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
         simulation.step()  # compiles and captures, so the clock starts after it
     _synchronize(simulations)
     start = time.perf_counter()
-    frame_count = max(simulation.case.frame_count for simulation in simulations)
+    frame_count = max((simulation.case.frame_count for simulation in simulations), default=0)
     for frame in tqdm(range(frame_count), desc=title, unit="frame", delay=3.0, miniters=PROGRESS_FRAMES):
         for simulation in simulations:
             if is_due(frame, simulation.case.frame_count, frame_count):
@@ -216,26 +257,50 @@ def simulate(
     """Run every case and return its trace, in the order of the cases.
 
     Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the
-    CPU. To time a case, run it in a call of its own: simulations of one call run side by side.
+    CPU. To time a case, run it in a call of its own: simulations of one call run side by side, and next to a GPU those
+    on the CPU in processes of their own.
 
     Args:
         device: Warp device; None takes CUDA where there is one.
         contact_frames: Frames after which all live contacts are kept in the traces.
         title: What the progress bar says.
     """
-    batches: dict[object, list[int]] = {}
-    for index, case in enumerate(cases):
-        key = index if case.backend == "mujoco" else batch_key(case)
-        batches.setdefault(key, []).append(index)
-    simulations = []
-    for members in batches.values():
-        case = cases[members[0]]
-        chosen = "cpu" if case.backend == "mujoco" else case.device or device
-        simulations.append(Simulation([cases[index] for index in members], wp.get_device(chosen)))
+    here: list[list[int]] = []
+    away: list[list[int]] = []
+    main = wp.get_device(device)
+    for members in batches(cases):
+        # The CPU's runs have processes of their own, beside the GPU and one another.
+        is_away = main.is_cuda and not contact_frames and _device_of(cases[members[0]], device) == "cpu"
+        (away if is_away else here).append(members)
+    with processes(len(away)) if away else nullcontext() as pool:
+        waiting = start(pool, run_batch, [([cases[index] for index in members], "cpu") for members in away])
+        simulations = [
+            Simulation([cases[index] for index in members], wp.get_device(_device_of(cases[members[0]], device)))
+            for members in here
+        ]
+        found = run(simulations, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
     traces: dict[int, Trace] = {}
-    for members, worlds in zip(batches.values(), run(simulations, title, contact_frames), strict=True):
+    for members, worlds in zip(here + away, found, strict=True):
         traces.update(zip(members, worlds, strict=True))
     return [traces[index] for index in range(len(cases))]
+
+
+def batches(cases: Sequence[Case]) -> list[list[int]]:
+    """Indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one each."""
+    found: dict[object, list[int]] = {}
+    for index, case in enumerate(cases):
+        found.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
+    return list(found.values())
+
+
+def _device_of(case: Case, device: str | None) -> str | None:
+    return "cpu" if case.backend == "mujoco" else case.device or device
+
+
+def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
+    """Run cases with the same ``batch_key`` and return their traces; for a process of its own."""
+    [traces] = run([Simulation(cases, wp.get_device(device))])
+    return traces
 
 
 def captured(queue: Callable[[], None]) -> Callable[[], None]:

@@ -1,15 +1,13 @@
-"""The families of section stability: which cases, and when a measured row of each passes."""
+"""The families of section stability: which cases each has."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from experiments.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
-from experiments.classify import STABLE
 from experiments.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
-from experiments.stability_limits import cube_mass_kg, explicit_margin, is_clamped, step_s, target_demand_m_s2
-from experiments.task import FRAME_RATE
+from experiments.stability_limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
 
 HOLD_FRAME_COUNT = 91
 """Frames in which a cube that starts in the hand is held still."""
@@ -56,8 +54,6 @@ BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {
 """None, then less than the grasp needs."""
 OVERFLOW_FRAME_COUNT = 4
 """An overflow shows in the first frame."""
-LARGEST_PENETRATION = 0.01
-"""Of the edge, with stiff pads."""
 FINGER_FORCE_N = 1.0
 """Grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass."""
 
@@ -210,7 +206,10 @@ def gravities(profile: str) -> list[Probe]:
 
 
 def long_run(profile: str) -> Probe:
-    return probe("long", "stiff", PADS["stiff"] | {"frame_count": LONG_FRAME_COUNT[profile]})
+    """One world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
+    room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
+    changes = PADS["stiff"] | room | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
+    return probe("long", "stiff", changes, run_on="cpu")
 
 
 def buffers(frame_count: int) -> list[Probe]:
@@ -235,110 +234,3 @@ def carrying_force_n(mass_kg: float) -> float:
 def closed_m(edge_m: float, force_n: float) -> float:
     """Position target [m] with which a finger presses on a cube of that edge with ``force_n``."""
     return 0.5 * edge_m + PAD_FACE - force_n / TARGET_KE
-
-
-# When a row passes. Every function takes the rows of its family and returns True, False or, where nothing is asked of a
-# row, None for each.
-
-
-def is_stable(row: Mapping) -> bool:
-    return row["class"] in STABLE
-
-
-def passing_steps(rows: Sequence[Mapping]) -> list[bool]:
-    """Stable, and the drift within a factor of two of that with the smallest step."""
-    converged = {}
-    for row in sorted(rows, key=lambda row: row["substeps"]):
-        converged[row["pads"]] = row["drift_mm_s"]
-
-    def passes(row: Mapping) -> bool:
-        last = converged[row["pads"]]
-        return is_stable(row) and last is not None and 0.5 <= row["drift_mm_s"] / last <= 2.0
-
-    return [passes(row) for row in rows]
-
-
-def passing_critical(rows: Sequence[Mapping]) -> list[bool]:
-    """Finite, and where the clamp is at work as deep in the pads as the other clamped cells of the same step, within a
-    factor of two: the clamp predicts the same stiffness for them all."""
-
-    def passes(row: Mapping) -> bool:
-        if not row["clamped"]:
-            return row["finite"]
-        plateau = [
-            other["penetration_mm"]
-            for other in rows
-            if other["clamped"] and other["substeps"] == row["substeps"] and is_stable(other)
-        ]
-        return is_stable(row) and 0.5 <= row["penetration_mm"] / np.median(plateau) <= 2.0
-
-    return [bool(passes(row)) for row in rows]
-
-
-def passing_kd_100(rows: Sequence[Mapping]) -> list[bool | None]:
-    """Stable where the explicit bound says so with a factor of two to spare, and not stable where it is exceeded as
-    much. A contact too soft to hold the cube at any step says nothing of the step."""
-    held = {row["pad_ke"] for row in rows if is_stable(row)}
-
-    def passes(row: Mapping) -> bool | None:
-        margin = explicit_margin(row["pad_ke"], row["pad_kd"], 1.0 / FRAME_RATE / row["substeps"])
-        if margin > 2.0:
-            return not is_stable(row)
-        if margin >= 0.5 or row["pad_ke"] not in held:
-            return None
-        return is_stable(row)
-
-    return [passes(row) for row in rows]
-
-
-def passing_clamp(rows: Sequence[Mapping]) -> list[bool]:
-    """All runs of one way pass when some of them fail and some do not: the failure has been found."""
-    found = {}
-    for row in rows:
-        found.setdefault(row["clamp"], set()).add(is_stable(row))
-    return [len(found[row["clamp"]]) == 2 for row in rows]
-
-
-def passing_load(rows: Sequence[Mapping]) -> list[bool | None]:
-    """Held below 0.9 of what friction can carry, dropped above 1.1; between them nothing is asked."""
-
-    def passes(row: Mapping) -> bool | None:
-        if row["load"] is None:
-            return False
-        if row["load"] < 0.9:
-            return is_stable(row)
-        return row["class"] == "dropped" if row["load"] > 1.1 else None
-
-    return [passes(row) for row in rows]
-
-
-def passing_friction(rows: Sequence[Mapping]) -> list[bool]:
-    return [row["finite"] and (row["pad_mu"] > 0.0 or row["class"] == "dropped") for row in rows]
-
-
-def passing_finite(rows: Sequence[Mapping]) -> list[bool]:
-    return [row["finite"] for row in rows]
-
-
-def passing_size(rows: Sequence[Mapping]) -> list[bool]:
-    return [is_stable(row) and row["penetration_mm"] < LARGEST_PENETRATION * row["cube_edge_mm"] for row in rows]
-
-
-def passing_overlap(rows: Sequence[Mapping]) -> list[bool]:
-    return [is_stable(row) and row["exit_speed_mm_s"] <= row["exit_bound_mm_s"] for row in rows]
-
-
-def passing_gravity(rows: Sequence[Mapping]) -> list[bool]:
-    return [row["finite"] and not row.get("gains_energy") for row in rows]
-
-
-def passing_buffers(rows: Sequence[Mapping]) -> list[bool]:
-    """The failure names the buffer that was too small; with ample room there is none."""
-
-    def passes(row: Mapping) -> bool:
-        if row["case"] == "buffers-ample":
-            return is_stable(row)
-        name = row["case"].split("-")[1]
-        return row["failure"] is not None and f"the {name} buffer" in row["failure"]
-
-    return [passes(row) for row in rows]

@@ -36,17 +36,8 @@ def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float)
     return 1.0 / (PAD_DMAX * max(timeconst_s, shortest_s) * dampratio) ** 2
 
 
-def explicit_margin(ke: float, kd: float, step: float) -> float:
-    """(dt² ke + 2 dt kd) / 4: below 1 the semi-implicit Euler step of x'' = -ke x - kd x' is stable.
-
-    The step's matrix has determinant 1 - dt kd and trace 2 - dt kd - dt² ke; both roots lie in the unit circle when
-    dt² ke + 2 dt kd < 4 (Jury's criterion).
-    """
-    return (step**2 * ke + 2.0 * step * kd) / 4.0
-
-
 def explicit_step_s(ke: float, kd: float) -> float:
-    """The step [s] at which ``explicit_margin`` is 1."""
+    """The step [s] up to which the semi-implicit Euler step of x'' = -ke x - kd x' is stable: dt² ke + 2 dt kd = 4."""
     return ((kd**2 + 4.0 * ke) ** 0.5 - kd) / ke
 
 

@@ -209,14 +209,12 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     def floats(values) -> wp.array:
         return wp.array(list(values), dtype=wp.float32, device=device)
 
-    bodies = scene.model.body_q.numpy().reshape(world_count, -1, 7)
-    cube_position = bodies[:, cube.body, :3]
-    starts = [
-        wp.vec3(*CUBE_IN_HAND) if case.cube_in_hand else wp.vec3(*position) + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
-        for case, position in zip(cases, cube_position, strict=True)
-    ]
+    in_hand = np.array([case.cube_in_hand for case in cases])
+    cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, cube.body, :3]
+    above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
+    starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
     target_position = wp.array(starts, dtype=wp.vec3, device=device)
-    target_rotation = wp.array([wp.vec4(1.0, 0.0, 0.0, 0.0)] * world_count, dtype=wp.vec4, device=device)
+    target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=device)
     limits = (scene.robot.joint_limit_lower, scene.robot.joint_limit_upper)
     solver = ik.IKSolver(
         model=scene.robot,
@@ -229,17 +227,17 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
         lambda_initial=IK_LAMBDA,
         jacobian_mode=ik.IKJacobianType.ANALYTIC,
     )
-    solution = wp.array([READY_POSE] * world_count, dtype=wp.float32, device=device)
+    solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=wp.float32, device=device)
     for _ in range(APPROACH_SOLVE_COUNT):
         solver.step(solution, solution, iterations=cases[0].ik_iterations)
     return Task(
-        phase=wp.array([LIFT if case.cube_in_hand else APPROACH for case in cases], dtype=int, device=device),
+        phase=wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=device),
         elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
         phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
         phase_seconds=floats(PHASE_SECONDS),
         amplitude=floats(case.shake_amplitude_m for case in cases),
         frequency=floats(case.shake_frequency_hz for case in cases),
-        in_hand=wp.array([case.cube_in_hand for case in cases], dtype=bool, device=device),
+        in_hand=wp.array(in_hand, dtype=bool, device=device),
         finger_closed=floats(case.finger_closed_m for case in cases),
         finger_shake=floats(
             case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases

@@ -22,10 +22,9 @@ EDGES = ("_p5", "_p95")
 UNCOMPARED = (
     *("wall_s", "build_s", "capture_s"),
     *("failure_frame", "normal_velocity_mm_s", "cone_use", "pose_difference_mm", "creep_floor_mm_s"),
-    *("on_front", "on_backend_front", "on_grasp_front", "on_grasp_backend_front"),
 )
 """Times of a whole batch and of what is done once; what is chance, as the frame in which a run breaks down, what one
-frame decides, the farthest that two runs get apart, or noise itself; and fronts, on which the least change decides."""
+frame decides, the farthest that two runs get apart, or noise itself."""
 SPEED_UNITS, SPEED_COLUMNS = ("ms", "ms/s", "1/s"), ("realtime_factor",)
 LOST_COLUMNS = ("dropped", "failure", "invalid_reason")
 Key = tuple[Any, ...]

@@ -11,8 +11,17 @@ NOISE = "noise"
 """The section whose rows are runs of one and the same case, as ``of`` says."""
 ROUNDING_SHARE = 1e-3
 """Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
-LESS_IS_BETTER = ("slip_mm", "drift_mm_s", "wander_mm", "frame_ms", "mjw_step_ms", "dropped", "bytes_per_world")
-MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s", "test_passed")
+LESS_IS_BETTER = (
+    "slip_mm",
+    "drift_mm_s",
+    "wander_mm",
+    "frame_ms",
+    "mjw_step_ms",
+    "dropped",
+    "bytes_per_world",
+    "exit_status",
+)
+MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s")
 
 
 def verdict(column: str, before: Any, after: Any) -> str:

@@ -167,3 +167,23 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.measure()
     yield toy
     forget_sections()
+
+
+@pytest.fixture(scope="session")
+def poses_path(tmp_path_factory) -> Path:
+    """The record of a quick measurement of section poses, with its traces, as they would be kept."""
+    from experiments.measurement import Conditions
+    from experiments.poses import measure
+
+    measurement = measure(Conditions(device="cpu", quick=True))
+    path = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}/poses.json"
+    record = Record(
+        section="poses",
+        identity=identity_of("poses", "quick"),
+        machine={"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
+        measured={"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
+        units=units_of(measurement.rows),
+        rows=measurement.rows,
+    )
+    write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
+    return path

@@ -42,36 +42,6 @@ def test_distance_is_the_root_mean_square():
     assert metrics.distance_rms_mm(path, other) == pytest.approx(np.sqrt((25.0 + 1.0) / 2.0))
 
 
-def test_the_front_is_what_nothing_beats():
-    error = np.array([1.0, 2.0, 3.0, 2.0, 4.0, 1.0])
-    cost = np.array([9.0, 5.0, 5.0, 5.0, 1.0, 10.0])
-    assert metrics.pareto_front(error, cost).tolist() == [True, True, False, True, True, False]
-
-
-def test_fronts_compare_what_can_be_compared():
-    def row(case, error, ms, valid=True, pads="stiff", backend="mujoco-c", grasp=1.0, **model):
-        row = {"case": case, "pads": pads, "backend": backend, "valid": valid, "ms_per_s": ms, **model}
-        return row | {"numerical_error_mm": error, "grasp_error_mm_per_cycle": grasp}
-
-    rows = [
-        row("good", 1.0, 2.0, grasp=0.5),
-        row("beaten", 2.0, 3.0),
-        row("failed", 0.1, None, valid=False),
-        row("other pads", 5.0, 5.0, pads="as-shipped"),
-        row("other backend", 4.0, 4.0, backend="warp-cuda", grasp=0.6),
-        row("other model", 0.1, 1.0, impratio=1.0, grasp=0.9),
-    ]
-    error_runtime.mark_fronts(rows)
-
-    def on(column):
-        return {row["case"] for row in rows if row[column]}
-
-    assert on("on_front") == {"good", "other pads"}
-    assert on("on_backend_front") == {"good", "other pads", "other backend"}
-    assert on("on_grasp_front") == {"good", "other model"}
-    assert on("on_grasp_backend_front") == {"good", "other model", "other backend"}
-
-
 @pytest.mark.parametrize(
     ("level", "worlds"),
     [(49.9, 5), (20.0, 2), (1e3, None), (5.0, None)],

@@ -60,6 +60,8 @@ def test_clamped_cells_pass_near_the_plateau_of_their_step(verdicts):
 
 
 def test_the_explicit_bound():
+    # dt = 0.01: 1e-4 * 1e4 + 0.02 * 100 = 3.
+    assert explicit_margin(1e4, 100.0, 0.01) == pytest.approx(0.75)
     # kd = 0: dt² ke = 4 at ke = 4 * 960². With kd = 100: at ke = 4 * 960² - 2 * 960 * 100.
     assert explicit_margin(4 * 960.0**2, 0.0, 1 / 960) == pytest.approx(1.0)
     assert explicit_margin(4 * 960.0**2 - 2 * 960.0 * 100.0, 100.0, 1 / 960) == pytest.approx(1.0)
@@ -109,9 +111,11 @@ def test_what_starts_too_deep_passes_up_to_the_speed_of_a_spring(verdicts):
 
 
 def test_a_freed_cube_must_not_gain_energy(verdicts):
-    cells = [{"class": "creeping"}, {"class": "non-finite"}]
-    cells += [{"class": "dropped", "gains_energy": gains} for gains in (False, True)]
-    assert verdicts("gravity", *cells) == [True, False, True, False]
+    cells = [{"class": "creeping", "freed": False}, {"class": "non-finite", "freed": True}]
+    speeds = [(10.0, 10.04), (10.0, 10.06), (0.0, 0.0), (0.0, 0.1)]  # 10² grows by a hundredth at 10.0499
+    names = ("freed_speed_first_mm_s", "freed_speed_last_mm_s")
+    cells += [{"class": "dropped", "freed": True} | dict(zip(names, pair, strict=True)) for pair in speeds]
+    assert verdicts("gravity", *cells) == [True, False, True, False, True, False]
 
 
 def test_an_overflow_must_name_its_buffer(verdicts):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from experiments import metrics
+from experiments.classify import cycle_increments
 from experiments.trace import FRAME_COLUMNS, Failure, Trace, first_failure
 
 FRAME_DT = 1.0 / 60.0
@@ -66,13 +67,13 @@ def test_oscillation_is_the_root_mean_square_about_the_line():
 def test_cycle_increments_at_one_phase():
     seconds = np.arange(150) * FRAME_DT
     moved = metrics.displacement(make_trace(along_x(0.3 * seconds + np.sin(2 * np.pi * seconds))))
-    np.testing.assert_allclose(metrics.cycle_increments_mm(moved, 1.0), [0.3, 0.3], atol=1e-3)
+    np.testing.assert_allclose(cycle_increments(moved.time_s, 1e3 * moved.along_m, 1.0), [0.3, 0.3], atol=1e-3)
 
 
 def test_cycle_increments_of_cycles_between_frames():
     seconds = np.arange(121) * FRAME_DT
     moved = metrics.displacement(make_trace(along_x(0.3 * seconds)))
-    np.testing.assert_allclose(metrics.cycle_increments_mm(moved, 1.7), [0.3 / 1.7] * 3, atol=1e-4)
+    np.testing.assert_allclose(cycle_increments(moved.time_s, 1e3 * moved.along_m, 1.7), [0.3 / 1.7] * 3, atol=1e-4)
 
 
 def test_wander_is_the_largest_distance():

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from report import ReportError
 
-WHOLE, NEW = ".whole", ".new"
+WHOLE, NEW, PART = ".whole", ".new", ".part"
 """How the folders of files end that wait to be put in place, and that are still being written."""
 
 
@@ -101,6 +101,20 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
             raise
         os.rename(new, folder / f".{record.stem}{WHOLE}")
         _settle(folder)
+
+
+@contextmanager
+def atomic_file(path: Path) -> Iterator[Path]:
+    """A path to write to, which takes the place of ``path`` once the block has ended well."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.name}{PART}")
+    try:
+        yield temporary
+        with temporary.open("rb") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def settle(results: Path) -> None:

@@ -10,13 +10,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from report.records.columns import COLUMN, PLAIN, number_problem, text_problem, unit_of
+from report.records.columns import PLAIN, number_problem, text_problem, unit_of
 from report.records.files import RecordError, is_own_file, place_of, read_own_file
 from report.records.record import Record, Seal
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
     import pandas as pd
 
+HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
 CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 256 << 20
 NO_NUMBER = re.compile(r"(?:^|,)[+-]?(?:nan|inf|infinity)(?:,|$)", re.IGNORECASE | re.MULTILINE)
@@ -99,7 +100,7 @@ def _unpacked(content: bytes) -> bytes:
 
 def _check_cells(lines: list[list[str]]) -> None:
     head = lines[0] if lines else []
-    if not head or not all(COLUMN.fullmatch(column) for column in head) or len(set(head)) < len(head):
+    if not head or not all(HEAD.fullmatch(column) for column in head) or len(set(head)) < len(head):
         raise ValueError("its first line does not name each of its columns once")
     if len(lines) < 2:
         raise ValueError("it has no rows")

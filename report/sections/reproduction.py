@@ -7,6 +7,7 @@ import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
+from experiments.classify import cycle_increments
 from report.claims import FAILS, Claim, at_least, at_most
 from report.deriving.arithmetic import (
     DEVICES,
@@ -283,9 +284,8 @@ def _engine(results: Results, row: Row) -> str:
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
-    """Change [mm] along the shake's main axis over each whole cycle, at the phase of the first frame."""
-    count = int(np.floor(frame["time_s"].iloc[-1] * frequency_hz + 1e-9))
-    return np.diff(np.interp(np.arange(count + 1) / frequency_hz, frame["time_s"], frame["along_mm"]))
+    """In mm, shape [cycles]."""
+    return cycle_increments(frame["time_s"].to_numpy(), frame["along_mm"].to_numpy(), frequency_hz)
 
 
 def _draw_displacement(traces: dict[str, Series]) -> Drawing:

@@ -12,7 +12,16 @@ from report.quantities import Value
 from report.results import Results
 from report.sections.leave_out.double import change_in_double, double_table, same_in_double
 from report.sections.leave_out.tables import audit_table, case_table, cost_figure, cost_table, same_table
-from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, reference_of, row_of
+from report.sections.leave_out.variants import (
+    ALL,
+    REFERENCE,
+    Variant,
+    find,
+    is_identical,
+    reference_of,
+    row_of,
+    was_compared,
+)
 
 order = 150
 
@@ -195,7 +204,7 @@ def _is_faster(
 def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
     """Judged on the CPU: a GPU adds up in another order each time, and does not even repeat itself."""
     reference = reference_of(variants, "cpu")
-    others = [variant for variant in variants if variant.device == "cpu" and "bit_identical" in variant.run]
+    others = [variant for variant in variants if variant.device == "cpu" and was_compared(variant.run)]
     others = [variant for variant in others if variant is not reference]
     largest = results.value(
         "cpu_pose_difference",
@@ -206,9 +215,9 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
     )
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
-        outcome = HOLDS if all(variant.run.bit_identical for variant in others) else FAILS
+        outcome = HOLDS if all(is_identical(variant.run) for variant in others) else FAILS
     same, apart = (
-        [variant.case for variant in others if variant.run.bit_identical == identical] for identical in (True, False)
+        [variant.case for variant in others if is_identical(variant.run) == identical] for identical in (True, False)
     )
     return Claim(
         "same_bits",

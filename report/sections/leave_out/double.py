@@ -9,7 +9,7 @@ from report.deriving.arithmetic import difference, friction_rows_differ, in_code
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections.leave_out.variants import REFERENCE
+from report.sections.leave_out.variants import REFERENCE, is_identical
 
 
 def change_in_double(results: Results, row: Row) -> Value:
@@ -23,7 +23,7 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
     formula = "largest change of the slip in double precision, either way"
     largest = results.value("double_largest", formula, lambda *change: max(map(abs, change)), *changes, unit="mm")
     others = [row for row in rows if row.of != REFERENCE]
-    same, moved = ([row for row in others if row.bit_identical == identical] for identical in (True, False))
+    same, moved = ([row for row in others if is_identical(row) == identical] for identical in (True, False))
     apart = results.value(
         "double_apart",
         "largest distance of cube or TCP from where it is in the reference, in double precision",
@@ -51,7 +51,7 @@ def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
     columns = {
         "slip": [row.slip_mm for row in rows],
         "change": changes,
-        "same bits": ["reference" if row.of == REFERENCE else row.bit_identical for row in rows],
+        "same bits": ["reference" if row.of == REFERENCE else is_identical(row) for row in rows],
         "apart": [row.pose_difference_mm for row in rows],
     }
     return Table(pd.DataFrame(columns, index=pd.Index([row.of for row in rows], name="case")))

@@ -13,7 +13,7 @@ from report.format import format_number
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, reference_of
+from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, is_identical, reference_of, was_compared
 
 LEFT_OUT = {
     REFERENCE: "nothing: exactly as shipped",
@@ -86,7 +86,7 @@ def same_table(variants: Sequence[Variant], differences: dict[str, Value]) -> Ta
 def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
     if variant is reference_of(variants, variant.device):
         return "reference"
-    return variant.run.bit_identical if "bit_identical" in variant.run else "not run"
+    return is_identical(variant.run) if was_compared(variant.run) else "not run"
 
 
 def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Joint positions of MuJoCo Warp summed with what rounding takes from them kept, without a patch.
+
+    import compensated_positions
+    compensated_positions.install(solver)    # a newton.solvers.SolverMuJoCo on MuJoCo Warp, before its first step
+
+In single precision a position of 1 rad moves in steps of 1e-7 rad. A joint that creeps moves less than half of that in
+a short time step, so its position stays where it is, for ever, whatever its velocity; what it holds moves on. Kahan's
+summation keeps what each sum lost and adds it to the next one ("Further remarks on reducing truncation errors",
+Communications of the ACM 8, 1965). It is done for hinges, slides and the translation of free joints, where MuJoCo Warp
+calls ``Model.callback.control``: the sum that the engine made at the end of the step before is done once more there.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import mujoco_warp
+import warp as wp
+
+FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
+NO_ACTUATION = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
+RUNGE_KUTTA = int(mujoco.mjtIntegrator.mjINT_RK4)
+STAGE_WEIGHTS = (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)
+"""What each stage's velocity counts in a step of RK4."""
+NEAR = wp.constant(1e-6)
+"""A position farther than this from the sum, relative to both where they are above 1 rad or 1 m, was set by someone
+else, as a reset does: the sum starts anew."""
+
+
+def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
+    """Let the positions of a solver's joints be summed with compensation.
+
+    Args:
+        solver: What has ``mjw_model`` and ``mjw_data``: a ``newton.solvers.SolverMuJoCo`` without MuJoCo's C engine.
+        worlds: For each world whether it is done in it; all when left out.
+
+    A control callback that is there already is called before it.
+
+    Raises:
+        ValueError: The solver has no model of MuJoCo Warp, or has no actuation, for which the callback is left out.
+    """
+    model = getattr(solver, "mjw_model", None)
+    if model is None:
+        raise ValueError("compensated_positions needs a solver with a mjw_model, one that runs MuJoCo Warp")
+    if model.opt.disableflags & NO_ACTUATION:
+        raise ValueError("compensated_positions: MuJoCo Warp calls nothing while actuation is disabled; enable it")
+    data, before = solver.mjw_data, model.callback.control
+    chosen = wp.array([True] * data.nworld if worlds is None else list(worlds), dtype=bool, device=data.qpos.device)
+    sums = _Sums.of(data, chosen)
+
+    def control(m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
+        if before is not None:
+            before(m, d)
+        sums.add(m, d)
+
+    model.callback.control = control
+
+
+@dataclass
+class _Sums:
+    """The positions as pairs of single-precision numbers whose sum they are; shapes [worlds, coordinates]."""
+
+    worlds: wp.array
+    position: wp.array
+    lost: wp.array
+    """What is missing to ``position``."""
+    velocity: wp.array
+    """Mean velocity of the step so far, over the stages of RK4; shape [worlds, degrees of freedom]."""
+    stage: int = 0
+    """Stage of RK4 that the next call is in. Counted as the calls are queued, so a graph must hold whole steps."""
+
+    @classmethod
+    def of(cls, d: mujoco_warp.Data, worlds: wp.array) -> "_Sums":
+        nowhere = wp.full_like(d.qpos, wp.nan)  # which is near nothing: the first step takes what is there
+        return cls(worlds, nowhere, wp.zeros_like(d.qpos), wp.zeros_like(d.qvel))
+
+    def add(self, m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
+        """Queue the sum of the last step where a step begins, and what each stage of RK4 adds to the next."""
+        staged = int(m.opt.integrator) == RUNGE_KUTTA
+        if self.stage == 0:
+            wp.launch(
+                add_step,
+                dim=(d.nworld, m.njnt),
+                inputs=[self.worlds, m.opt.timestep, m.jnt_type, m.jnt_qposadr, m.jnt_dofadr]
+                + [self.velocity if staged else d.qvel],
+                outputs=[d.qpos, self.position, self.lost],
+                device=d.qpos.device,
+            )
+        if staged:
+            wp.launch(
+                add_stage,
+                dim=(d.nworld, m.nv),
+                inputs=[STAGE_WEIGHTS[self.stage], self.stage == 0, d.qvel],
+                outputs=[self.velocity],
+                device=d.qpos.device,
+            )
+            self.stage = (self.stage + 1) % len(STAGE_WEIGHTS)
+
+
+@wp.kernel(enable_backward=False)
+def add_stage(weight: float, first: bool, velocity: wp.array2d[float], mean: wp.array2d[float]):
+    world, dof = wp.tid()
+    mean[world, dof] = wp.where(first, 0.0, mean[world, dof]) + weight * velocity[world, dof]
+
+
+@wp.kernel(enable_backward=False)
+def add_step(
+    worlds: wp.array[bool],
+    timestep: wp.array[float],
+    joint_type: wp.array[int],
+    joint_position: wp.array[int],
+    joint_dof: wp.array[int],
+    velocity: wp.array2d[float],
+    qpos: wp.array2d[float],
+    position: wp.array2d[float],
+    lost: wp.array2d[float],
+):
+    world, joint = wp.tid()
+    if not worlds[world]:
+        return
+    count = 1
+    if joint_type[joint] == FREE:
+        count = 3
+    if joint_type[joint] == BALL:
+        count = 0
+    for i in range(count):
+        at = joint_position[joint] + i
+        before = position[world, at]
+        step = timestep[world % timestep.shape[0]] * velocity[world, joint_dof[joint] + i] + lost[world, at]
+        after = before + step
+        missing = step - (after - before)
+        if not wp.abs(after - qpos[world, at]) <= NEAR * wp.max(1.0, wp.abs(after)):
+            after = qpos[world, at]
+            missing = 0.0
+        qpos[world, at] = after
+        position[world, at] = after
+        lost[world, at] = missing

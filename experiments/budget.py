@@ -1,0 +1,166 @@
+"""What moves a held cube, part by part, predicted from the arm's motion alone.
+
+Let x be the displacement of the cube's centre against the hand's point there, u = J q̇ its velocity and g = J̇ q̇ what is
+left of its acceleration for q̈ = 0. A friction row asks for a = -b u, and less what its regularization yields, R f:
+
+    J q̈ = -b u - R f                  (MuJoCo documentation, "Computation", constraint model)
+
+The solver sees to that for its own q̈. What moves the joints is another one: implicitfast divides by the inertia with
+the damping of a step in it. With e = J (q̈ that moves - q̈ of the solver) the row's velocity after a step of h is
+
+    u' = u + h (J q̈ + e + g),
+
+for the joints' velocities change by h (q̈ + …) and their Jacobian by h J̇. That is at rest where b u = g + e - R f. The
+positions move by h q̇' (semi-implicit), along a path that is curved in x, so that in a step
+
+    Δx = h J q̇' + h² g / 2 = h (u' - h g) + h² g / 2 = h u' - h² g / 2.
+
+Summed over a run, with u' against u a matter of the two ends:
+
+    x = ∫ g/b dt  -  h/2 ∫ g dt  +  ∫ e/b dt  -  ∫ R f/b dt
+        the term      the step      damping       creep under load
+
+Each has its remedy: with the term put back the first is gone; RK4 has neither the second nor the third, Euler not the
+third; centred, the term takes the second along; R goes with 1 / impratio. All four are along the pads: across them the
+normal rows hold the cube. Rounding of positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's
+step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double
+precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
+"""
+
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+
+import mujoco
+import numpy as np
+import warp as wp
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, Case
+from experiments.compat import kf_is_read
+from experiments.scene import body_index
+from experiments.simulation import Simulation
+from experiments.task import FRAME_RATE
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Sums over the shake of what a run through C shows, in the axes of the TCP frame, shape [3] each."""
+
+    bias_m_s: np.ndarray
+    """∫ g dt."""
+    damping_m_s: np.ndarray
+    """∫ e dt with implicitfast."""
+    load_m_s: np.ndarray
+    """∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts."""
+    rounding_m: np.ndarray
+    """What the cube moved less what its velocity says, in single-precision positions."""
+    inverse_mass_1_kg: float
+    """Sum of the engine's inverse weights of a finger and the cube [1/kg]."""
+
+
+def measure_motion(case: Case) -> Motion:
+    """Run a case through MuJoCo's C engine with the term put back, and add up what moves its cube."""
+    case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
+    simulation = Simulation([case], wp.get_device("cpu"))
+    watch = _Watch(simulation)
+    step = simulation.solver._mujoco.mj_step
+    simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: watch.step(step, engine, data))
+    frames = np.zeros((case.frame_count, len(_Watch.COLUMNS), 3))
+    for frame in range(case.frame_count):
+        watch.sums[:] = 0.0
+        simulation.step()
+        frames[frame] = watch.sums
+    [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
+    shaking = np.flatnonzero(trace.phase == metrics.SHAKE)[1:]  # the displacement counts from the end of the first
+    bias, damping, load, velocity = frames[shaking].sum(axis=0)
+    moved = metrics.displacement(trace).vector_m[-1]
+    rounding = moved - (velocity - 0.5 * simulation.substep_dt * bias)
+    return Motion(bias, damping, load, rounding, watch.inverse_mass_1_kg)
+
+
+class _Watch:
+    """Adds up what each substep shows of the cube against the hand."""
+
+    COLUMNS = ("bias", "damping", "load", "velocity")
+
+    def __init__(self, simulation: Simulation):
+        engine = simulation.solver.mj_model
+        of_newton = simulation.solver.mjc_body_to_newton.numpy()[0].tolist()
+        link = simulation.scene.links["fr3_hand_tcp"]
+        self.hand = of_newton.index(link.body)
+        self.cube = of_newton.index(body_index(simulation.model, "cube"))
+        self.cube_geom = simulation.recorder.cube_geom
+        self.axes = np.zeros(9)
+        mujoco.mju_quat2Mat(self.axes, np.roll(np.array(link.pose.q, dtype=float), 1))
+        self.axes = self.axes.reshape(3, 3)
+        finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
+        self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
+        self.sums = np.zeros((len(self.COLUMNS), 3))
+        self.rate = np.zeros((3, engine.nv))
+        self.jacobian = np.zeros((2, 3, engine.nv))
+
+    def step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+        before = data.qvel.copy()
+        step(engine, data)
+        # The kinematics are still those of the step's beginning.
+        centre, h = data.xpos[self.cube].copy(), engine.opt.timestep
+        mujoco.mj_jac(engine, data, self.jacobian[0], None, centre, self.hand)
+        mujoco.mj_jac(engine, data, self.jacobian[1], None, centre, self.cube)
+        mujoco.mj_jacDot(engine, data, self.rate, None, centre, self.hand)
+        relative = self.jacobian[1] - self.jacobian[0]
+        bias = -self.rate @ before  # a free body's centre has none
+        used = (data.qvel - before) / h
+        into_tcp = (data.xmat[self.hand].reshape(3, 3) @ self.axes).T
+        found = (bias, relative @ (used - data.qacc), self._load(data), relative @ data.qvel + h * bias)
+        for total, value in zip(self.sums, found, strict=True):
+            total += h * (into_tcp @ value)
+
+    def _load(self, data: mujoco.MjData) -> np.ndarray:
+        """R f of the cube's friction rows in the world, mean over the contacts that carry force [m/s²]."""
+        found = []
+        for contact in data.contact:
+            row = contact.efc_address
+            if row >= 0 and self.cube_geom in contact.geom and data.efc_force[row] > 0.0:
+                yielded = data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
+                sign = 1.0 if contact.geom[1] == self.cube_geom else -1.0
+                found.append(sign * contact.frame.reshape(3, 3)[1:].T @ yielded)
+        return np.mean(found, axis=0) if found else np.zeros(3)
+
+
+def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
+    """The parts of a case's slip in the axes of the TCP frame [mm], by name; see the module's text.
+
+    Args:
+        motion: Of the same shake in a run through C.
+    """
+    h = 1.0 / FRAME_RATE / case.substeps
+    b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, h, motion.inverse_mass_1_kg))
+    left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
+    runge_kutta = case.integrator == "rk4"
+    softness = AS_SHIPPED.impratio / case.impratio
+    if case.cone == "pyramidal":
+        softness *= 1.0 + case.pad_mu**2
+    along = np.array([1.0, 0.0, 1.0])
+    parts = {
+        "term": left_out * motion.bias_m_s / b,
+        "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
+        "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
+        "creep": -softness * motion.load_m_s / b,
+        "rounding": (not case.compensated) * motion.rounding_m,
+    }
+    return {name: 1e3 * along * part for name, part in parts.items()}
+
+
+def friction_timeconst_s(case: Case, h: float, inverse_mass_1_kg: float) -> float:
+    """The timeconst of the pads' friction rows, which the engine takes no shorter than two substeps [s].
+
+    Args:
+        h: Duration of a substep [s].
+        inverse_mass_1_kg: As in ``Motion``; for releases in which the friction rows have one of their own, see
+            ``compat.KF_RELEASE``.
+    """
+    timeconst_s = 2.0 / case.pad_kd
+    if kf_is_read() and case.contacts == "newton" and case.cone == "elliptic" and case.pad_kf > 0.0:
+        share = (1.0 - case.pad_dmax) / case.impratio + case.pad_dmax
+        timeconst_s = 2.0 / (case.pad_kf * inverse_mass_1_kg * share)
+    return max(timeconst_s, 2.0 * h)

@@ -1,0 +1,123 @@
+"""The slip's causes taken out one by one and together, beside what each is predicted to move the cube."""
+
+import os
+from dataclasses import replace
+from itertools import product
+from multiprocessing import get_context
+
+import numpy as np
+from tqdm import tqdm
+
+from experiments import metrics
+from experiments.budget import Motion, measure_motion, predicted_mm
+from experiments.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
+from experiments.missing_term import be_quiet
+from experiments.trace import Trace
+
+PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}
+TERMS = {
+    "plain": {},
+    "term": {"contact_bias": True},
+    "centred": {"contact_bias": True, "bias_centred": True},
+    "full": {"contact_bias": True, "bias_centred": True, "bias_normal": True},
+}
+"""What is done about the left-out term; ``full`` also gives it to the normal rows."""
+POSITIONS = {"rounded": {}, "kept": {"compensated": True}}
+CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}
+IMPRATIO = 400.0
+SETTINGS = {
+    "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),
+    "mujoco": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
+    "pyramidal": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
+}
+"""Integrators and impratios that each kind of contacts is run with: a simulation each, and a world for all the rest."""
+BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}
+"""All remedies together, at the price of none but the kernels': Euler has no damping in its step, and centred the term
+takes the error of the step along."""
+
+
+def cases(quick: bool) -> list[Case]:
+    """Every combination; when ``quick`` Newton's contacts, pads and impratio as shipped, no 10 cm and no RK4."""
+    found = []
+    for kind, integrator, impratio in [(kind, *setting) for kind, settings in SETTINGS.items() for setting in settings]:
+        for pads, amplitude, term, positions in product(PADS, AMPLITUDES_M, TERMS, POSITIONS):
+            usual = (kind, impratio, pads) == ("newton", AS_SHIPPED.impratio, "shipped")
+            if quick and (not usual or amplitude == "10cm" or integrator == "rk4"):
+                continue
+            if integrator == "rk4" and "bias_centred" in TERMS[term]:
+                continue
+            case = replace(
+                PADS[pads],
+                name=f"{kind}-{integrator}-{impratio:g}-{pads}-{amplitude}-{term}-{positions}",
+                shake_amplitude_m=AMPLITUDES_M[amplitude],
+                integrator=integrator,
+                impratio=impratio,
+                **CONTACTS[kind],
+                **TERMS[term],
+                **POSITIONS[positions],
+            )
+            found.append(case)
+    return found
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """A row for each combination, with its parts as predicted, and a row for each run that they are predicted from."""
+    variants = cases(conditions.quick)
+    shakes = dict.fromkeys(shake_of(case) for case in variants)
+    # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
+    with get_context("spawn").Pool(min(len(shakes), os.cpu_count() or 1), be_quiet) as pool:
+        for pads, shake in shakes:
+            frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
+            case = replace(PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count)
+            shakes[pads, shake] = pool.apply_async(measure_motion, [case])
+        traces = conditions.simulate(variants, title="cure")
+        waiting = tqdm(shakes.items(), desc="cure, in C", unit="run", delay=3.0)
+        motions = {shake: motion.get() for shake, motion in waiting}
+    rows = [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
+    return Measurement(rows + [motion_row(*item) for item in motions.items()])
+
+
+def shake_of(case: Case) -> tuple[str, str]:
+    """The names of a case's pads and of its amplitude."""
+    pads = next(name for name, of in PADS.items() if of.pad_ke == case.pad_ke)
+    return pads, next(name for name, amplitude in AMPLITUDES_M.items() if amplitude == case.shake_amplitude_m)
+
+
+def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
+    """A run: its slip as a vector in the TCP frame, whose y is across the pads, and the parts along them."""
+    pads, shake = shake_of(case)
+    row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
+    parts = predicted_mm(case, motion)
+    for name, part in parts.items():
+        row |= {f"{name_of(name)}_x_mm": float(part[0]), f"{name_of(name)}_z_mm": float(part[2])}
+    total = sum(parts.values())
+    row |= {"predicted_x_mm": float(total[0]), "predicted_z_mm": float(total[2])}
+    row["predicted_slip_mm"] = float(np.linalg.norm(total))
+    measured = ("slip_x_mm", "slip_y_mm", "slip_z_mm", "remainder_mm")
+    reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
+    if reason:
+        return row | absent(measured, reason)
+    slip = 1e3 * metrics.displacement(trace).vector_m[-1]
+    remainder = np.linalg.norm((slip - total)[[0, 2]])
+    return row | dict(zip(measured, map(float, (*slip, remainder)), strict=True))
+
+
+def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
+    """What the parts are predicted from: sums over a run through C, along the pads."""
+    pads, amplitude = shake
+    row: dict[str, object] = {"case": f"motion-{pads}-{amplitude}", "kind": "motion", "pads": pads, "shake": amplitude}
+    for name, unit, value in (
+        ("left_out", "m_s", motion.bias_m_s),
+        ("damping", "m_s", motion.damping_m_s),
+        ("load", "m_s", motion.load_m_s),
+        ("rounding", "mm", 1e3 * motion.rounding_m),
+    ):
+        row |= {f"{name}_x_{unit}": float(value[0]), f"{name}_z_{unit}": float(value[2])}
+    return row
+
+
+def name_of(part: str) -> str:
+    """A part's column; no number is named after the term, for a run with it is marked by a column that is."""
+    return "left_out" if part == "term" else part

@@ -1,0 +1,74 @@
+"""Kernels compiled at once, on all cores, before the first run: one after the other they take minutes on a new machine.
+
+Which modules a run needs shows only when it launches their kernels, so a first frame is built and queued with nothing
+launched, and what would have been compiled for it is compiled in parallel.
+"""
+
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager
+from dataclasses import replace
+from unittest import mock
+
+import newton
+import warp as wp
+from tqdm import tqdm
+
+from experiments import recorder
+from experiments import simulation as simulations
+from experiments.case import AS_SHIPPED, Case
+from experiments.scene import build_scene
+
+Module = type(wp.get_module(__name__))
+LONGEST_FIRST = ("_lm_solve_tiled", "_tile_cholesky", "_update_gradient", "narrow_phase")
+"""How the modules begin that take the longest: those with matrices in tiles, the inverse kinematics by far the most."""
+
+
+def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:
+    """Compile the kernels of a frame of ``case``, or load them from the cache, and return how many modules they are in.
+
+    What does not compile here is compiled when it is met, and fails there with a message of its own.
+    """
+    wanted = modules_of(device, case)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        waiting = [pool.submit(module.load, device, block_dim) for module, block_dim in wanted]
+        for _ in tqdm(as_completed(waiting), desc="compiling kernels", total=len(waiting), unit="module", delay=3.0):
+            pass
+    return len(wanted)
+
+
+def modules_of(device: wp.Device, case: Case) -> list[tuple[Module, int | None]]:
+    """The modules, with their block sizes, whose kernels a frame of ``case`` launches; none is launched."""
+    wanted: dict[tuple[Module, int | None], None] = {}
+
+    def note(module: Module, device: wp.Device, block_dim: int | None = None) -> None:
+        wanted[module, block_dim] = None
+
+    newton.use_coord_layout_targets = True
+    case = replace(case, frame_count=1)
+    scene = build_scene([case], device)  # few and small kernels, without which the scene makes no sense to the engine
+    with _no_launches(note), mock.patch.object(simulations, "build_scene", lambda cases, device: scene):
+        simulation = simulations.Simulation([case], device)
+        with wp.ScopedDevice(device), wp.ScopedStream(simulation.stream):
+            simulation.frame()
+        wp.synchronize_device(device)
+    return sorted(wanted, key=lambda found: _rank(found[0].name))
+
+
+def _rank(name: str) -> int:
+    ranks = [rank for rank, start in enumerate(LONGEST_FIRST) if name.startswith(start)]
+    return ranks[0] if ranks else len(LONGEST_FIRST)
+
+
+@contextmanager
+def _no_launches(note: Callable) -> Iterator[None]:
+    """Within it a launch notes the module that it needs and does nothing, and a conditional part is queued once."""
+
+    def once(condition: wp.array, body: Callable | None = None, stream: wp.Stream | None = None, **arguments) -> None:
+        (body or arguments.pop("while_body"))(**arguments)
+
+    # The real names are of what a kernel finds out.
+    names = mock.patch.object(recorder, "_geom_names", lambda scene, solver: ["cube"])
+    with names, mock.patch.object(Module, "load", note), mock.patch.object(wp, "capture_while", once):
+        yield

@@ -1,0 +1,211 @@
+"""A box on a table that turns: no robot, no grasp, and it walks outward.
+
+It stands on four feet, since MuJoCo Warp takes a step in ten for one without contact where a box rests on a box.
+
+The table's point under the box has the acceleration ω² r to the centre, which is J̇ q̇ of the contacts. With b of their
+friction rows, R of their regularization, n contacts and the box's mass m, the parts in ``budget`` give
+
+    dr/dt = r ω² ((1 + R m / n) / b - h/2) (1 - 5 ω²/b²),
+
+so r grows exponentially; h/2 is that of a semi-implicit step. With the term put back the 1 is gone. The last factor is
+of second order: in the frame of the table a sliding velocity v has a Coriolis acceleration of 2 ω v, which turns it by
+2 ω/b and takes 4 ω²/b² of it, and that v grows takes ω²/b².
+"""
+
+from dataclasses import dataclass, field
+from functools import partial
+
+import mujoco
+import mujoco_warp as mjw
+import numpy as np
+import warp as wp
+from tqdm import tqdm
+
+from assets.fix import contact_bias
+from experiments import contact_bias_c
+from experiments.compat import warp_has_noslip
+from experiments.measurement import Conditions, Measurement, absent
+
+TURN_RAD_S = 2.0
+RADIUS_M = 0.2
+MASS_KG = 0.2
+SECONDS = {"full": 6.0, "quick": 3.0}
+SETTLE_S = 1.0
+"""Before this the box sinks into its contacts; the growth is measured after it."""
+SAMPLE_S = 0.1
+MJCF = f"""
+<mujoco>
+  <option timestep="0.002" cone="elliptic" integrator="implicitfast"/>
+  <worldbody>
+    <body>
+      <joint axis="0 0 1" armature="1000"/>
+      <geom type="box" size="0.5 0.5 0.05"/>
+    </body>
+    <body pos="{RADIUS_M} 0 0.1">
+      <freejoint/>
+      <geom type="box" size="0.05 0.05 0.04" mass="{MASS_KG}" contype="0" conaffinity="0"/>
+      <geom type="sphere" size="0.01" pos="0.04 0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="0.04 -0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="-0.04 0.04 -0.04" mass="0"/>
+      <geom type="sphere" size="0.01" pos="-0.04 -0.04 -0.04" mass="0"/>
+    </body>
+  </worldbody>
+</mujoco>
+"""
+
+
+@dataclass(frozen=True)
+class Turntable:
+    """One run of the box on the table; options as in MuJoCo's MJCF."""
+
+    name: str
+    engine: str = "warp"
+    """``warp`` (MuJoCo Warp) or ``c`` (MuJoCo's C engine)."""
+    contact_bias: bool = False
+    bias_centred: bool = False
+    options: dict[str, object] = field(default_factory=dict)
+    """Fields of ``mjOption`` that are not as in the MJCF."""
+    timeconst_s: float = 0.02
+
+    def model(self) -> mujoco.MjModel:
+        model = mujoco.MjModel.from_xml_string(MJCF)
+        for name, value in self.options.items():
+            setattr(model.opt, name, value)
+        model.geom_solref[:, 0] = self.timeconst_s
+        return model
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run shows."""
+
+    radius_m: np.ndarray
+    """Distance of the box from the axis every SAMPLE_S."""
+    loaded_count: int
+    """Contacts that carry force at the end."""
+    softness_1_kg: float
+    """R / n of their friction rows, or what it is where they are not alike [1/kg]."""
+
+    @classmethod
+    def of(cls, model, radius_m, rows, friction, force, stiffness) -> "Run":
+        """From the rows' addresses, the contacts' friction and the rows' force and D, which is 1 / R."""
+        loaded = [index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0]
+        if model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
+            stiff = [stiffness[rows[index] + 1] for index in loaded]
+        else:
+            # Opposite edges pull with mu (f - f') and see mu times the sliding.
+            stiff = [2.0 * friction[index][0] ** 2 * stiffness[rows[index]] for index in loaded]
+        return cls(np.array(radius_m), len(loaded), float(1.0 / np.sum(stiff)))
+
+
+RK4 = {"integrator": int(mujoco.mjtIntegrator.mjINT_RK4)}
+VARIANTS = {
+    "plain": {},
+    "rk4": {"options": RK4},
+    "euler": {"options": {"integrator": int(mujoco.mjtIntegrator.mjINT_EULER)}},
+    "noslip": {"options": {"noslip_iterations": 10}},
+    "impratio": {"options": {"impratio": 100.0}},
+    "pyramidal": {"options": {"cone": int(mujoco.mjtCone.mjCONE_PYRAMIDAL)}},
+    "half-timeconst": {"timeconst_s": 0.01},
+    "half-step": {"options": {"timestep": 0.001}},
+    "term": {"contact_bias": True},
+    "term-pyramidal": {"contact_bias": True, "options": {"cone": int(mujoco.mjtCone.mjCONE_PYRAMIDAL)}},
+    "term-rk4": {"contact_bias": True, "options": RK4},
+    "term-rk4-impratio": {"contact_bias": True, "options": RK4 | {"impratio": 100.0}},
+    "term-centred": {"contact_bias": True, "bias_centred": True},
+    "term-centred-impratio": {"contact_bias": True, "bias_centred": True, "options": {"impratio": 100.0}},
+}
+CASES = [
+    Turntable(f"{name}-{engine}", engine, **fields) for engine in ("warp", "c") for name, fields in VARIANTS.items()
+]
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """A row for each run: how fast the box's distance from the axis grows, measured and predicted."""
+    rows = []
+    for case in tqdm(CASES, desc="turntable", unit="run", delay=3.0):
+        row = {"case": case.name, "backend": case.engine, "contact_bias": case.contact_bias, **case.options}
+        row |= {"bias_centred": case.bias_centred, "timeconst_s": case.timeconst_s}
+        if case.engine == "warp" and "noslip_iterations" in case.options and not warp_has_noslip():
+            rows.append(row | absent(("growth_per_s", "predicted_growth_per_s"), "MuJoCo Warp here has no noslip"))
+            continue
+        seconds = SECONDS[conditions.profile]
+        run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+        rows.append(row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)})
+    return Measurement(rows)
+
+
+def growth_columns(run: Run) -> dict[str, float]:
+    """Rate of the exponential growth, from a line through the logarithm, and the ends."""
+    time_s = SAMPLE_S * np.arange(len(run.radius_m))
+    settled = time_s >= SETTLE_S
+    growth = np.polyfit(time_s[settled], np.log(run.radius_m[settled]), 1)[0]
+    start, end = run.radius_m[settled][[0, -1]]
+    return {
+        "loaded_contact_count": run.loaded_count,
+        "growth_per_s": float(growth),
+        "start_radius_mm": 1e3 * float(start),
+        "end_radius_mm": 1e3 * float(end),
+    }
+
+
+def start_state(model: mujoco.MjModel) -> mujoco.MjData:
+    """The box in rest on the turning table."""
+    data = mujoco.MjData(model)
+    data.qvel[:] = TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S
+    mujoco.mj_forward(model, data)
+    return data
+
+
+def run_in_c(case: Turntable, seconds: float) -> Run:
+    model = case.model()
+    data = start_state(model)
+    control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
+    mujoco.set_mjcb_control(control)  # for all models, so only for as long as this one is stepped
+    try:
+        radius = [np.hypot(*data.qpos[1:3])]
+        for _ in range(round(seconds / SAMPLE_S)):
+            for _ in range(round(SAMPLE_S / model.opt.timestep)):
+                mujoco.mj_step(model, data)
+            radius.append(np.hypot(*data.qpos[1:3]))
+    finally:
+        mujoco.set_mjcb_control(None)
+    rows = np.asarray(data.contact.efc_address).reshape(-1)
+    return Run.of(model, radius, rows, data.contact.friction, data.efc_force, data.efc_D)
+
+
+def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
+    model = case.model()
+    with wp.ScopedDevice(device):
+        m, d = mjw.put_model(model), mjw.put_data(model, start_state(model), nconmax=32, njmax=128)
+        if case.contact_bias:
+            contact_bias.install(_Solver(m, d), centred=case.bias_centred)
+        mjw.step(m, d)  # compiles, which must not happen inside a capture
+        with wp.ScopedCapture() as capture:
+            for _ in range(round(SAMPLE_S / model.opt.timestep)):
+                mjw.step(m, d)
+        radius = [np.hypot(*d.qpos.numpy()[0, 1:3].astype(float))]
+        for _ in range(round(seconds / SAMPLE_S)):
+            wp.capture_launch(capture.graph)
+            radius.append(np.hypot(*d.qpos.numpy()[0, 1:3].astype(float)))
+        rows = d.contact.efc_address.numpy()[: int(d.nacon.numpy()[0]), 0]
+        return Run.of(model, radius, rows, d.contact.friction.numpy(), d.efc.force.numpy()[0], d.efc.D.numpy()[0])
+
+
+@dataclass(frozen=True)
+class _Solver:
+    """What ``contact_bias.install`` asks of a solver."""
+
+    mjw_model: mjw.Model
+    mjw_data: mjw.Data
+
+
+def predicted_growth_per_s(case: Turntable, run: Run) -> float:
+    """The growth by the law in the module's text, with the softness of the contacts that the run ends with."""
+    model = case.model()
+    h = model.opt.timestep
+    b = contact_bias_c.damping(model, model.geom_solref[0], model.geom_solimp[0])
+    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.softness_1_kg
+    left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
+    step = 0.0 if case.options.get("integrator") == RK4["integrator"] else 0.5 * h
+    return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))

@@ -1,0 +1,113 @@
+"""A model of many equal worlds, worked out from models of two and of three.
+
+Newton's builder goes through Python lists world by world, which takes minutes for many thousands. But the worlds are
+equal: every number in the model is the same in all of them, or it is an index, and then it is linear in the number of
+its world and in how many there are. Two models tell by how much.
+"""
+
+from collections.abc import Callable
+from functools import cached_property
+
+import newton
+import numpy as np
+import warp as wp
+
+WORLDS_BUILT = 3
+"""Up to so many worlds a model is built as Newton does it."""
+NOT_EXTENDED = ("bvh", "_bvh", "body_shapes", "_shape_contact_pair_counts")
+"""How the names begin of what is only for casting rays, is made anew here, or is a cache."""
+
+
+class UnequalWorlds(ValueError):
+    """A part of a model does not repeat world by world; the message names it."""
+
+
+def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.Model:
+    """The model that ``build(world_count)`` makes: built for a few worlds, worked out from two such models for more.
+
+    What belongs to no world must have been added after the worlds. Rays cannot be cast in what is worked out.
+
+    Raises:
+        UnequalWorlds: A part of the model is not linear in the worlds.
+    """
+    if world_count <= WORLDS_BUILT:
+        return build(world_count)
+    model = _extended(build(WORLDS_BUILT - 1), build(WORLDS_BUILT), world_count, "model")
+    model.body_shapes = {body: [] for body in range(-1, model.body_count)}
+    for shape, body in enumerate(model.shape_body.numpy().tolist()):
+        model.body_shapes[body].append(shape)
+    if hasattr(model, "_shape_contact_pair_counts"):
+        model._shape_contact_pair_counts = {}
+    return model
+
+
+def _extended(two: object, three: object, count: int, name: str) -> object:
+    """What two and three worlds have, for ``count`` worlds."""
+    if isinstance(three, wp.array):
+        if three.shape == two.shape:
+            return three
+        fewer, rows = two.numpy(), three.numpy()
+        if three.dtype is wp.uint64:  # pointers, to what the model of three worlds and the new one hold
+            stride = len(rows) - len(fewer)
+            fewer = np.delete(rows, range(stride), axis=0)
+        return wp.array(_extended_array(fewer, rows, count, name), dtype=three.dtype, device=three.device)
+    if isinstance(three, np.ndarray):
+        return three if three.shape == two.shape else _extended_array(two, three, count, name)
+    if isinstance(three, int):
+        return three if three == two else three + (count - WORLDS_BUILT) * (three - two)
+    if isinstance(three, list):
+        return three if len(three) == len(two) else _extended_list(two, three, count, name)
+    if not type(three).__module__.startswith("newton.") or callable(three) or not hasattr(three, "__dict__"):
+        return three
+    extended = type(three).__new__(type(three))  # a plain copy of Newton's lazy set of pairs would hold those of three
+    vars(extended).update(vars(three))
+    for part, value in vars(three).items():
+        if isinstance(getattr(type(three), part, None), cached_property):
+            del vars(extended)[part]
+        elif not part.startswith(NOT_EXTENDED):
+            vars(extended)[part] = _extended(vars(two)[part], value, count, f"{name}.{part}")
+    return extended
+
+
+def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -> np.ndarray:
+    """The rows of each world one after the other, then those of none; shape [count * rows per world + rest, …].
+
+    Integers may grow from world to world and with the number of worlds; all else must be the same in all worlds.
+    """
+    stride = len(three) - len(two)
+    fewer, fewer_rest = _cut(two, WORLDS_BUILT - 1, stride)
+    worlds, rest = _cut(three, WORLDS_BUILT, stride)
+    is_index = np.issubdtype(three.dtype, np.signedinteger)
+    by_world, by_count, by_count_rest = (
+        (worlds[1] - worlds[0], worlds[0] - fewer[0], rest - fewer_rest) if is_index else (None, None, None)
+    )
+
+    def at(world_count: int) -> tuple[np.ndarray, np.ndarray]:
+        """The rows of ``world_count`` worlds, and the rest."""
+        first, end, more = worlds[0], rest, world_count - WORLDS_BUILT
+        if not is_index:
+            return np.broadcast_to(first, (world_count, *first.shape)), end
+        first, end = first + more * by_count, end + more * by_count_rest
+        steps = np.arange(world_count, dtype=three.dtype).reshape(-1, *[1] * first.ndim)
+        return (first + steps * by_world).astype(three.dtype), end.astype(three.dtype)
+
+    for found, expected in zip((worlds, rest, fewer, fewer_rest), (*at(len(worlds)), *at(len(fewer))), strict=True):
+        if found.tobytes() != expected.tobytes():
+            raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
+    many, end = at(count)
+    return np.concatenate([many.reshape(-1, *three.shape[1:]), end])
+
+
+def _extended_list(two: list, three: list, count: int, name: str) -> list:
+    """Labels and sources, which are the same in every world."""
+    stride = len(three) - len(two)
+    world, rest = three[:stride], three[WORLDS_BUILT * stride :]
+    if three != world * WORLDS_BUILT + rest:
+        raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
+    return world * count + rest
+
+
+def _cut(rows: np.ndarray, world_count: int, stride: int) -> tuple[np.ndarray, np.ndarray]:
+    """The rows of the worlds, shape [worlds, stride, …], and the rest."""
+    split = world_count * stride
+    return rows[:split].reshape(world_count, stride, *rows.shape[1:]), rows[split:]

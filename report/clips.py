@@ -1,0 +1,68 @@
+"""How a page shows the clips of a release."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from markupsafe import Markup
+
+from report.records.clips import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
+from report.records.project import Project
+from report.records.status import State
+from report.results import Results, Row
+
+
+@dataclass(frozen=True)
+class Clips:
+    """The clips of a release as a page shows them; their files lie below ``data/``, beside those of its record."""
+
+    project: Project
+    state: State
+    """``fresh`` or ``stale``: others are not shown."""
+
+    @property
+    def results(self) -> Results:
+        return Results(self.state.record, self.project.record_path(CLIPS))
+
+    @property
+    def files(self) -> list[Path]:
+        """What the site has to carry, the record first."""
+        path = self.results.path
+        return [path, *(path.with_name(name) for name, _ in files_of(self.state.record))]
+
+    def video(self, case: str, caption: Markup) -> Markup:
+        """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
+        row = self.results.row[case]
+        return Markup(
+            '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
+            'src="{}" aria-label="{}"></video><figcaption>{}</figcaption></figure>'
+        ).format(
+            row.width_px.value,
+            row.height_px.value,
+            self._address(row.poster),
+            self._address(row.file),
+            f"{self._said(row)}, side by side, with a plot of both displacements that grows.",
+            caption,
+        )
+
+    def still(self, link: str, caption: Markup) -> Markup:
+        """The long exposure, which leads to ``link``."""
+        row, first = self.results.row[STILL], self.results.row[FIRST]
+        alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
+        return Markup(
+            '<figure class="clip"><a href="{}"><img src="{}" width="{}" height="{}" alt="{}"></a>'
+            "<figcaption>{}</figcaption></figure>"
+        ).format(link, self._address(row.file), row.width_px.value, row.height_px.value, alt, caption)
+
+    def _said(self, row: Row) -> str:
+        """The runs of a clip, and what is read out at its end."""
+        moved = {name.replace("-", " "): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
+
+    def _address(self, name: str) -> str:
+        return f"data/{self.project.results.name}/{name}"
+
+
+def clips_of(project: Project) -> Clips | None:
+    """The clips of a release; None when there are none that can be shown."""
+    state = clips_state(project)
+    return Clips(project, state) if state.record else None

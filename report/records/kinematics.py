@@ -1,0 +1,104 @@
+"""Forward kinematics: where the links of a robot description are, for the joint positions that were kept."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint of a robot description, and with it the link that it carries."""
+
+    parent: str
+    child: str
+    kind: str
+    """``fixed``, ``revolute`` or ``prismatic``."""
+    origin: np.ndarray
+    """Pose in the parent link [m], shape [4, 4]."""
+    axis: np.ndarray
+    """Shape [3]."""
+
+
+def read_joints(path: Path) -> tuple[Joint, ...]:
+    """The joints of a URDF file, each after the one that carries it."""
+    return tuple(
+        Joint(
+            parent=element.find("parent").get("link"),
+            child=element.find("child").get("link"),
+            kind=element.get("type"),
+            origin=pose_matrix(_numbers(element, "origin", "xyz"), _numbers(element, "origin", "rpy")),
+            axis=_numbers(element, "axis", "xyz"),
+        )
+        for element in ElementTree.parse(path).getroot().iter("joint")
+    )
+
+
+def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray) -> dict[str, np.ndarray]:
+    """Poses [m] of all links in the world, shape [frames, 4, 4] each.
+
+    Args:
+        positions: Of the joints that move, in the order of the description [rad or m], shape [frames, joints].
+        base: Position of the first link [m], shape [3].
+    """
+    frames = len(positions)
+    found = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (frames, 4, 4))}
+    moving = iter(positions.T.astype(np.float64))
+    for joint in joints:
+        pose = found[joint.parent] @ joint.origin
+        found[joint.child] = pose if joint.kind == "fixed" else pose @ _motion(joint, next(moving))
+    return found
+
+
+def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
+    """A pose as URDF writes it: turned about the fixed x, then y, then z [rad], then moved [m]; shape [4, 4]."""
+    result = np.eye(4)
+    for axis, angle in zip(np.eye(3), rpy, strict=True):
+        result[:3, :3] = _turns(axis, np.array([angle]))[0] @ result[:3, :3]
+    result[:3, 3] = position
+    return result
+
+
+def relative_poses(poses: np.ndarray, frame: np.ndarray) -> np.ndarray:
+    """Poses as seen from another frame, both in the world; shapes [frames, 4, 4]."""
+    return np.linalg.inv(frame) @ poses
+
+
+def quaternion_matrices(position: np.ndarray, quaternion: np.ndarray) -> np.ndarray:
+    """Poses of positions [m] and unit quaternions (x, y, z, w), shapes [frames, 3] and [frames, 4]."""
+    quaternion = quaternion.astype(np.float64)
+    cross = _cross_matrices(quaternion[:, :3])
+    result = np.tile(np.eye(4), (len(position), 1, 1))
+    result[:, :3, :3] += 2.0 * (quaternion[:, 3, None, None] * cross + cross @ cross)
+    result[:, :3, 3] = position
+    return result
+
+
+def _motion(joint: Joint, value: np.ndarray) -> np.ndarray:
+    result = np.tile(np.eye(4), (len(value), 1, 1))
+    if joint.kind == "revolute":
+        result[:, :3, :3] = _turns(joint.axis, value)
+    else:
+        result[:, :3, 3] = value[:, None] * joint.axis
+    return result
+
+
+def _turns(axis: np.ndarray, angle: np.ndarray) -> np.ndarray:
+    """Rotations about a unit axis, shape [angles, 3, 3] (Rodrigues)."""
+    cross = _cross_matrices(axis[None])[0]
+    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    return np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
+
+
+def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
+    """What multiplies by the cross product, shape [vectors, 3, 3]."""
+    x, y, z = vectors.T
+    zero = np.zeros_like(x)
+    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+
+
+def _numbers(element: ElementTree.Element, name: str, attribute: str) -> np.ndarray:
+    found = element.find(name)
+    return np.zeros(3) if found is None else np.array(found.get(attribute).split(), dtype=float)

@@ -1,0 +1,49 @@
+"""The runs that are shown moving: what they come to, so that a picture and the page say the same."""
+
+import pandas as pd
+
+from report.claims import Claim, all_of, at_least, at_most, greater
+from report.deriving.arithmetic import noise_floor
+from report.parts import Section, Table
+from report.results import Results
+
+order = 25
+
+NAMES = {
+    "as-shipped": "as shipped",
+    "stiff-pads": "stiff pads",
+    "as-shipped-10cm": "as shipped, shaken farther",
+    "stiff-pads-10cm": "stiff pads, shaken farther",
+    "hold-60s": "as shipped, held still",
+}
+
+
+def derive(results: Results) -> Section:
+    shipped, stiff = results.row["as-shipped"], results.row["stiff-pads"]
+    moves = Claim(
+        "stiff_pads_move_less",
+        greater(shipped.slip_mm, stiff.slip_mm, noise=noise_floor(results, "slip_floor")),
+        {"duration": shipped.shake_duration_s, "shipped": shipped.slip_mm, "stiff": stiff.slip_mm},
+    )
+    return Section(tables={"runs": _table(results)}, claims=[moves, _only_stiff_pads_hold(results)])
+
+
+def _only_stiff_pads_hold(results: Results) -> Claim:
+    shipped, stiff = results.row["as-shipped-10cm"], results.row["stiff-pads-10cm"]
+    bound = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", 80.0, unit="mm")
+    return Claim(
+        "only_stiff_pads_hold_when_shaken_farther",
+        all_of(at_least(shipped.slip_mm, bound), at_most(stiff.slip_mm, bound)),
+        {"amplitude": shipped.shake_amplitude_m, "shipped": shipped.slip_mm, "stiff": stiff.slip_mm},
+    )
+
+
+def _table(results: Results) -> Table:
+    rows = [results.row[case] for case in NAMES]
+    columns = {
+        "amplitude": [row.shake_amplitude_m for row in rows],
+        "time": [row.shake_duration_s for row in rows],
+        "slip at the end": [row.slip_mm for row in rows],
+        "out of the grasp after": [row.left_grasp_s for row in rows],
+    }
+    return Table(pd.DataFrame(columns, index=pd.Index(NAMES.values(), name="run")))

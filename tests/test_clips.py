@@ -1,0 +1,85 @@
+"""The clips: what they read out is what was kept, and what they show is where it was."""
+
+import numpy as np
+import pytest
+
+from experiments.clips import COLOURS, FRAME_RATE, LEAD_S, STAY_S, Clip, bodies, long_exposure, reading
+from experiments.stage import Camera, Stage, display
+from report.records.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
+from report.records.kept import kept_run
+from report.records.project import Project, own_release
+from report.records.reading import load_record
+from report.records.traces import load_trace, trace_path
+
+OWN = Project(own_release())
+
+
+@pytest.fixture(scope="module")
+def clip(poses_path) -> Clip:
+    rows = {row["case"]: row for row in load_record(poses_path).rows}
+    left, right = (kept_run(rows[run], load_trace(trace_path(poses_path, run))) for run in RUNS[FIRST])
+    return Clip((left, right), RUNS[FIRST])
+
+
+def test_the_readout_is_the_kept_displacement(clip, poses_path):
+    readout = clip.readout()
+    rows = {row["case"]: row for row in load_record(poses_path).rows}
+    for run in RUNS[FIRST]:
+        values = readout[f"{run}_mm"]
+        assert values[-1] == pytest.approx(rows[run]["slip_mm"], abs=1e-4)
+        assert np.isnan(values[readout["time_s"] < 0.0]).all() and np.isfinite(values[readout["time_s"] >= 0.0]).all()
+    moving = len(clip.frames) - round(STAY_S * FRAME_RATE)
+    np.testing.assert_allclose(np.diff(readout["time_s"][:moving]), 1 / FRAME_RATE)
+    assert readout["time_s"][0] == pytest.approx(-LEAD_S, abs=1 / FRAME_RATE)
+    assert (readout["time_s"][moving - 1 :] == readout["time_s"][-1]).all()
+
+
+def test_a_cube_out_of_the_grasp_is_not_read_out():
+    assert reading(6.3592) == "6.36 mm"
+    assert reading(np.nan) == "out of the grasp"
+
+
+def test_a_picture_has_each_cube_where_it_is(clip):
+    stage = Stage([(0.9, 0.1, 0.1), (0.1, 0.1, 0.9)], clip.runs[0].cube_edge_m, "cpu")
+    frame = clip.frames[-1]
+    stage.place([bodies(run, frame) for run in clip.runs])
+    cube = clip.runs[0].cube[frame, :3, 3]
+    camera = Camera(cube + np.array([0.3, -0.05, 0.02]), cube, 20.0)
+    red, blue = display(stage.picture(camera, 33, 25))[:, 12, 16]
+    assert red[0] > 2 * red[2] and blue[2] > 2 * blue[0]
+    away = Camera(cube + np.array([0.3, -0.05, 0.02]), cube + np.array([0.0, 0.2, 0.0]), 20.0)
+    assert np.ptp(display(stage.picture(away, 33, 25))[0, 12, 16]) < 0.2
+
+
+def test_the_long_exposure_has_more_of_the_run_that_moves(clip):
+    picture = long_exposure(clip, 1.0, "cpu")
+    assert picture.shape == (630, 1200, 3) and picture.dtype == np.uint8
+    assert len(set(COLOURS)) == 2 and picture[:480].std() > 10.0
+
+
+def test_the_clips_are_stale_when_a_mesh_or_the_kept_poses_change(tmp_path):
+    for name in ("experiments", "report", "pyproject.toml"):
+        (tmp_path / name).symlink_to(OWN.root / name)
+    project = Project(own_release(), root=tmp_path)
+    pose = trace_path(project.record_path("poses"), RUNS[FIRST][0])
+    mesh = tmp_path / "assets/visual/hand.0.obj"
+    found = set()
+    for path in (pose, mesh, mesh):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b"x" * (len(found) + 1))
+        found.add(clips_identity(project).config)
+    assert len(found) == 3
+
+
+@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
+def test_the_tracked_clips_are_whole_small_and_say_what_was_measured():
+    state = clips_state(OWN)
+    assert state.kind != "damaged", state.notes
+    sizes = [row["file_bytes"] for row in state.record.rows]
+    assert max(sizes) <= 1.2e6 and sum(sizes) + sum(row.get("poster_bytes", 0) for row in state.record.rows) <= 4e6
+    slips = {row["case"]: row["slip_mm"] for row in load_record(OWN.record_path("poses")).rows}
+    readout = load_trace(trace_path(OWN.record_path(CLIPS), FIRST)).iloc[-1]
+    [row] = [row for row in state.record.rows if row["case"] == FIRST]
+    for run in RUNS[FIRST]:
+        assert readout[f"{run}_mm"] == pytest.approx(slips[run], abs=1e-4)
+        assert row[f"{run.replace('-', '_')}_mm"] == pytest.approx(slips[run], abs=1e-4)

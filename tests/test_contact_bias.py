@@ -1,0 +1,182 @@
+"""The term that friction rows leave out: the kernel and its twin in C against differences of the contact velocity."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import mujoco
+import mujoco_warp as mjw
+import numpy as np
+import pytest
+import warp as wp
+
+from assets.fix import contact_bias
+from experiments import contact_bias_c, metrics
+from experiments.case import LEAN, Case, CaseError
+from experiments.reference import ENGINES_AGREE
+from experiments.simulation import Simulation, simulate
+
+STATE_COUNT = 100
+DIFFERENCE_S = 1e-5
+"""Half of the time between two states of which the contact velocities are taken."""
+TUMBLE = """
+<mujoco>
+  <option cone="{cone}" timestep="0.001"/>
+  <worldbody>
+    <geom type="plane" size="5 5 1" condim="3"/>
+    <body pos="0 0 0.3">
+      <joint axis="0 0 1"/> <joint axis="0 1 0"/>
+      <geom type="capsule" fromto="0 0 0 0.3 0 0" size="0.08" condim="3"/>
+      <body pos="0.3 0 0">
+        <joint axis="1 0 0"/> <joint type="slide" axis="0 1 0"/>
+        <geom type="box" size="0.15 0.1 0.2" condim="3"/>
+        <body pos="0.2 0 0"> <joint type="ball"/> <geom type="capsule" size="0.1 0.2" condim="4"/> </body>
+      </body>
+    </body>
+    <body pos="0.2 0.2 0.2">
+      <freejoint/> <geom type="box" size="0.2 0.15 0.1" condim="6" friction="0.8 0.1 0.05"/>
+    </body>
+    <body pos="0.1 -0.2 0.2"> <freejoint/> <geom type="sphere" size="0.2" condim="1" priority="1"/> </body>
+    <body pos="0.5 -0.1 0.2"> <freejoint/> <geom type="box" size="0.1 0.2 0.15" condim="3" friction="0.5"/> </body>
+  </worldbody>
+</mujoco>
+"""
+
+
+@pytest.fixture(scope="module", params=["elliptic", "pyramidal"])
+def tumble(request) -> mujoco.MjModel:
+    """Bodies on joints of all kinds that overlap in contacts of all dimensions."""
+    return mujoco.MjModel.from_xml_string(TUMBLE.format(cone=request.param))
+
+
+def states(model: mujoco.MjModel):
+    """Random states near the model's own, with velocities of some rad/s and m/s."""
+    random = np.random.default_rng(0)
+    for _ in range(STATE_COUNT):
+        data = mujoco.MjData(model)
+        mujoco.mj_integratePos(model, data.qpos, random.normal(0.0, 0.2, model.nv), 1.0)
+        data.qvel[:] = random.normal(0.0, 2.0, model.nv)
+        mujoco.mj_fwdPosition(model, data)
+        mujoco.mj_fwdVelocity(model, data)
+        yield data
+
+
+def differenced(model: mujoco.MjModel, data: mujoco.MjData, contact) -> np.ndarray:
+    """d(J q̇)/dt of the second body's point at the contact against the first's: linear and angular, shape [2, 3]."""
+    bodies = model.geom_bodyid[np.asarray(contact.geom)]
+    points = [data.xmat[body].reshape(3, 3).T @ (contact.pos - data.xpos[body]) for body in bodies]
+    rates = []
+    for sign in (1.0, -1.0):
+        moved = mujoco.MjData(model)
+        moved.qpos[:] = data.qpos
+        mujoco.mj_integratePos(model, moved.qpos, data.qvel, sign * DIFFERENCE_S)
+        mujoco.mj_kinematics(model, moved)
+        mujoco.mj_comPos(model, moved)
+        of_body = np.zeros((2, 2, 3, model.nv))
+        for jacobian, body, point in zip(of_body, bodies, points, strict=True):
+            at = moved.xpos[body] + moved.xmat[body].reshape(3, 3) @ point
+            mujoco.mj_jac(model, moved, jacobian[0], jacobian[1], at, body)
+        rates.append((of_body[1] - of_body[0]) @ data.qvel)
+    return (rates[0] - rates[1]) / (2.0 * DIFFERENCE_S)
+
+
+def expected_rows(model: mujoco.MjModel, data: mujoco.MjData, contact, normal: bool) -> np.ndarray:
+    """What each of a contact's rows is to be given, in the engine's order (documentation, "Computation")."""
+    axes = np.asarray(contact.frame).reshape(3, 3)
+    linear, angular = differenced(model, data, contact)
+    missing = np.concatenate([axes @ linear, axes @ angular])[: contact.dim]
+    missing[0] *= normal
+    if contact.dim == 1 or model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
+        return -missing
+    leaning = np.asarray(contact.friction)[: contact.dim - 1] * missing[1:]
+    return -missing[0] + np.stack([-leaning, leaning], axis=1).ravel()
+
+
+@pytest.mark.parametrize("normal", [False, True])
+def test_the_twin_in_c_is_the_rate_of_the_contact_velocity(tumble, normal):
+    dims = set()
+    for data in states(tumble):
+        data.efc_aref[:] = 0.0
+        contact_bias_c.subtract_bias(tumble, data, normal=normal)
+        for contact in data.contact:
+            rows = expected_rows(tumble, data, contact, normal)
+            found = data.efc_aref[contact.efc_address :][: len(rows)]
+            assert np.linalg.norm(found - rows) <= 1e-6 * np.linalg.norm(rows)
+            dims.add(int(contact.dim))
+    assert dims == {1, 3, 4, 6}
+
+
+@pytest.mark.parametrize("normal", [False, True])
+def test_the_kernel_is_the_rate_of_the_contact_velocity(tumble, normal):
+    dims = set()
+    with wp.ScopedDevice("cpu"):
+        m = mjw.put_model(tumble)
+        for data in states(tumble):
+            d = mjw.put_data(tumble, data, nconmax=100, njmax=500)  # it may find more contacts than C
+            mjw.fwd_position(m, d)
+            mjw.fwd_velocity(m, d)
+            d.efc.aref.zero_()
+            contact_bias.apply(m, d, wp.array([True], dtype=bool), centred=False, normal=normal)
+            contacts, reference = d.contact, d.efc.aref.numpy()[0]
+            host = {name: getattr(contacts, name).numpy() for name in "pos frame geom dim friction efc_address".split()}
+            for index in range(int(d.nacon.numpy()[0])):
+                contact = SimpleNamespace(**{name: values[index] for name, values in host.items()})
+                rows = expected_rows(tumble, data, contact, normal)
+                found = reference[contact.efc_address[: len(rows)]]
+                assert np.linalg.norm(found - rows) <= 1e-4 * np.linalg.norm(rows)
+                dims.add(int(contact.dim))
+    assert dims == {1, 3, 4, 6}
+
+
+SHORT = replace(LEAN, frame_count=300, **ENGINES_AGREE)
+"""The set-up and 1.5 s of shake."""
+BIAS = replace(SHORT, name="term", contact_bias=True)
+
+
+@pytest.fixture(scope="module")
+def slips() -> dict[str, np.ndarray]:
+    """What the cube moved in the TCP frame [mm], in worlds of one batch and through C."""
+    cases = [SHORT, BIAS, replace(BIAS, name="centred", bias_centred=True)]
+    cases += [replace(case, name=f"{case.name}-c", backend="mujoco") for case in (SHORT, BIAS)]
+    traces = simulate(cases, device="cpu")
+    return {
+        case.name: 1e3 * metrics.displacement(trace).vector_m[-1] for case, trace in zip(cases, traces, strict=True)
+    }
+
+
+def test_each_world_has_the_term_that_its_case_asks_for(slips):
+    assert slips["lean"][0] > 0.5
+    assert 0.06 < -slips["term"][0] < 0.1
+    assert abs(slips["centred"][0]) < 0.06
+
+
+def test_the_term_moves_the_cube_in_warp_as_in_c(slips):
+    for name in ("lean", "term"):
+        assert slips[f"{name}-c"] == pytest.approx(slips[name], abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("solver", "options", "words"),
+    [
+        (SimpleNamespace(), {}, "needs a solver with a mjw_model"),
+        (SimpleNamespace(mjw_model=None), {}, "needs a solver with a mjw_model"),
+        ({"disableflags": contact_bias.NO_ACTUATION, "integrator": 0}, {}, "while actuation is disabled"),
+        ({"disableflags": 0, "integrator": contact_bias.RUNGE_KUTTA}, {"centred": True}, "leave centred off"),
+    ],
+)
+def test_a_solver_that_cannot_have_it_is_refused_in_a_line(solver, options, words):
+    if isinstance(solver, dict):
+        solver = SimpleNamespace(mjw_model=SimpleNamespace(opt=SimpleNamespace(**solver)))
+    with pytest.raises(ValueError, match=words) as error:
+        contact_bias.install(solver, **options)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("name", ["bias_centred", "bias_normal"])
+def test_a_part_of_the_term_needs_the_term(name):
+    with pytest.raises(CaseError, match=f"{name} needs contact_bias"):
+        Case(name="", **{name: True})
+
+
+def test_c_has_no_compensated_positions():
+    with pytest.raises(CaseError, match="compensated must be off"):
+        Simulation([replace(LEAN, compensated=True, backend="mujoco")], wp.get_device("cpu"))

@@ -1,0 +1,79 @@
+"""The parts of the slip, predicted and measured, and the box on the turntable."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments import cure, metrics, turntable
+from experiments.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm
+from experiments.case import AS_SHIPPED, STIFF_PADS, batch_key
+from experiments.compat import kf_is_read
+from experiments.simulation import simulate
+
+SHORT = replace(AS_SHIPPED, frame_count=330)
+"""The set-up and 2 s of shake."""
+H = 1.0 / 960.0
+MOTION = Motion(
+    bias_m_s=np.array([1.0, 0.5, -0.5]),
+    damping_m_s=np.array([0.1, 0.0, 0.0]),
+    load_m_s=np.array([0.0, 0.0, -0.02]),
+    rounding_m=np.array([0.0, 0.0, 1e-4]),
+    inverse_mass_1_kg=20.0,
+)
+"""Numbers to reckon with by hand."""
+
+
+def test_the_parts_add_up_to_the_slip_through_c():
+    motion = measure_motion(SHORT)
+    cases = [replace(case, backend="mujoco") for case in (SHORT, replace(SHORT, contact_bias=True))]
+    for case, trace in zip(cases, simulate(cases), strict=True):
+        slip_mm = 1e3 * metrics.displacement(trace).vector_m[-1]
+        predicted = sum(predicted_mm(replace(case, contacts="mujoco"), motion).values())
+        assert predicted[[0, 2]] == pytest.approx(slip_mm[[0, 2]], abs=0.03)
+
+
+def parts_mm(**changes) -> dict[str, np.ndarray]:
+    return predicted_mm(replace(AS_SHIPPED, contacts="mujoco", **changes), MOTION)
+
+
+def test_the_parts_are_as_by_hand():
+    inverse_b = 0.5 * 0.95 * 0.02
+    parts = parts_mm()
+    assert parts["term"] == pytest.approx([1e3 * inverse_b, 0.0, -500.0 * inverse_b])
+    assert parts["step"] == pytest.approx([-500.0 * H, 0.0, 250.0 * H])
+    assert parts["damping"] == pytest.approx([100.0 * inverse_b, 0.0, 0.0])
+    assert parts["creep"] == pytest.approx([0.0, 0.0, 20.0 * inverse_b])
+    assert parts["rounding"] == pytest.approx([0.0, 0.0, 0.1])
+
+
+def test_each_remedy_takes_its_part():
+    assert not parts_mm(contact_bias=True)["term"].any()
+    centred = parts_mm(contact_bias=True, bias_centred=True)
+    assert centred["term"] + centred["step"] == pytest.approx(np.zeros(3), abs=1e-12)
+    runge_kutta = parts_mm(integrator="rk4")
+    assert not runge_kutta["step"].any() and not runge_kutta["damping"].any()
+    assert not parts_mm(integrator="euler")["damping"].any()
+    assert parts_mm(impratio=500.0)["creep"] == pytest.approx(0.1 * parts_mm()["creep"])
+    assert not parts_mm(compensated=True)["rounding"].any()
+
+
+def test_the_timeconst_of_friction_rows_is_the_pads_or_kf_s():
+    assert friction_timeconst_s(STIFF_PADS, H, 20.0) == pytest.approx(2.0 * H)
+    own = friction_timeconst_s(replace(AS_SHIPPED, pad_kf=10.0), H, 20.0)
+    assert own == pytest.approx(2.0 / (200.0 * (0.05 / 50.0 + 0.95)) if kf_is_read() else 0.02)
+
+
+def test_every_combination_is_a_case_of_its_own_in_few_batches():
+    cases = cure.cases(quick=False)
+    assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)
+    assert len({batch_key(case) for case in cases}) == sum(map(len, cure.SETTINGS.values()))
+    assert any(cure.BEST.items() <= vars(case).items() for case in cases)
+
+
+@pytest.mark.parametrize("name", ["plain", "rk4", "noslip", "pyramidal", "half-timeconst", "term", "term-rk4"])
+def test_the_box_on_the_turntable_goes_as_the_law_says(name):
+    case = next(case for case in turntable.CASES if case.name == f"{name}-c")
+    run = turntable.run_in_c(case, 3.0)
+    growth = turntable.growth_columns(run)["growth_per_s"]
+    assert growth == pytest.approx(turntable.predicted_growth_per_s(case, run), rel=0.005)

@@ -1,0 +1,56 @@
+"""The kept poses: measured, written and read again, they say where the cube is in the grasp."""
+
+import numpy as np
+import pytest
+from newton.viewer import ViewerNull
+
+from experiments.poses import HELD, SHAKEN
+from experiments.replay import Replay, load_poses
+from experiments.scene import body_index
+from report.records.kept import kept_run
+from report.records.kinematics import quaternion_matrices
+from report.records.reading import load_record
+from report.records.traces import load_trace, trace_path
+
+
+@pytest.fixture(scope="module")
+def kept(poses_path):
+    """Row and poses of each case."""
+    rows = load_record(poses_path).rows
+    return {row["case"]: (row, load_trace(trace_path(poses_path, row["case"]))) for row in rows}
+
+
+@pytest.mark.parametrize("case", [*SHAKEN, HELD], ids=lambda case: case.name)
+def test_forward_kinematics_of_the_kept_poses_gives_the_kept_displacement(kept, case):
+    row, poses = kept[case.name]
+    assert row["failure"] is None
+    run = kept_run(row, poses)
+    start = run.shake_start
+    moved = 1e3 * (run.cube_in_hand[start:, :3, 3] - run.begin_in_hand[:3, 3])
+    np.testing.assert_allclose(moved, run.moved_mm[start:], atol=0.01)
+    assert np.ptp(moved, axis=0).max() > 0.05
+    assert run.slip_mm[-1] == pytest.approx(row["slip_mm"], abs=1e-4)
+    assert run.time_s[-1] == pytest.approx(row["shake_duration_s"])
+    assert 0.0 <= run.time_s[start] < 0.1
+
+
+def test_which_frames_are_kept(kept):
+    for row, poses in kept.values():
+        step = 6 if row["case"] == HELD.name else 1
+        assert row["kept_frame_step"] == step
+        assert (np.diff(poses["frame"]) == step).all()
+        assert poses["frame"].iloc[-1] == row["frame_count"] - 1
+        assert poses["frame"].iloc[0] < step
+
+
+def test_newton_shows_the_run_as_it_was_kept(kept, poses_path):
+    row, poses = kept["as-shipped"]
+    replay = Replay(ViewerNull(num_frames=1), load_poses(trace_path(poses_path, "as-shipped")).tail(3))
+    for _ in range(3):
+        replay.step()
+        replay.render()
+    shown, run = replay.state_0.body_q.numpy(), kept_run(row, poses)
+    for body in ("fr3_link4", "fr3_hand_tcp", "fr3_rightfinger"):
+        position, quaternion = np.split(shown[None, body_index(replay.model, body)], [3], axis=1)
+        np.testing.assert_allclose(run.links[body][-1], quaternion_matrices(position, quaternion)[0], atol=1e-5)
+    np.testing.assert_allclose(run.cube[-1, :3, 3], shown[body_index(replay.model, "cube"), :3], atol=1e-6)

@@ -1,0 +1,129 @@
+"""What makes measuring faster changes nothing that is measured."""
+
+from contextlib import nullcontext
+from dataclasses import replace
+
+import newton
+import numpy as np
+import pytest
+import warp as wp
+
+from experiments import compat
+from experiments.beside import gather, processes, start
+from experiments.case import AS_SHIPPED, LEAN, RUN_TIME_FIELDS, CaseError
+from experiments.kernels import Module, modules_of
+from experiments.simulation import Simulation, batches, run_batch, simulate
+from experiments.stages import count_launches, stage_rows
+from experiments.timing import in_the_shake, put_in_state_of
+
+FRAME_COUNT = 20
+VARIED = {
+    "ik_iterations": 24,
+    "ik_beside": False,
+    "state_sync": True,
+    "sensors": False,
+    "limits": False,
+}
+
+
+@pytest.fixture(scope="module")
+def pilot() -> Simulation:
+    return in_the_shake(AS_SHIPPED, wp.get_device("cpu"))
+
+
+def poses_from(simulation: Simulation, pilot: Simulation) -> np.ndarray:
+    """Poses of FRAME_COUNT frames that start in the state of the pilot."""
+    put_in_state_of(simulation, pilot)
+    simulation.recorder.cursor.zero_()
+    for _ in range(FRAME_COUNT):
+        simulation.step()
+    return simulation.recorder.poses.numpy().copy()
+
+
+def test_everything_that_can_be_varied_is_tried():
+    assert VARIED.keys() == set(RUN_TIME_FIELDS)
+
+
+def test_a_varied_simulation_runs_as_one_that_was_built_so(pilot):
+    base = replace(AS_SHIPPED, frame_count=FRAME_COUNT)
+    varied = Simulation([base] * 2, pilot.device)
+    first = poses_from(varied, pilot)
+    for name, value in VARIED.items():
+        case = replace(base, name=name, **{name: value})
+        varied.vary(case)
+        found = poses_from(varied, pilot)
+        assert np.array_equal(found, poses_from(Simulation([case] * 2, pilot.device), pilot)), name
+    varied.vary(base)
+    assert np.array_equal(poses_from(varied, pilot), first)
+
+
+def test_what_takes_another_model_cannot_be_varied(pilot):
+    with pytest.raises(CaseError, match="gap takes a simulation of its own"):
+        pilot.vary(replace(AS_SHIPPED, name="gap", cube_gap_m=0.01))
+
+
+def test_stages_that_are_not_used_change_no_bit():
+    cases = [replace(LEAN, name=name, frame_count=170, **change) for name, change in STAGES_OFF.items()]
+    kept, *others = simulate(cases, device="cpu")
+    for case, trace in zip(cases[1:], others, strict=True):
+        assert np.array_equal(trace.poses, kept.poses), case.name
+
+
+STAGES_OFF = {"all": {}, "sensors": {"sensors": False}, "limits": {"limits": False}}
+
+
+def test_a_stage_that_is_off_launches_fewer_kernels(pilot):
+    kept = count_launches(pilot)
+    assert sum(kept.values()) > 80
+    pilot.vary(replace(AS_SHIPPED, sensors=False, limits=False))
+    off = count_launches(pilot)
+    pilot.vary(AS_SHIPPED)
+    assert not any("limit" in stage or "sensor_acc" in stage for stage in off)
+    assert sum(off.values()) < sum(kept.values())
+
+
+def test_rows_of_stages_add_up(pilot):
+    rows = stage_rows(pilot, "cpu")
+    assert sum(row["kernel_share"] for row in rows) == pytest.approx(1.0)
+    assert len({row["case"] for row in rows}) == len(rows)
+    assert all(row["element_count"] is not None or row["element_count_reason"] for row in rows)
+
+
+def test_buffers_from_the_device_are_those_from_the_host(monkeypatch):
+    case = replace(AS_SHIPPED, contact_max=100, constraint_max=200, frame_count=125)
+    [found] = simulate([case], device="cpu")
+    monkeypatch.setattr(compat, "_buffers_on_the_device", nullcontext)
+    [expected] = simulate([case], device="cpu")
+    assert np.array_equal(found.poses, expected.poses)
+    assert np.array_equal(found.contacts, expected.contacts, equal_nan=True)
+    assert expected.peak_constraint_count > 20
+
+
+def test_a_run_in_a_process_of_its_own_is_the_run_here():
+    cases = [replace(AS_SHIPPED, backend=backend, frame_count=30) for backend in ("mujoco", "warp")]
+    groups = [[cases[index] for index in members] for members in batches(cases)]
+    with processes(len(groups)) as pool:
+        away = gather(start(pool, run_batch, [(group, "cpu") for group in groups]), "")
+    for [one], other in zip(away, simulate(cases, device="cpu"), strict=True):
+        assert np.array_equal(one.poses, other.poses)
+
+
+def test_all_kernels_of_a_run_are_known_before_it(monkeypatch):
+    newton.use_coord_layout_targets = True
+    device = wp.get_device("cpu")
+    known = set(modules_of(device, AS_SHIPPED))
+    assert len(known) > 20
+    needed = set()
+    load = Module.load
+
+    def note(module, device, block_dim=None):
+        needed.add((module, block_dim))
+        return load(module, device, block_dim)
+
+    monkeypatch.setattr(Module, "load", note)
+    simulation = Simulation([replace(AS_SHIPPED, frame_count=3)], device)
+    for _ in range(3):
+        simulation.step()
+    assert needed
+    scenes = {module.name for module, _ in needed} - {module.name for module, _ in known}
+    assert len(scenes) < 5, "only the scene's own kernels are compiled as they are met"
