@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON DEVICE PROFILE A B TARGET PORT PYTHON
+GIVEN := SECTION NEWTON DEVICE PROFILE A B TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -25,16 +25,16 @@ RUN := @"$$MAKE_PYTHON" build.py
 .PHONY: report page status rerun check diff publish serve test torture lint help
 .DEFAULT_GOAL := report
 
-report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
+report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
 	$(RUN) report
 
-page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE]
+page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE ADDRESS]
 	$(RUN) page
 
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
 	$(RUN) status
 
-rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE]
+rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
 
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]

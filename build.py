@@ -82,7 +82,7 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         except ReportError as error:
             print(error, file=sys.stderr)
             failed = True
-    damaged, lacking = _build(project)
+    damaged, lacking = _build(project, arguments.address)
     if lacking and not device:
         print(f"{NO_CUDA}, in up to hours")
     return int(failed or damaged)
@@ -94,13 +94,13 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    return int(_build(project)[0])
+    return int(_build(project, arguments.address)[0])
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site from what is measured, and measure nothing."""
     _refuse_unmeasured(project)
-    return int(_build(project)[0])
+    return int(_build(project, arguments.address)[0])
 
 
 def status(project: Project, arguments: argparse.Namespace) -> int:
@@ -176,11 +176,11 @@ def serve(project: Project, arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _build(project: Project) -> tuple[bool, bool]:
+def _build(project: Project, address: str) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    editions = build(project)
+    editions = build(project, address)
     edition = editions[project.release]
     stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
     for state in edition.left_out:
@@ -231,6 +231,12 @@ def _port(text: str) -> int:
     return int(text)
 
 
+def _address(address: str) -> str:
+    if address and not address.startswith(("https://", "http://")):
+        raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/shake/")
+    return f"{address.rstrip('/')}/" if address else ""
+
+
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
@@ -245,11 +251,12 @@ OPTIONS: dict[str, dict[str, Any]] = {
     },
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
+    "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
 }
 COMMANDS = {
-    report: ("newton", "device", "profile"),
-    page: ("newton", "profile"),
-    rerun: ("section", "newton", "device", "profile"),
+    report: ("newton", "device", "profile", "address"),
+    page: ("newton", "profile", "address"),
+    rerun: ("section", "newton", "device", "profile", "address"),
     status: ("newton", "profile"),
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),

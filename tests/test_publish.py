@@ -28,7 +28,7 @@ def test_publishing_switches_a_link(toy, tmp_path):
     toy.build()
     publish(toy.project.site, f"dir:{place}")
     assert place.resolve() != first and first.is_dir()
-    assert (place / "index.html").read_text() == toy.page
+    assert (place / "evidence.html").read_text() == toy.page
     assert len(list((tmp_path / ".www.versions").iterdir())) == 2
 
 
@@ -197,7 +197,7 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remo
     assert before == after
     there = tmp_path / "there"
     git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), str(there))
-    assert (there / "index.html").read_text() == toy.page and check_site(there) == []
+    assert (there / "evidence.html").read_text() == toy.page and check_site(there) == []
 
 
 def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
@@ -248,7 +248,7 @@ def test_rsync_replaces_what_was_published_and_nothing_else(toy, tmp_path):
     toy.measure([{**ROWS[0], "slip_mm": 5.0}, ROWS[1]])
     toy.build()
     publish(toy.project.site, f"rsync:{place}")
-    assert (place / "index.html").read_text() == toy.page and not (place / "old.html").exists()
+    assert (place / "evidence.html").read_text() == toy.page and not (place / "old.html").exists()
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine/letter.txt").write_text("dear")
     with pytest.raises(UsageError, match="left alone"):
@@ -276,7 +276,7 @@ def test_rsync_publishes_to_the_module_of_a_daemon(toy, tmp_path):
     finally:
         daemon.terminate()
         daemon.wait()
-    assert (tmp_path / "www/index.html").read_text() == toy.page and check_site(tmp_path / "www") == []
+    assert (tmp_path / "www/evidence.html").read_text() == toy.page and check_site(tmp_path / "www") == []
 
 
 def free_port() -> int:

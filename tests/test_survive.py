@@ -91,7 +91,7 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     damage_record(newer.record_path, "field: unit 'm'")
     toy.build()
     assert 'id="toy"' in toy.page
-    assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim"]
+    assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
     left_out = editions_of(toy.project, Templates(toy.project.templates))["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
         ("damaged", ("newton-1.8.0/toy.json: the unit of slip_mm is given as m, and its name says mm",))
@@ -239,14 +239,14 @@ def test_a_token_of_the_page_can_not_be_forged(toy):
 def test_the_check_refuses_what_a_link_must_not_lead_to(toy, address):
     toy.build()
     link = f'<a href="{address}">x</a></main>'
-    (toy.project.site / "index.html").write_text(toy.page.replace("</main>", link), encoding="utf-8")
+    (toy.project.site / "evidence.html").write_text(toy.page.replace("</main>", link), encoding="utf-8")
     assert any("no address that a page may lead to" in problem for problem in check_site(toy.project.site))
 
 
 @pytest.mark.parametrize("element", ['<iframe src="x">', "<form>", '<base href=".">', '<meta http-equiv="Refresh">'])
 def test_the_check_refuses_elements_that_do_something(toy, element):
     toy.build()
-    (toy.project.site / "index.html").write_text(toy.page.replace("</main>", element + "</main>"), encoding="utf-8")
+    (toy.project.site / "evidence.html").write_text(toy.page.replace("</main>", element + "</main>"), encoding="utf-8")
     assert any("runs a script" in problem for problem in check_site(toy.project.site))
 
 

@@ -1,11 +1,11 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import pandas as pd
-from markupsafe import Markup
 
+from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -71,12 +71,7 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
-    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), numbers)
-
-
-def in_code(names: Iterable[str]) -> Markup:
-    """Names of cases in a sentence; ``none`` where there are none."""
-    return Markup(", ").join(map(Markup("<code>{}</code>").format, names)) or Markup("none")
+    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

@@ -17,6 +17,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row, Series
 
 order = 120
+page = "fix"
 
 SIDES = {"as-shipped": "as shipped", "stiff": "stiff pads"}
 SLIP_RANGE_MM = (0.01, 50.0)

@@ -19,6 +19,7 @@ from report.parts import Figure, Section, Table
 from report.results import Results, Row, Series
 
 order = 80
+page = "cause"
 
 NAMES = {
     "as-shipped": "shaken, as shipped",

@@ -11,11 +11,13 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import NEAR_NOISE, Claim, at_most
 from report.deriving.arithmetic import spread
 from report.figures import INK, SERIES, new_figure
+from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 20
+page = "method"
 
 RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
 """Least difference [mm, mm/s] that counts, however well a machine repeats itself."""
@@ -35,7 +37,7 @@ class Group:
 
     @property
     def label(self) -> str:
-        return f"{self.case}, {'in a batch' if self.kind == 'batch' else 'alone'}"
+        return f"{name_of(self.case)}, {'in a batch' if self.kind == 'batch' else 'alone'}"
 
     @property
     def slips(self) -> list[Quantity]:

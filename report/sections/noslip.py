@@ -5,11 +5,13 @@ from collections.abc import Mapping
 import pandas as pd
 
 from report.claims import Claim, at_most
+from report.names import case_html
 from report.parts import Section, Table
 from report.quantities import Value
 from report.results import Results, Row
 
 order = 75
+page = "cause"
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")
@@ -74,4 +76,4 @@ def _table(pairs: Mapping[str, tuple[Row, Row]], changes: Mapping[str, Value]) -
         "slip": [without.slip_mm for without, _ in pairs.values()],
         "slip with noslip": [treated.slip_mm for _, treated in pairs.values()],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index(list(pairs), name="case")))
+    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, pairs), name="case")))

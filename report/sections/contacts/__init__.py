@@ -5,16 +5,21 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most
 from report.deriving.arithmetic import by_case, difference, size_share
 from report.figures import SERIES, new_figure
+from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row, Series
 from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
 
 order = 70
+page = "cause"
 
 
 def derive(results: Results) -> Section:
     runs = {case: results.row[case] for case in CASES} | {row.case: row for row in _of_kind(results, "run")}
+    for case, pads in zip(CASES, ("shipped", "stiff"), strict=True):
+        formula = f"most of its friction cone that a contact uses through the shake, with {pads} pads"
+        results.value(f"grip_used_{pads}", formula, lambda use: 100 * use, runs[case].cone_use_max, unit="%")
     gaps = {case: _gap(results, row) for case, row in runs.items()}
     tables = {case: results.trace(case) for case in CASES}
     rows = Figure(
@@ -170,7 +175,13 @@ def _draw_contacts(tables: dict[str, Series], runs: dict[str, Row]) -> Drawing:
             loaded = trace.value.query("normal_force_n > 0").sort_values(["geom_1", "slide_mm_s"])
             places = range(1, len(loaded) + 1)
             left.plot(
-                places, loaded["slide_mm_s"], linestyle="", marker="os"[number], markersize=6, markevery=1, label=case
+                places,
+                loaded["slide_mm_s"],
+                linestyle="",
+                marker="os"[number],
+                markersize=6,
+                markevery=1,
+                label=name_of(case),
             )
     left.axhline(0.0, color=SERIES[5], linewidth=0.8)
     left.set_xlabel("loaded contact (left finger, then right)")
@@ -187,7 +198,7 @@ def _draw_contacts(tables: dict[str, Series], runs: dict[str, Row]) -> Drawing:
                 hatch=None if measured else "///",
                 label=("measured" if measured else "from the rows") if number == 0 else None,
             )
-    right.set_xticks(range(len(runs)), list(runs))
+    right.set_xticks(range(len(runs)), map(name_of, runs))
     right.grid(visible=False, axis="x")
     right.set_ylabel("motion along the main axis [mm]")
     right.legend(loc="upper right")

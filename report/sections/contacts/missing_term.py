@@ -4,6 +4,7 @@ import pandas as pd
 
 from report.claims import Claim, at_most, greater
 from report.deriving.arithmetic import departure, ratio, size_share
+from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity
 from report.results import Results, Row
@@ -136,4 +137,4 @@ def missing_table(results: Results) -> Table:
         "friction rows, term put back": [row.slide_mm for row in restored],
         "displacement, term put back": [row.along_mm for row in restored],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index(CASES, name="case")))
+    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, CASES), name="case")))

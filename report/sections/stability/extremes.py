@@ -3,7 +3,8 @@
 from markupsafe import Markup
 
 from report.claims import Claim, Outcome, at_most, within
-from report.deriving.arithmetic import cell_or_absent, extreme, in_code, share
+from report.deriving.arithmetic import cell_or_absent, extreme, share
+from report.names import cases_html
 from report.quantities import Value, absent
 from report.results import Results
 from report.sections.stability.classes import CLASSES, is_stable
@@ -132,7 +133,7 @@ def freed(results: Results) -> Claim:
         results,
         "freed_cube",
         rows,
-        numbers={"growth": growth, "at_rest": in_code(at_rest) if at_rest else ""},
+        numbers={"growth": growth, "at_rest": cases_html(at_rest) if at_rest else ""},
     )
 
 

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 
 from report.claims import Claim, Outcome, at_most
+from report.names import case_html
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 from report.sections.stability.passing import passing
@@ -50,5 +51,5 @@ def family_claim(
 
 def named(rows: Sequence[Row]) -> Markup:
     """The cases with how they ended, as far as a sentence can hold them."""
-    text = Markup(", ").join(Markup("<code>{}</code> {}").format(row.case, row["class"]) for row in rows[:NAMED_COUNT])
+    text = Markup(", ").join(Markup("{} {}").format(case_html(row.case), row["class"]) for row in rows[:NAMED_COUNT])
     return text + (" and others" if len(rows) > NAMED_COUNT else "")

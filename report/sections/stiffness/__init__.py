@@ -13,6 +13,7 @@ from report.sections.stiffness.knobs import knob_claims
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, drift_without_slide, is_held
 
 order = 90
+page = "cause"
 
 
 def derive(results: Results) -> Section:
