@@ -112,7 +112,8 @@ class World:
                 load_record(path)
             except RecordError as error:
                 found.append(str(error))
-        return found[:2]
+        # The page of the probe alone, which is quick, has no claims.
+        return [problem for problem in found if "no claim" not in problem][:2]
 
     def leftovers(self) -> list[str]:
         """Files and processes that a run has left behind."""
@@ -187,6 +188,7 @@ def writers(world: World, moments: int) -> Iterator[Trial]:
     trial = Trial("two writers at once (the same, report beside rerun, publish beside report)")
     publish = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
     for pair in ((PAGE, PAGE), (RERUN, RERUN), (PAGE, RERUN), (PAGE, publish), (publish, publish)):
+        world.run(*PAGE)
         both = [world.start(*one) for one in pair]
         said = [one.communicate()[1] for one in both]
         ended = zip(both, said, strict=True)
