@@ -32,7 +32,6 @@ from report.records.reading import load_record  # noqa: E402
 
 REPORT = ROOT / "docs" / "reliability.md"
 FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
-FILES = ("build.py", "Makefile", "pyproject.toml", "uv.lock")
 RELEASE = "1.5.0"
 """The release with the fewest records: its page is built in seconds."""
 PROBE = {
@@ -68,7 +67,8 @@ class Trial:
 
     def __call__(self, what: str, *problems: str) -> None:
         self.tried += 1
-        self.wrong += [f"{what}: {problem}" for problem in problems if problem]
+        found = ["; ".join(problem.split("\n")) for problem in problems if problem]
+        self.wrong += [f"{what}: {', '.join(found)}"] if found else []
 
 
 @dataclass(frozen=True)
@@ -82,8 +82,9 @@ class World:
         root.mkdir(parents=True)
         for name in FOLDERS:
             shutil.copytree(ROOT / name, root / name)
-        for name in FILES:
-            shutil.copy(ROOT / name, root / name)
+        for path in ROOT.glob("[!.]*"):
+            if path.is_file():
+                shutil.copy(path, root / path.name)
         shutil.copytree(ROOT / "results" / f"newton-{RELEASE}", root / "results" / f"newton-{RELEASE}")
         (root / "site").mkdir()
         for name, text in PROBE.items():
