@@ -1,6 +1,5 @@
 """The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
 
-import signal
 from dataclasses import replace
 
 import numpy as np
@@ -19,9 +18,8 @@ TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 
 
 def be_quiet() -> None:
-    """In a process beside others: Warp warns no second time, and whoever started it is who stops it."""
+    """In a process beside others: Warp warns no second time."""
     wp.config.log_level = wp.LOG_ERROR
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def predicted_row(case: Case) -> dict[str, object]:

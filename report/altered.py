@@ -11,8 +11,9 @@ from report.chapters import Chapters
 from report.editions import derive_section, editions_of
 from report.page import Templates
 from report.parts import Section
+from report.records.columns import REASON
 from report.records.project import Project, own_release
-from report.records.record import REASON, Record
+from report.records.record import Record
 from report.records.traces import load_trace
 from report.results import Results, Series
 from report.settings import settings
