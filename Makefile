@@ -9,21 +9,22 @@ PORT ?= 8000
 NEWTON_OPTION = $(if $(NEWTON),--newton '$(NEWTON)')
 DEVICE_OPTION = $(if $(DEVICE),--device '$(DEVICE)')
 PROFILE_OPTION = $(if $(PROFILE),--profile '$(PROFILE)')
+ADDRESS_OPTION = $(if $(ADDRESS),--address '$(ADDRESS)')
 
 .PHONY: report page status rerun check diff publish serve test lint help
 .DEFAULT_GOAL := report
 
-report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE]
-	@$(PYTHON) build.py report $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION)
+report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
+	@$(PYTHON) build.py report $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
 
-page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE]
-	@$(PYTHON) build.py page $(NEWTON_OPTION) $(PROFILE_OPTION)
+page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE ADDRESS]
+	@$(PYTHON) build.py page $(NEWTON_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
 
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
 	@$(PYTHON) build.py status $(NEWTON_OPTION) $(PROFILE_OPTION)
 
-rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE]
-	@$(PYTHON) build.py rerun --section '$(SECTION)' $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION)
+rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
+	@$(PYTHON) build.py rerun --section '$(SECTION)' $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
 
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
 	@$(PYTHON) build.py check $(NEWTON_OPTION) $(PROFILE_OPTION)
@@ -54,6 +55,7 @@ help: ## Print this
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
 	@echo 'TARGET=dir:PATH         where to publish'
+	@echo 'ADDRESS=https://…/      where the site will lie, for its feed, site map and pictures'
 	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'
 
 .venv/.ready: pyproject.toml uv.lock

@@ -53,7 +53,7 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         except ReportError as error:
             print(error, file=sys.stderr)
             failed = True
-    if _build(project) and not device:
+    if _build(project, arguments.address) and not device:
         print(f"{NO_CUDA}, in up to hours")
     return int(failed)
 
@@ -64,14 +64,14 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    _build(project)
+    _build(project, arguments.address)
     return 0
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site from what is measured, and measure nothing."""
     _refuse_unmeasured(project)
-    _build(project)
+    _build(project, arguments.address)
     return 0
 
 
@@ -126,11 +126,11 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
-def _build(project: Project) -> bool:
+def _build(project: Project, address: str) -> bool:
     """Build the site, and say what it lacks; whether it lacks anything."""
     from report.site import build
 
-    edition = build(project)
+    edition = build(project, address)
     stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
     for state in edition.left_out:
         print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
@@ -166,6 +166,12 @@ def _profile(name: str) -> str:
     return name
 
 
+def _address(address: str) -> str:
+    if address and not address.startswith(("https://", "http://")):
+        raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/shake/")
+    return f"{address.rstrip('/')}/" if address else ""
+
+
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
@@ -174,12 +180,13 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "b": {"type": partial(_release, "B"), "default": "", "help": "Newton release to compare with it"},
     "device": {"help": "cuda or cpu, to measure there on purpose"},
     "profile": {"type": _profile, "default": "full", "help": "quick: small grids and short runs, kept apart"},
+    "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
     "target": {"default": "", "help": "where to publish, as dir:PATH"},
 }
 COMMANDS = {
-    report: ("newton", "device", "profile"),
-    page: ("newton", "profile"),
-    rerun: ("section", "newton", "device", "profile"),
+    report: ("newton", "device", "profile", "address"),
+    page: ("newton", "profile", "address"),
+    rerun: ("section", "newton", "device", "profile", "address"),
     status: ("newton", "profile"),
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from report.page import Prose
+from report.pages import Page
 from report.parts import Section
 from report.records.status import State
 from report.results import Results
@@ -21,6 +22,8 @@ class Chapter:
     """What its template can name, and other templates through ``sections``."""
     prose: Prose | None
     """None for a section that compares releases until it has them."""
+    page: Page
+    """Where it is shown."""
     compares: bool = False
     """Whether it compares releases, so that what it derives is of one page alone."""
 

@@ -8,8 +8,12 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+from report import ROOT
 from report.format import format_code, format_number
 from report.quantities import VALUES_FILE
+
+SCRIPT = "page.js"
+"""The one script that pages run: the project's own, beside them."""
 
 FETCHING = {"src", "srcset", "poster", "data", "xlink:href"}
 """Attributes whose address a browser fetches unasked, as it does every href but that of ``a``."""
@@ -35,8 +39,10 @@ class Reading(HTMLParser):
     def handle_starttag(self, tag, attrs):
         attributes = {name: value or "" for name, value in attrs}
         self._open.append(tag)
-        if tag == "script" or any(name.startswith("on") for name in attributes):
+        if (tag == "script" and attributes != {"src": SCRIPT}) or any(name.startswith("on") for name in attributes):
             self.scripts.append(tag)
+        if tag == "script":
+            self.fetched.append(attributes.get("src", ""))
         if "id" in attributes:
             self.ids.append(attributes["id"])
         if "href" in attributes:
@@ -54,6 +60,8 @@ class Reading(HTMLParser):
             self.numbers[-1]["text"] += data
         if tag == "style":
             self.styles += data
+        if tag == "script" and data.strip():
+            self.scripts.append(tag)
 
     def handle_endtag(self, tag):
         while self._open and self._open.pop() != tag:
@@ -68,6 +76,13 @@ def check_site(site: Path) -> list[str]:
         found = [*_check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
         found += _check_numbers(reading, path.parent / "data")
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
+    for folder in {path.parent for path in pages}:
+        claims = [claim for path, reading in pages.items() if path.parent == folder for claim in reading.claims]
+        if not claims:
+            problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
+    for path in sorted(site.rglob("*.js")):
+        if path.name != SCRIPT or path.read_bytes() != (ROOT / "assets" / SCRIPT).read_bytes():
+            problems.append(f"{path.relative_to(site)} is not the project's script")
     for path in sorted(site.rglob("*.css")):
         if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
             problems.append(f"{path.relative_to(site)} fetches something")
@@ -99,12 +114,11 @@ def _check_links(reading: Reading, page: Path, pages: Mapping[Path, Reading], si
 
 
 def _check_claims(reading: Reading) -> list[str]:
-    problems = [
+    return [
         f"the claim {claim['data-claim']} has no outcome"
         for claim in reading.claims
         if claim.get("data-outcome") not in OUTCOMES
     ]
-    return problems if reading.claims else ["there is no claim"]
 
 
 def _check_numbers(reading: Reading, data: Path) -> list[str]:

@@ -10,13 +10,19 @@ from typing import Any
 from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
-from report.overview import overview
-from report.page import Prose, Templates
+from report.page import Prose, Templates, Text
+from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
 from report.pairs import refuse_contradictions
-from report.parts import Section
+from report.parts import Making, Section
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
+from report.story.found import Found
+from report.story.front import cards_of, front_of
+from report.story.story import story_of
+
+RETOLD = {"front": front_of, "story": story_of}
+"""By template: what retells the findings of the sections in claims of its own."""
 
 
 class LostError(ReportError):
@@ -32,19 +38,40 @@ class Edition:
     left_out: Sequence[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
 
-    def summary(self, templates: Templates) -> Prose:
-        """The words above all sections, with the overview of them."""
-        figure = overview({name: chapter.results for name, chapter in self.chapters.items()})
-        text = templates.text("summary.md.j2")
-        words = text.words if figure else {}
-        section = Section(figures={"overview": figure} if figure else {}).worded("summary", text.name, words)
-        names = {
+    @property
+    def pages(self) -> dict[Page, list[Chapter]]:
+        """Its pages with what each shows; one that would show nothing is not there."""
+        chapters = self.chapters.values()
+        shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
+        return {page: found for page, found in shown.items() if found or page == FRONT}
+
+    def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
+        """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
+        return [self._text(templates.text(template), names) for template in page.texts]
+
+    def _text(self, text: Text, names: Mapping[str, Any]) -> Prose:
+        anchor = text.name.rpartition("/")[2].partition(".")[0]
+        section = RETOLD[anchor](self.chapters) if anchor in RETOLD else Section()
+        if not section.claims:  # where the shake test was not measured there is nothing to tell
+            section = replace(section, unmeasured=[word for _, word in text.words])
+        section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
+        found = Found(self.chapters)
+        sections = {name: chapter.section for name, chapter in self.chapters.items()}
+        known = {
+            "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
-            "overview": figure is not None,
-            "figure": _finder("summary", "figure", section.figures),
-            "holds": _asker({name: chapter.section for name, chapter in self.chapters.items()}),
+            "is_told": bool(section.claims),
+            "does_slip": found.does_slip,
+            "overview": "overview" in section.figures,
+            "cards": cards_of(self.chapters),
+            "value": found.value,
+            "cell": found.cell,
+            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
+            "holds": _asker({**sections, anchor: section}, anchor),
+            "table": _finder(anchor, "table", section.tables),
+            "figure": _finder(anchor, "figure", section.figures),
         }
-        return text.prose("summary", names)
+        return text.prose(anchor, {**known, **names})
 
 
 def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:
@@ -65,9 +92,9 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
         results = Results(state.record, project.record_path(state.section), others)
         try:
             if _compares(module):
-                chapter = Chapter(state, results, Section(), {}, None, compares=True)
+                chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)
             else:
-                chapter = _chapter(state, results, derive_section(results, {}), templates, found)
+                chapter = _chapter(project, state, results, derive_section(results, {}), templates, found)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
@@ -83,9 +110,8 @@ def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edi
             results = replace(chapter.results, derived={})  # what is derived here is of this page alone
             try:
                 section = derive_section(results, releases)
-                chapters[name] = replace(
-                    _chapter(chapter.state, results, section, templates, edition.chapters), compares=True
-                )
+                made = _chapter(edition.project, chapter.state, results, section, templates, edition.chapters)
+                chapters[name] = replace(made, compares=True)
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
@@ -105,16 +131,24 @@ def derive_section(results: Results, releases: Releases) -> Section:
         raise LostError(f"its record lacks what the section is about ({what})") from error
 
 
-def _chapter(state: State, results: Results, section: Section, templates: Templates, before: Chapters) -> Chapter:
+def _chapter(
+    project: Project, state: State, results: Results, section: Section, templates: Templates, before: Chapters
+) -> Chapter:
     name = state.section
+    module = _module(name)
     text = templates.text(f"sections/{name}.md.j2")
-    section = section.worded(name, text.name, text.words)
+    source = f"report/sections/{name}/" if hasattr(module, "__path__") else f"report/sections/{name}.py"
+    section = section.worded(name, text.name, text.words, Making(source, project.rerun(name)))
     names = _names(results, section, before)
-    return Chapter(state, results, section, names, text.prose(name, names))
+    return Chapter(state, results, section, names, text.prose(name, names), _page(module))
 
 
 def _module(section: str) -> ModuleType:
     return import_module(f"report.sections.{section}")
+
+
+def _page(module: ModuleType) -> Page:
+    return page_named(getattr(module, "page", DEFAULT), module.__name__)
 
 
 def _compares(module: ModuleType) -> bool:

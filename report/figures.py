@@ -3,7 +3,10 @@
 import io
 import math
 import re
-from collections.abc import Callable, Sequence
+import textwrap
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any
 
 import matplotlib
@@ -12,6 +15,7 @@ from markupsafe import Markup
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
+from matplotlib.text import Text
 from matplotlib.ticker import (
     FixedLocator,
     FuncFormatter,
@@ -68,8 +72,22 @@ STYLE: dict[str, Any] = {
     + cycler(markevery=(0.1,) * len(SERIES)),
 }
 
+NARROW_WIDTH = 3.6
+"""Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
+LEAST_SIZE = 7.0
+"""Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
+LONGEST_NAME, LONGEST_LINE = 18, 36
+"""Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
+_is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
+
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
+REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
+NAME = re.compile(r' id="([^"]+)"')
+PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
+DECIMALS = re.compile(r"(\.\d\d)\d+")
+"""A hundredth of a point is enough for anything that is drawn."""
 UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
+COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
@@ -120,9 +138,74 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
 
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
-    """A figure of ``width`` × ``height`` inches with the axes, or the array of them, that ``Figure.subplots`` makes."""
-    drawing = Drawing(figsize=(width, height))
-    return drawing, drawing.subplots(**subplots)
+    """A figure of ``width`` × ``height`` inches with the axes, or the array of them, that ``Figure.subplots`` makes.
+
+    For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
+    """
+    if not is_narrow():
+        drawing = Drawing(figsize=(width, height))
+        return drawing, drawing.subplots(**subplots)
+    rows, columns = subplots.pop("nrows", 1), subplots.pop("ncols", 1)
+    squeeze = subplots.pop("squeeze", True)
+    if columns > 1:
+        subplots.pop("width_ratios", None)
+        subplots.pop("height_ratios", None)
+    drawing = _NarrowDrawing(figsize=(min(width, NARROW_WIDTH), height * columns))
+    axes = drawing.subplots(rows * columns, 1, squeeze=False, **subplots)
+    for panel in axes[:, 0]:
+        panel.tick_params(labelbottom=True)
+    grid = axes.reshape(rows, columns)
+    return drawing, grid.squeeze()[()] if squeeze else grid
+
+
+def is_narrow() -> bool:
+    """Whether a figure is being drawn for a narrow screen."""
+    return _is_narrow.get()
+
+
+@contextmanager
+def narrow_screen() -> Iterator[None]:
+    """Draw for a narrow screen what is drawn within."""
+    token = _is_narrow.set(True)
+    try:
+        yield
+    finally:
+        _is_narrow.reset(token)
+
+
+class _NarrowDrawing(Drawing):
+    """A figure whose legend is no wider than it."""
+
+    def legend(self, *args, **keywords):
+        place = keywords.pop("loc", "best")
+        if place.startswith("outside"):
+            place = "outside upper left" if "upper" in place else "outside lower left"
+        columns = min(keywords.pop("ncols", 1), 2)
+        keywords |= {"loc": place, "fontsize": 8, "columnspacing": 1.0}
+        legend = super().legend(*args, ncols=columns, **keywords)
+        if columns == 1 or all(len(text.get_text()) <= LONGEST_NAME for text in legend.get_texts()):
+            return legend
+        legend.remove()
+        return super().legend(*args, ncols=1, **keywords)
+
+
+def _fit_narrow(drawing: Drawing) -> None:
+    """Texts neither too small to be read nor too long to leave room for what is drawn."""
+    for axes in drawing.axes:
+        names = [label.get_text() for label in axes.get_yticklabels()]
+        is_long = any(len(name) > LONGEST_NAME for name in names)
+        if is_long:
+            axes.set_yticks(axes.get_yticks(), [textwrap.fill(name, LONGEST_NAME) for name in names])
+        axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
+        axes.set_title(_folded(axes.get_title("left")), fontsize=9)
+        for label in (axes.xaxis.label, axes.yaxis.label):
+            label.set(text=_folded(label.get_text()), fontsize=9)
+    for text in drawing.findobj(Text):
+        text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
+
+
+def _folded(text: str) -> str:
+    return "\n".join(textwrap.fill(line, LONGEST_LINE) for line in text.split("\n"))
 
 
 def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
@@ -134,10 +217,20 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
         for axes in drawing.axes:
             _label_plainly(axes.xaxis)
             _label_plainly(axes.yaxis)
+        if is_narrow():
+            _fit_narrow(drawing)
         FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
-    svg = UNWANTED.sub("", buffer.getvalue())
+    svg = _lean(UNWANTED.sub("", buffer.getvalue()))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
-    opening = Markup('<svg viewBox="{}" role="img" aria-label="{}">')
-    return Markup(OPENING.sub(lambda found: opening.format(found[1], alt), svg, count=1).strip())
+    kind = "narrow" if is_narrow() else "broad"
+    opening = Markup('<svg class="{}" viewBox="{}" role="img" aria-label="{}">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1], alt), svg, count=1).strip())
+
+
+def _lean(svg: str) -> str:
+    """The same drawing without names that nothing refers to, and without digits that nobody sees."""
+    used = set(REFERENCE.findall(svg))
+    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", COMMENT.sub("", svg))
+    return BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))

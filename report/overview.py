@@ -1,17 +1,16 @@
-"""The overview: every variant of every section on one axis, against the baseline."""
+"""The overview: a line for each section, all of its runs on one axis, and what moves the slip most by its name."""
 
 import math
-import re
-from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
-from matplotlib.lines import Line2D
 
-from report.figures import FAINT, INK, SERIES, new_figure
+from report.figures import INK, SERIES, new_figure
+from report.format import format_number
+from report.names import name_of, section_name
 from report.parts import Figure
 from report.quantities import Quantity
 from report.results import Results, Row
@@ -21,12 +20,13 @@ SHAKE = ("shake_amplitude_m", "shake_frequency_hz", "shake_duration_s")
 """What a run must share with the baseline, where it says it, for their slips to say the same thing."""
 SHAKE_TOLERANCE = 0.05
 """How much of it may differ: a run may reach the shake some frames sooner or later."""
-SERIES_LENGTH = 7
-"""Cases that differ in nothing but the numbers in their names share a line when there are more of them than this."""
-NUMBER = re.compile(r"\d[\d.]*(e[+-]?\d+)?")
-LINE_HEIGHT = 0.155
+SAME_AGAIN = ("noise", "leave_out")
+"""Sections of many runs that are meant to be the same."""
+NO_EFFECT = 0.1
+"""Chosen: a section none of whose runs changes the slip by more than this share of it is one that does nothing."""
+LINE_HEIGHT = 0.38
 """Height of a line of the figure [in]."""
-DOT: dict[str, Any] = {"marker": "o", "markersize": 4, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
 MARKS = {
     "the baseline's shake": DOT,
     "another shake or duration": DOT | {"markerfacecolor": "none"},
@@ -36,33 +36,56 @@ MARKS = {
 
 @dataclass(frozen=True)
 class Line:
-    """One line of the figure: a variant, or a series of them."""
+    """The runs of one section."""
 
     section: str
-    label: str
     rows: tuple[Row, ...]
+    alike: tuple[Row, ...]
+    """Those with a slip and the baseline's shake."""
+    farthest: Row | None
+    """Of these the one whose slip is farthest from the baseline's; None where none changes it."""
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing that was tried does anything."""
+        return self.farthest is None and len(self.alike) == len(self.rows)
+
+    @property
+    def lost_count(self) -> int:
+        return sum(row.slip_mm.value is None for row in self.rows)
 
 
 def overview(chapters: Mapping[str, Results]) -> Figure | None:
-    """The figure of all rows that have a slip, in the order of the page; None without a baseline to compare with.
+    """The figure of all runs that have a slip, in the order of the page; None without a baseline to compare with.
 
     Args:
         chapters: Results of the sections that are shown, by name.
     """
     baseline = _baseline(chapters)
-    lines = [line for name, results in chapters.items() for line in _lines(name, results)]
-    if baseline is None or not lines:
+    if baseline is None:
+        return None
+    shown = {name: results for name, results in chapters.items() if name not in SAME_AGAIN}
+    lines = lines_of(shown, baseline)
+    if not lines:
         return None
     noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
-    counted = {
-        "runs": str(sum(len(line.rows) for line in lines)),
-        "sections": str(len({line.section for line in lines})),
-    }
     return Figure(
         draw=lambda: _draw(lines, baseline, noise),
         sources=[row.slip_mm for line in lines for row in line.rows],
-        numbers={"baseline": baseline.slip_mm, "noise": noise, "has_noise": bool(noise and noise.value), **counted},
+        numbers={
+            "baseline": baseline.slip_mm,
+            "noise": noise,
+            "has_noise": bool(noise and noise.value),
+            "runs": str(sum(len(line.rows) for line in lines)),
+            "sections": str(len(lines)),
+            "idle": _joined([line for line in lines if line.is_idle]),
+            "moving": _joined([line for line in lines if line.farthest]),
+        },
     )
+
+
+def _joined(lines: Sequence[Line]) -> str:
+    return ", ".join(section_name(line.section) for line in lines)
 
 
 def _baseline(chapters: Mapping[str, Results]) -> Row | None:
@@ -70,75 +93,31 @@ def _baseline(chapters: Mapping[str, Results]) -> Row | None:
     return next((row for row in rows if "slip_mm" in row and row.slip_mm.value), None)
 
 
-def _lines(section: str, results: Results) -> Iterator[Line]:
-    """The section's runs that have a slip, those of one case or of one long series together.
+def lines_of(chapters: Mapping[str, Results], baseline: Row) -> list[Line]:
+    """A line for each section that has runs with a slip, and among them one that can be compared.
 
     A row that has no drift, or does not say whether the run failed, is a look at a part of a run and not at all of it.
     """
-    rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
-    stems = [NUMBER.sub("…", row.case) for row in rows]
-    counts = Counter(stems)
-    lines: dict[str, list[Row]] = {}
-    for row, stem in zip(rows, stems, strict=True):
-        lines.setdefault(stem if counts[stem] > SERIES_LENGTH else row.case, []).append(row)
-    for label, members in lines.items():
-        yield Line(section, label if len(members) == 1 else f"{label} ({len(members)})", tuple(members))
+    lines = []
+    for section, results in chapters.items():
+        rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
+        alike = [row for row in rows if row.slip_mm.value and _mark(row, baseline) == "the baseline's shake"]
+        if alike:
+            lines.append(Line(section, tuple(rows), tuple(alike), _farthest(alike, baseline)))
+    return lines
 
 
-def _draw(lines: list[Line], baseline: Row, noise: Quantity | None) -> Drawing:
-    sections = list(dict.fromkeys(line.section for line in lines))
-    places: dict[Line, int] = {}
-    for line in lines:
-        places[line] = len(places) + sections.index(line.section) + 1
-    drawing, axes = new_figure(7.2, 1.0 + LINE_HEIGHT * (len(lines) + len(sections)))
-    slip = baseline.slip_mm.value
-    axes.axvline(slip, color=SERIES[1], linewidth=1.2, zorder=1)
-    if noise is not None and noise.value is not None:
-        axes.axvspan(
-            max(slip - noise.value, 0.0), slip + noise.value, color=SERIES[1], alpha=0.3, linewidth=0, zorder=0.9
-        )
-    _draw_dots(axes, places, baseline)
-    axes.set_xscale("log")
-    axes.set_ylim(len(lines) + len(sections), -0.2)
-    axes.set_yticks(list(places.values()), [line.label for line in places], fontsize=7.5)
-    axes.tick_params(axis="y", length=0)
-    axes.tick_params(axis="x", labeltop=True)
-    axes.grid(axis="y", linewidth=0.3)
-    _name_sections(
-        axes, {section: min(places[line] for line in lines if line.section == section) for section in sections}
-    )
-    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    axes.set_xlabel("slip [mm]")
-    drawing.legend(handles=_legend(), loc="outside upper left", ncols=3, fontsize=8)
-    return drawing
+def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
+    """The run that changes the slip most, by their ratio; of those that do the same the one with the shortest name."""
+    far = max(alike, key=lambda row: _distance(row, baseline))
+    if _distance(far, baseline) <= NO_EFFECT:
+        return None
+    return min((row for row in alike if _distance(row, far) <= NO_EFFECT), key=lambda row: len(name_of(row.case)))
 
 
-def _name_sections(axes: Axes, places: Mapping[str, int]) -> None:
-    for section, place in places.items():
-        axes.text(
-            -0.01,
-            place - 1,
-            section.replace("_", " "),
-            transform=axes.get_yaxis_transform(),
-            fontsize=8.5,
-            fontweight="bold",
-            va="center",
-            ha="right",
-        )
-        axes.axhline(place - 1.5, color=FAINT, linewidth=0.8)
-
-
-def _draw_dots(axes: Axes, places: Mapping[Line, int], baseline: Row) -> None:
-    marks: dict[str, list[tuple[float, int]]] = {}
-    for line, place in places.items():
-        there = [row for row in line.rows if row.slip_mm.value is not None]
-        for row in there:
-            marks.setdefault(_mark(row, baseline), []).append((row.slip_mm.value, place))
-        if lost := len(line.rows) - len(there):
-            side = axes.get_yaxis_transform()
-            axes.text(1.01, place, f"{lost} without result", transform=side, fontsize=7.5, va="center")
-    for mark, dots in marks.items():
-        axes.plot(*zip(*dots, strict=True), **MARKS[mark])
+def _distance(row: Row, other: Row) -> float:
+    """How far two slips are apart: the logarithm of their ratio, which for a small one is the share."""
+    return abs(math.log(row.slip_mm.value / other.slip_mm.value))
 
 
 def _mark(row: Row, baseline: Row) -> str:
@@ -149,5 +128,65 @@ def _mark(row: Row, baseline: Row) -> str:
     return "the baseline's shake" if same else "another shake or duration"
 
 
-def _legend() -> list[Line2D]:
-    return [Line2D([], [], **style, label=mark) for mark, style in MARKS.items()]
+def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawing:
+    drawing, axes = new_figure(7.2, 1.0 + LINE_HEIGHT * len(lines))
+    slip = baseline.slip_mm.value
+    axes.axvline(slip, color=SERIES[1], linewidth=1.2, zorder=1)
+    if noise is not None and noise.value is not None:
+        edges = max(slip - noise.value, 0.0), slip + noise.value
+        axes.axvspan(*edges, color=SERIES[1], alpha=0.3, linewidth=0, zorder=0.9)
+    axes.set_xscale("log")
+    axes.set_ylim(len(lines) - 0.3, -0.8)
+    _draw_dots(axes, lines, baseline)
+    for place, line in enumerate(lines):
+        if line.farthest:
+            _name_farthest(axes, place, line.farthest)
+    axes.set_yticks(range(len(lines)), [_label(line) for line in lines], fontsize=8.5)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(axis="y", linewidth=0.3)
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.set_xlabel("slip [mm]")
+    axes.annotate(
+        f"shipped pads: {format_number(slip)} mm",
+        (slip, 1.0),
+        xycoords=("data", "axes fraction"),
+        xytext=(4, 4),
+        textcoords="offset points",
+        color=SERIES[1],
+        fontsize=8.5,
+        ha="center",
+    )
+    drawing.legend(handles=_legend(axes), loc="outside lower left", ncols=3, fontsize=8)
+    return drawing
+
+
+def _label(line: Line) -> str:
+    runs = f"{len(line.rows)} run{'s' * (len(line.rows) > 1)}"
+    lost = f", {line.lost_count} without result" if line.lost_count else ""
+    effect = ": no effect" if line.is_idle else ""
+    return f"{section_name(line.section)}\n{runs}{lost}{effect}"
+
+
+def _name_farthest(axes: Axes, place: int, row: Row) -> None:
+    """What it is and how far, above it."""
+    axes.annotate(
+        f"{name_of(row.case)}: {format_number(row.slip_mm.value, digits=2)}",
+        (row.slip_mm.value, place),
+        xytext=(-3, 5),
+        textcoords="offset points",
+        fontsize=8,
+    )
+
+
+def _draw_dots(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
+    marks: dict[str, list[tuple[float, int]]] = {}
+    for place, line in enumerate(lines):
+        for row in line.rows:
+            if row.slip_mm.value is not None:
+                marks.setdefault(_mark(row, baseline), []).append((row.slip_mm.value, place))
+    for mark, dots in marks.items():
+        axes.plot(*zip(*dots, strict=True), **MARKS[mark])
+
+
+def _legend(axes: Axes) -> list[Any]:
+    return [axes.plot([], [], **style, label=mark)[0] for mark, style in MARKS.items()]

@@ -33,6 +33,9 @@ OPEN, CLOSE = "\ue000", "\ue001"
 TOKEN = re.compile(f"(<p>)?{OPEN}([0-9]+){CLOSE}(?(1)</p>)")
 BLOCK = ("<figure", "<p")
 TITLE = re.compile(r"\s*<h2[^>]*>.*?</h2>", re.DOTALL)
+HEADING = re.compile(r'(<(h[3-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
+# It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
+ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 
 
 @dataclass(frozen=True)
@@ -42,13 +45,17 @@ class Prose:
     title: Markup
     body: str
     printed: list[Any]
+    anchor: str
+    """How the ids in it begin."""
+    headings: list[tuple[str, Markup]]
+    """Id and text of each heading right below the title."""
 
     @property
     def figures(self) -> list[Figure]:
         return [thing for thing in self.printed if isinstance(thing, Figure)]
 
     def html(self, drawn: Mapping[str, Markup]) -> Markup:
-        """The text below the title, with its figures, which are drawn already, by their names."""
+        """The text below the title, with its figures, which are drawn already, by their ids."""
         printed = [drawn[thing.anchor] if isinstance(thing, Figure) else thing for thing in self.printed]
         return _put_back(self.body, printed)
 
@@ -75,8 +82,11 @@ class Text:
         html = markdown.convert(text)
         if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
             raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
-        title = _put_back(markdown.toc_tokens[0]["name"], printed)
-        return Prose(title, TITLE.sub("", html, count=1), printed)
+        top = markdown.toc_tokens[0]
+        inner = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
+        # What may be wider than the page is scrolled with the keyboard too.
+        body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
+        return Prose(_put_back(top["name"], printed), body, printed, anchor, inner)
 
 
 class Templates:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import Any
 
 import pandas as pd
@@ -11,10 +12,10 @@ from matplotlib.figure import Figure as Drawing
 
 from report import ReportError
 from report.claims import Claim
-from report.figures import draw_svg
-from report.format import unit_label
-from report.quantities import Quantity
-from report.results import ResultsError, Series
+from report.figures import draw_svg, narrow_screen
+from report.quantities import VALUES_FILE, Quantity
+from report.results import Series
+from report.tables import table_html
 from report.words import Wording
 
 TAG = re.compile("<[^>]*>")
@@ -30,26 +31,19 @@ class Table:
     wording: Wording | None = None
 
     def __html__(self) -> Markup:
-        units = {column: _common_unit(self.frame[column]) for column in self.frame}
-        head = Markup("").join(
-            Markup('<th scope="col"{}>{}{}</th>').format(
-                Markup(' class="number"') if _has_numbers(self.frame[column]) else "",
-                column,
-                _bracketed(unit),
-            )
-            for column, unit in units.items()
+        return Markup('<figure class="table"><figcaption>{}</figcaption>{}</figure>').format(
+            _caption(self), table_html(self.frame)
         )
-        body = Markup("\n").join(
-            Markup('<tr><th scope="row">{}</th>{}</tr>').format(
-                name, Markup("").join(_cell(value, units[column]) for column, value in row.items())
-            )
-            for name, row in self.frame.astype(object).iterrows()
-        )
-        corner = Markup('<th scope="col">{}</th>').format(self.frame.index.name or "")
-        return Markup(
-            '<figure class="table"><figcaption>{}</figcaption><div class="wide" tabindex="0"><table>\n'
-            "<thead><tr>{}{}</tr></thead>\n<tbody>\n{}\n</tbody></table></div></figure>"
-        ).format(_caption(self), corner, head, body)
+
+
+@dataclass(frozen=True)
+class Making:
+    """How a figure comes about."""
+
+    source: str
+    """Path of the code that draws it."""
+    command: str
+    """Measures again what it draws."""
 
 
 @dataclass(frozen=True)
@@ -64,25 +58,34 @@ class Figure:
     wording: Wording | None = None
     anchor: str = ""
     """Its id, unique on the page."""
+    making: Making | None = None
 
     def drawn(self) -> Markup:
+        assert self.making, f"no one says how the figure {self.anchor} comes about"
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(reasons[0])
-        files = dict.fromkeys(source.partition("#")[0] for source in there)
+        files = list(dict.fromkeys(chain.from_iterable(_files(source.partition("#")[0]) for source in there)))
         names = [file.rpartition("/")[2] for file in files]
         links = Markup(", ").join(
             # The same file of several releases is told apart by its folder.
             Markup('<a href="data/{}">{}</a>').format(file, name if names.count(name) == 1 else file)
             for file, name in zip(files, names, strict=True)
         )
+        return Markup(
+            '<figure id="{}">{}{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
+            "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
+            "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
+        ).format(self.anchor, *self._drawings(), _caption(self), links, self.making.source, self.making.command)
+
+    def _drawings(self) -> tuple[Markup, Markup]:
+        """For broad screens and for narrow ones; the stylesheet shows one of them."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         alt = Markup(TAG.sub("", self.wording("alt", self.numbers))).unescape().replace("\xa0", " ")
-        return Markup(
-            '<figure id="{}"><div class="wide" tabindex="0">{}</div>'
-            '<figcaption>{} <span class="source">Data: {}</span></figcaption></figure>'
-        ).format(self.anchor, draw_svg(self.draw, name=self.anchor, alt=alt), _caption(self), links)
+        broad = draw_svg(self.draw, name=self.anchor, alt=alt)
+        with narrow_screen():
+            return broad, draw_svg(self.draw, name=f"narrow-{self.anchor}", alt=alt)
 
 
 @dataclass(frozen=True)
@@ -114,13 +117,16 @@ class Section:
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
 
-    def worded(self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording]) -> "Section":
+    def worded(
+        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None
+    ) -> "Section":
         """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
 
         Args:
             anchor: How the ids of its figures begin.
             place: The template, to name in errors.
             words: What the template says, by kind and name.
+            making: How its figures come about, where they are to be drawn.
         """
         claims = {claim.name: claim for claim in self.claims}
         things = {"claim": claims, "figure": self.figures, "table": self.tables}
@@ -137,7 +143,9 @@ class Section:
                     wording.refuse_unknown(f"{kind} {name}", thing.numbers)
                     thing = replace(thing, wording=wording)
                     thing = thing.settled() if kind == "claim" else thing
-                found[kind][name] = replace(thing, anchor=f"{anchor}-{name}") if kind == "figure" else thing
+                if kind == "figure":
+                    thing = replace(thing, anchor=f"{anchor}-{name}", making=making)
+                found[kind][name] = thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
 
 
@@ -146,26 +154,7 @@ def _caption(thing: Table | Figure) -> Markup:
     return thing.wording("caption", thing.numbers)
 
 
-def _common_unit(cells: pd.Series) -> str | None:
-    """The unit of all numbers of a column, which then stands in its head; None when they differ."""
-    units = {cell.unit for cell in cells if isinstance(cell, Quantity)}
-    return units.pop() if len(units) == 1 else None
-
-
-def _has_numbers(cells: pd.Series) -> bool:
-    return any(isinstance(cell, Quantity) for cell in cells)
-
-
-def _bracketed(unit: str | None) -> str:
-    label = unit_label(unit or "1")
-    return f" [{label}]" if label else ""
-
-
-def _cell(value: Quantity | bool | str | None, unit: str | None) -> Markup:
-    if isinstance(value, Quantity):
-        return Markup('<td class="number">{}</td>').format(value.bare if unit else value)
-    if isinstance(value, bool):
-        value = "yes" if value else "no"
-    if isinstance(value, int | float) and not pd.isna(value):
-        raise ResultsError(f"the number {value} in a table says nothing of where it comes from")
-    return Markup("<td>{}</td>").format("" if pd.isna(value) else value)
+def _files(source: str) -> list[str]:
+    """Files of the site's ``data/`` that hold a source: the rows of a record are there as CSV as well."""
+    is_record = source.endswith(".json") and not source.endswith(VALUES_FILE)
+    return [source, source.removesuffix("json") + "csv"] if is_record else [source]

@@ -11,12 +11,14 @@ COUNTS = {"cycle_count", "repeat_count", "run_count", "frame_count"}
 """How much was run."""
 TIMES = {"shake_start_s", "shake_duration_s", "cube_edge_mm", "overlap_mm", "authored", "authored_m", "authored_s"}
 """Parameters of a case in other units, and those that a person types."""
+RATIOS = {"step_ms", "timeconst_steps", "cube_mass_kg", "grip_ratio"}
+"""What parameters of a case make together."""
 
 
 @cache
 def settings() -> frozenset[str]:
     """Columns that hold what was set before a run: parameters of a case, and how much was run."""
-    return case_settings() | COUNTS | TIMES
+    return case_settings() | COUNTS | TIMES | RATIOS
 
 
 @cache

@@ -1,101 +1,204 @@
-"""The site: a page for every release that has results, each checked, then drawn, then all put in place as a whole."""
+"""The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
 import hashlib
 import json
 import os
+import re
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Any
 
+import pandas as pd
 from markupsafe import Markup
 
+from report.chapters import Chapter
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
+from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates
+from report.pages import FRONT, Page
 from report.quantities import VALUES_FILE
 from report.records.identity import files_digest, package_versions
 from report.records.project import Project
 from report.records.traces import traces_of
+from report.surroundings import ASSETS, citation, write_surroundings
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
 """Folders that a page is made from."""
 DIGEST_FILE = ".inputs"
-"""Beside a page: the digest of all that it was made from."""
+"""Beside the pages of a release: the digest of all that they were made from."""
+ID = re.compile(r' id="([^"]+)"')
+INNER_LINK = re.compile(r'(?<= href=")#([^"]+)')
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A page of one release, its figures not yet drawn."""
+
+    page: Page
+    texts: Sequence[Prose]
+    chapters: Sequence[Chapter]
+
+    @property
+    def parts(self) -> list[Prose]:
+        return [*self.texts, *(chapter.prose for chapter in self.chapters)]
 
 
 @dataclass(frozen=True)
 class Link:
-    """The page of one release, as another one leads to it."""
+    """One release, as the pages of another one lead to it."""
 
-    release: str
-    address: str
-    """Where it lies, seen from the other one; empty for the page itself."""
-    shown: Sequence[str]
-    """Sections that it has."""
+    edition: Edition
+    base: str
+    """Where its pages lie, seen from the other one's."""
+    is_shown: bool
+    """Whether it is the other one itself."""
+
+    @property
+    def release(self) -> str:
+        return self.edition.project.release
+
+    @property
+    def sections(self) -> dict[str, Mapping[str, Any]]:
+        """What other releases can name of its sections."""
+        chapters = self.edition.chapters.values()
+        return {chapter.name: chapter.names for chapter in chapters if self.is_shown or not chapter.compares}
+
+    def address(self, page: Page) -> str:
+        """The same page of it, or its front where it has no such page."""
+        return self.base + (page if page in self.edition.pages else FRONT).file
+
+    def section(self, name: str) -> str:
+        """Address of a section; empty where it has none of that name."""
+        chapter = self.edition.chapters.get(name)
+        return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
 
 
-def build(project: Project) -> Edition:
+def build(project: Project, address: str = "") -> Edition:
     """Write the site and return the edition of ``project``; until the site is whole, the one that was there stays.
 
-    Its page is the first of the site; those of other releases that have results lie in a folder each, and are written
-    only when something that they are made from has changed.
+    Its pages are the first of the site; those of other releases that have results lie in a folder each, and are
+    written only when something that they are made from has changed.
+
+    Args:
+        project: What to show.
+        address: Where the site will lie, with a slash at its end; empty where that is not known.
     """
     fresh = project.root / f".site-{os.getpid()}"
     templates = Templates(project.templates)
     editions = editions_of(project, templates)
     try:
-        _write_site(fresh, project, editions, templates)
+        _write_site(fresh, project, editions, templates, address)
         _replace(project.site, fresh)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
     return editions[project.release]
 
 
-def _write_site(folder: Path, project: Project, editions: Mapping[str, Edition], templates: Templates) -> None:
-    digest = _digest(project)
+def _write_site(
+    folder: Path, project: Project, editions: Mapping[str, Edition], templates: Templates, address: str
+) -> None:
+    digest = _digest(project, address)
     places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
     kept = [release for release, place in places.items() if place and _read_digest(project.site / place) == digest]
     for release in kept:
         shutil.copytree(project.site / places[release], folder / places[release])
-    to_write = {release: edition for release, edition in editions.items() if release not in kept}
-    summaries = {release: edition.summary(templates) for release, edition in to_write.items()}
-    drawn = _draw(to_write, summaries)
-    for release, edition in to_write.items():
+    to_write = [release for release in editions if release not in kept]
+    links = {release: _links(editions, places, release) for release in to_write}
+    leaves = {release: _leaves(editions[release], templates, links[release]) for release in to_write}
+    drawn = _draw(leaves)
+    for release in to_write:
         here = folder / places[release]
-        names = {"edition": edition, "summary": summaries[release], "drawn": drawn[release]}
-        html = templates.layout("base.html.j2", names | {"links": _links(editions, places, release)})
-        _write_page(here, edition, _local(html, release))
+        names = {
+            "edition": editions[release],
+            "leaves": leaves[release],
+            "links": links[release],
+            "drawn": drawn[release],
+            "site_address": address,
+            "address": address and f"{address}{places[release]}",
+            "root": "../" if places[release] else "",
+            "citation": citation(),
+            "origins": json.dumps(_origins(editions), ensure_ascii=False),
+            "floors": json.dumps(_floors(editions[release])),
+        }
+        pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
+        _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
         _write_data(here / "data", release, editions)
         (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
+    write_surroundings(folder, editions, places, templates, address)
     (folder / ".gitkeep").touch()
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
-    """All releases as seen from the page of one, oldest first."""
+    """All releases as seen from the pages of one, oldest first."""
     up = "../" if places[shown] else ""
-    addresses = {release: "" if release == shown else f"{up}{place}index.html" for release, place in places.items()}
-    return [Link(release, addresses[release], list(edition.chapters)) for release, edition in editions.items()]
-
-
-def _draw(editions: Mapping[str, Edition], summaries: Mapping[str, Prose]) -> dict[str, dict[str, Markup]]:
-    """The figures of each release by their ids."""
-    placed = [
-        (release, figure)
+    return [
+        Link(edition, "" if release == shown else f"{up}{places[release]}", release == shown)
         for release, edition in editions.items()
-        for prose in (summaries[release], *(chapter.prose for chapter in edition.chapters.values()))
-        for figure in prose.figures
     ]
-    drawn: dict[str, dict[str, Markup]] = {release: {} for release in editions}
-    for (release, figure), html in zip(placed, draw_all([figure for _, figure in placed]), strict=True):
-        drawn[release][figure.anchor] = html
+
+
+def _leaves(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Leaf]:
+    names = {"releases": links}
+    return [Leaf(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+
+
+def _draw(leaves: Mapping[str, Sequence[Leaf]]) -> dict[str, dict[str, Markup]]:
+    """The figures of each release by their ids; one that several pages show is drawn once."""
+    placed = {
+        (release, figure.anchor): figure
+        for release, found in leaves.items()
+        for leaf in found
+        for prose in leaf.parts
+        for figure in prose.figures
+    }
+    drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
+    for (release, anchor), html in zip(placed, draw_all(list(placed.values())), strict=True):
+        drawn[release][anchor] = html
     return drawn
 
 
-def _write_page(folder: Path, edition: Edition, html: str) -> None:
+def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
+    """Pages by file, with links to what is not on their own page leading to the page that it is on.
+
+    The front page has the ids of all sections, for old links, but they are not there.
+    """
+    ids = {file: set(ID.findall(html)) for file, html in pages.items()}
+    ids[FRONT.file] -= set(sections)
+    places = {name: file for file in pages for name in ids[file]}
+
+    def connect(file: str, link: re.Match) -> str:
+        name = link[1]
+        return link[0] if name in ids[file] or name not in places else f"{places[name]}#{name}"
+
+    return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
+
+
+def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
+    """By file of a record: what it was measured with, and when."""
+    chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
+    records = {chapter.results.source: chapter.results.record for chapter in chapters}
+    return {
+        source: f"Newton {record.origin.release}, {record.machine_text}, {record.time_text}"
+        for source, record in records.items()
+    }
+
+
+def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
+    """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
+    records = [edition.chapters[NOISE].results.record] if NOISE in edition.chapters else []
+    return {column: (floor.spread, floor.magnitude) for column, floor in noise_floors(records).items()}
+
+
+def _write_pages(folder: Path, edition: Edition, pages: Mapping[str, str]) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "index.html").write_text(html, encoding="utf-8")
-    shutil.copyfile(edition.project.root / "assets" / "style.css", folder / "style.css")
+    for file, html in pages.items():
+        (folder / file).write_text(_local(html, edition.project.release), encoding="utf-8")
+    for name in ASSETS:
+        shutil.copyfile(edition.project.root / "assets" / name, folder / name)
     for chapter in edition.chapters.values():
         for download in chapter.section.downloads:
             path = folder / "download" / download.name
@@ -113,6 +216,8 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path) if own else ())):
                 shutil.copyfile(file, there / file.name)
+            rows = pd.DataFrame(chapter.results.record.rows)
+            rows.to_csv(there / f"{path.stem}.csv", index=False, lineterminator="\n")
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
         values = {chapter.name: chapter.values for chapter in chapters}
@@ -127,11 +232,11 @@ def _local(text: str, release: str) -> str:
     return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
 
 
-def _digest(project: Project) -> str:
+def _digest(project: Project, address: str) -> str:
     """Of all that the pages are made from."""
     files = (path for folder in INPUTS for path in (project.root / folder).rglob("*"))
     sources = [path for path in files if "__pycache__" not in path.parts]
-    made_from = (project, package_versions(), files_digest(sources, project.root))
+    made_from = (project, address, package_versions(), files_digest(sources, project.root))
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -18,6 +18,7 @@ from report.records.record import Record, units_of, write_record
 from report.records.status import state_of
 from report.records.traces import write_traces
 from report.site import build
+from report.surroundings import ASSETS
 
 MODULE = """
 from report.claims import Claim, at_least
@@ -96,7 +97,17 @@ class Toy:
         return {**package_versions(), "newton": self.project.release}
 
     @property
+    def page_path(self) -> Path:
+        """The page of its section; the front page where that is left out."""
+        path = self.project.site / "evidence.html"
+        return path if path.is_file() else self.project.site / "index.html"
+
+    @property
     def page(self) -> str:
+        return self.page_path.read_text(encoding="utf-8")
+
+    @property
+    def front(self) -> str:
         return (self.project.site / "index.html").read_text(encoding="utf-8")
 
     def write(self, name: str, text: str) -> None:
@@ -161,10 +172,15 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.write("experiments/toy.py", EXPERIMENT)
     toy.write("report/sections/toy.py", MODULE)
     toy.write("templates/sections/toy.md.j2", TEMPLATE)
-    toy.write("templates/summary.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    toy.write("templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    toy.write("templates/story.md.j2", "# The story\n")
     toy.write("assets/robot.urdf", "<robot/>")
-    shutil.copy(ROOT / "templates" / "base.html.j2", toy.project.templates)
-    shutil.copy(ROOT / "assets" / "style.css", toy.project.root / "assets")
+    shutil.copytree(ROOT / "templates" / "pages", toy.project.templates / "pages")
+    for layout in (ROOT / "templates").glob("*.*.j2"):
+        if not layout.match("*.md.j2"):
+            shutil.copy(layout, toy.project.templates)
+    for name in ASSETS:
+        shutil.copy(ROOT / "assets" / name, toy.project.root / "assets")
     toy.measure()
     yield toy
     forget_sections()

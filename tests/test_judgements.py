@@ -8,7 +8,7 @@ import pytest
 
 from report.results import Results, Row
 from report.sections.error_runtime.fronts import front, pareto_front
-from report.sections.hold import is_monotonic
+from report.sections.hold import is_monotonic, seconds_back
 from report.sections.stability.passing import explicit_margin, passed, passing
 
 Made = Callable[[Sequence[dict]], list[Row]]
@@ -140,6 +140,17 @@ def test_what_was_not_measured_is_not_judged(made):
     assert passing([]) == passed([]) == []
 
 
+def test_a_stable_run_that_lacks_its_number_is_not_judged(verdicts):
+    cells = [("creeping", None), ("creeping", 1.0), ("creeping", 2.0)]
+    rows = [{"class": kind, "cube_edge_mm": 400.0, "penetration_mm": depth} for kind, depth in cells]
+    assert verdicts("size", *rows) == [None, True, True]
+
+
+def test_steps_of_opposite_drift_or_none_do_not_pass(verdicts):
+    cells = [{"class": "creeping", "pads": "stiff", "substeps": n, "drift_mm_s": d} for n, d in ((1, -1.0), (2, 0.0))]
+    assert verdicts("steps", *cells, cells[1] | {"substeps": 4}) == [False, False, False]
+
+
 def test_those_that_pass(made):
     rows = made([{"family": "mass", "class": "", "finite": finite} for finite in (True, False, True)])
     assert passed(rows) == [rows[0], rows[2]]
@@ -174,3 +185,4 @@ def test_a_creep_is_monotonic_that_goes_one_way_in_every_second():
     assert not is_monotonic(frame(shaken, back))
     paused = np.interp(seconds, [0, 1, 2, 3, 4], [0, 1, 1, 2, 3])
     assert not is_monotonic(frame(0.0 * seconds, paused))
+    assert [seconds_back(frame(0.0 * seconds, down), least) for least in (0.0, 1.9, 2.1)] == [0, 0, 4]

@@ -3,7 +3,7 @@
 import pytest
 
 from report.check import check_site
-from report.overview import _lines, _mark, overview
+from report.overview import _label, _mark, lines_of, overview
 from report.results import Results
 
 WHOLE = {"drift_mm_s": 0.5, "failure": None}
@@ -17,7 +17,7 @@ SHAKE = {
 }
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
-TEMPLATE = """# A report
+TEMPLATE = """# The story
 
 {% if overview %}
 {% figure overview %} All. {% alt %} {{ runs }} runs. {% endfigure %}
@@ -31,23 +31,37 @@ def results(toy):
     return lambda rows: Results(toy.record(rows), toy.record_path)
 
 
-def labels(results: Results) -> list[str]:
-    return [line.label for line in _lines("toy", results)]
+def lines(results: Results, section: str = "friction"):
+    return lines_of({section: results}, results.rows[0])
 
 
-def test_a_long_series_shares_a_line(results):
-    sweep = [{"case": f"sweep-ke-{10.0**power:.3g}", "slip_mm": 1.0, **WHOLE} for power in range(9)]
-    few = [{"case": f"pad-mu-{mu:g}", "slip_mm": 1.0, **WHOLE} for mu in (0.2, 10)]
-    assert labels(results([SHIPPED, *sweep, *few])) == ["as-shipped", "sweep-ke-… (9)", "pad-mu-0.2", "pad-mu-10"]
+@pytest.mark.parametrize(("slip_mm", "is_idle"), [(6.3, True), (5.9, True), (5.5, False), (7.1, False)])
+def test_a_section_that_does_nothing_says_so(results, slip_mm, is_idle):
+    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2", "slip_mm": slip_mm}]))
+    assert line.is_idle == is_idle
+    assert ("no effect" in _label(line)) == is_idle
+    assert _label(line).startswith("friction coefficient\n2 runs")
 
 
-def test_rows_of_one_case_share_a_line_and_those_without_a_slip_have_none(results):
-    assert labels(results([SHIPPED, SHIPPED, {"case": "map", "wall_s": 1.0}])) == ["as-shipped (2)"]
+def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
+    slips = {"pad-ke-2.5e6": 0.311, "pad-ke-2.5e5": 0.312, "pad-ke-2.5e4": 1.87, "pad-ke-100": 12.0}
+    (line,) = lines(results([SHIPPED, *(SHIPPED | {"case": case, "slip_mm": slip} for case, slip in slips.items())]))
+    assert line.farthest.case == "pad-ke-2.5e5"
 
 
-def test_a_look_at_a_part_of_a_run_has_none(results):
+def test_a_section_without_a_run_to_compare_has_no_line(results):
+    assert lines(results([SHIPPED | {"slip_mm": None, "slip_mm_reason": "it fell"}])) == []
+
+
+def test_another_shake_is_no_effect_and_not_none(results):
+    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "long", "slip_mm": 60.0, "shake_duration_s": 600.0}]))
+    assert line.farthest is None and not line.is_idle
+
+
+def test_a_look_at_a_part_of_a_run_does_not_count(results):
     parts = [{"case": "missing-term", "slip_mm": 2.2}, {"case": "from-the-shake-on", "slip_mm": 6.3, "failure": None}]
-    assert labels(results([SHIPPED, *parts])) == ["as-shipped"]
+    (line,) = lines(results([SHIPPED, *parts, {"case": "map", "wall_s": 1.0}]))
+    assert [row.case for row in line.rows] == ["as-shipped"]
 
 
 @pytest.mark.parametrize(
@@ -70,7 +84,7 @@ def test_there_is_none_without_a_baseline(results):
 
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):
-    toy.write("templates/summary.md.j2", TEMPLATE)
+    toy.write("templates/front.md.j2", TEMPLATE)
     others = [
         {"case": "soft", "slip_mm": 6.0, **WHOLE},
         {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True},
@@ -78,8 +92,8 @@ def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []
-    assert '<figure id="summary-overview">' in toy.page
-    assert "1 without result" in toy.page
+    assert '<figure id="front-overview">' in toy.front
+    assert "1 without result" in toy.front
     toy.measure()
     toy.build()
-    assert "summary-overview" not in toy.page
+    assert "front-overview" not in toy.front

@@ -71,9 +71,9 @@ def test_the_matrix_has_a_column_for_each_release(toy, newer):
 def test_every_release_has_a_page_and_every_section_leads_to_the_others(toy, newer):
     toy.build()
     site = toy.project.site
-    other = (site / "newton-1.8.0/index.html").read_text()
-    assert 'href="newton-1.8.0/index.html#toy"' in toy.page
-    assert 'href="../index.html#toy"' in other
+    other = (site / "newton-1.8.0/evidence.html").read_text()
+    assert 'href="newton-1.8.0/evidence.html#toy"' in toy.page and 'href="newton-1.8.0/index.html"' in toy.front
+    assert 'href="../evidence.html#toy"' in other
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
     assert 'data-claim="toy.helps" data-outcome="fails"' in other
     assert 'data-src="newton-1.8.0/toy.json#/rows/1/slip_mm"' in other
@@ -84,8 +84,8 @@ def test_every_release_has_a_page_and_every_section_leads_to_the_others(toy, new
 
 def test_the_release_asked_for_is_the_first_page(toy, newer):
     newer.build()
-    assert "<b>Newton 1.8.0</b>" in newer.page.replace(' aria-current="page"', "")
-    assert 'href="newton-1.4.0/index.html"' in newer.page
+    assert "<b>Newton 1.8.0</b>" in newer.page.replace(' aria-current="true"', "")
+    assert 'href="newton-1.4.0/evidence.html"' in newer.page
     assert check_site(toy.project.site) == []
 
 
@@ -102,9 +102,11 @@ def test_a_page_is_written_again_only_when_something_changed(toy, newer):
 
 def test_the_check_follows_links_to_other_pages(toy, newer):
     toy.build()
-    page = toy.project.site / "newton-1.8.0/index.html"
+    page = toy.project.site / "newton-1.8.0/evidence.html"
     page.write_text(page.read_text().replace('id="toy"', 'id="other"').replace('href="#toy"', 'href="#other"'))
-    assert check_site(toy.project.site) == ["index.html: newton-1.8.0/index.html#toy leads nowhere"]
+    problems = check_site(toy.project.site)
+    assert "evidence.html: newton-1.8.0/evidence.html#toy leads nowhere" in problems
+    assert "newton-1.8.0/index.html: evidence.html#toy leads nowhere" in problems
 
 
 def test_an_older_record_that_derive_breaks_on_is_left_out(toy):
@@ -282,7 +284,7 @@ def test_claims_that_turned_are_said_in_both_ways(upgraded):
     upgraded.write("templates/sections/toy.md.j2", TEMPLATE.replace("It does not.", "It does not, {{ gain }} times."))
     upgraded.of("1.8.0").measure(BETTER)
     upgraded.build()
-    turned = upgraded.page.partition('class="turns"')[2]
+    turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
     assert "toy: helps" in turned and "It helps" in turned and "It does not" in turned
     assert 'data-src="values.json#/toy/gain"' in turned
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned

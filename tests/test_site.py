@@ -37,7 +37,7 @@ def test_text_from_results_is_no_markup(toy):
     toy.measure([{**ROWS[0], "case": evil}, ROWS[1]])
     toy.write("templates/sections/toy.md.j2", TEMPLATE + "\nFirst: {{ rows[0].case }}\n")
     toy.build()
-    assert "<script" not in toy.page
+    assert "<script>" not in toy.page
     assert toy.page.count("&lt;script&gt;alert(1)&lt;/script&gt; *a* `b`") == 2
     assert check_site(toy.project.site) == []
 
@@ -121,7 +121,7 @@ def test_a_figure_follows_the_page_and_hides_nothing():
         return drawing
 
     svg = draw_svg(draw, name="toy-way", alt='"<b>"')
-    assert svg.startswith('<svg viewBox="')
+    assert svg.startswith('<svg class="broad" viewBox="')
     assert 'role="img" aria-label="&#34;&lt;b&gt;&#34;"' in svg
     assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
     assert all(part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
@@ -150,7 +150,7 @@ def test_a_figure_follows_the_page_and_hides_nothing():
 def test_the_check_finds_what_is_wrong(toy, old, new, problem):
     toy.build()
     assert old in toy.page
-    (toy.project.site / "index.html").write_text(toy.page.replace(old, new), encoding="utf-8")
+    toy.page_path.write_text(toy.page.replace(old, new), encoding="utf-8")
     assert any(problem in line for line in check_site(toy.project.site))
 
 
@@ -166,7 +166,7 @@ def test_publishing_switches_a_link(toy, tmp_path):
     toy.build()
     publish(toy.project.site, f"dir:{place}")
     assert place.resolve() != first and first.is_dir()
-    assert (place / "index.html").read_text() == toy.page
+    assert (place / "evidence.html").read_text() == toy.page
     assert len(list((tmp_path / ".www.versions").iterdir())) == 2
 
 

@@ -1,11 +1,11 @@
 """What several sections share. The underscore keeps it from being taken for a section."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import pandas as pd
-from markupsafe import Markup
 
+from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -69,14 +69,16 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
 
 
+def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
+    """What a wording can name where a claim turns on ``found``; without that nothing can be told of the others."""
+    if found.value is not None:
+        return numbers
+    return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
+
+
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
-    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="case")), numbers)
-
-
-def in_code(names: Iterable[str]) -> Markup:
-    """Names of cases in a sentence; ``none`` where there are none."""
-    return Markup(", ").join(map(Markup("<code>{}</code>").format, names)) or Markup("none")
+    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

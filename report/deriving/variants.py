@@ -7,8 +7,10 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import NEAR_NOISE, Claim, at_most, within
-from report.deriving.arithmetic import by_case, difference, in_code, noise_floor, share
+from report.deriving.arithmetic import by_case, difference, noise_floor, share
 from report.figures import FAINT, INK, SERIES, new_figure
+from report.format import format_number
+from report.names import case_html, name_of
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -36,7 +38,7 @@ class Variants:
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
         numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        most = in_code([self.most])
+        most = case_html(self.most)
         return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
 
 
@@ -82,11 +84,11 @@ def not_the_cause(results: Results, variants: Variants) -> Claim:
 
 def within_noise(variants: Variants) -> Claim:
     """Whether any variant differs from the baseline by more than the baseline does from itself."""
-    named = {in_code([case]): value for case, value in variants.difference.items()}
+    found = {case_html(case): value for case, value in variants.difference.items()}
     return Claim(
         "within_noise",
         within(variants.largest, variants.floor),
-        numbers=variants.numbers | {"beyond": beyond_noise(named, variants.floor)},
+        numbers=variants.numbers | {"beyond": beyond_noise(found, variants.floor)},
     )
 
 
@@ -123,32 +125,31 @@ def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
 def variant_figure(variants: Variants) -> Figure:
     """The slip of every case, and beside it how far it is from the baseline, with the noise."""
     slips = [row.slip_mm for row in (variants.baseline, *variants.rows)]
-    return Figure(
-        draw=lambda: _draw_variants(variants),
-        sources=slips,
-        numbers={
-            "baseline": variants.baseline.slip_mm,
-            "slips": Markup("; ").join(Markup("{}: {}").format(row.case, row.slip_mm) for row in variants.rows),
-        },
-    )
+    return Figure(draw=lambda: _draw_variants(variants), sources=slips, numbers=variants.numbers)
 
 
 def _draw_variants(variants: Variants) -> Drawing:
     rows = [row for row in (variants.baseline, *variants.rows) if row.slip_mm.value is not None]
-    names, slips = [row.case for row in rows], [row.slip_mm.value for row in rows]
+    names, slips = [name_of(row.case) for row in rows], [row.slip_mm.value for row in rows]
     drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
-    left.barh(names, slips, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6)
+    left.barh(names, slips, height=0.6, color=SERIES[0], linewidth=0)
+    for place, slip in enumerate(slips):
+        left.annotate(
+            format_number(slip), (slip, place), xytext=(4, 0), textcoords="offset points", fontsize=9, va="center"
+        )
+    left.set_xlim(0.0, 1.25 * max(slips))
     left.set_xlabel("slip [mm]")
-    reference = variants.baseline.slip_mm.value
+    reference, floor = variants.baseline.slip_mm.value, variants.floor.value
     if reference is not None:
-        left.axvline(reference, color=INK, linewidth=1, linestyle="--")
-        right.axvline(0.0, color=INK, linewidth=1, linestyle="--")
-        if variants.floor.value is not None:
-            right.axvspan(-variants.floor.value, variants.floor.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+        right.axvline(0.0, color=INK, linewidth=1, linestyle="--", marker="")
+        if floor is not None:
+            right.axvspan(-floor, floor, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+            above = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
+            right.annotate("noise", (0.0, 1.0), fontsize=8.5, **above)
         right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=None, markersize=6)
-    right.set_xlabel("difference from baseline [mm]")
+    right.set_xlabel(f"difference from {names[0]} [mm]")
     right.locator_params(axis="x", nbins=4)
     right.tick_params(axis="y", left=False)
     left.invert_yaxis()
-    left.grid(axis="y", visible=False)
+    left.grid(visible=False)
     return drawing

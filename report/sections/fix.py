@@ -10,6 +10,7 @@ from report.quantities import Value
 from report.results import Results, Row
 
 order = 140
+page = "fix"
 
 ENGINES = {"warp": "MuJoCo Warp", "mujoco": "MuJoCo C"}
 PASSED = {True: "passes", False: "fails"}

@@ -3,7 +3,7 @@
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most
+from report.claims import Claim, all_of, at_least, at_most
 from report.deriving.arithmetic import share
 from report.figures import SERIES, new_figure
 from report.parts import Figure, Section, Table
@@ -41,9 +41,21 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
         whole,
         unit="%",
     )
+    most = results.value(
+        "finger_share_most",
+        "larger of the cube's drifts against the two fingers, of its drift against the TCP",
+        lambda a, b, all_of_it: 100 * max(a, b) / all_of_it,
+        left,
+        right,
+        whole,
+        unit="%",
+    )
     bound = results.chosen("finger_share_bound", "as good as all of it", 95.0, unit="%")
+    upper = results.chosen("finger_share_upper_bound", "no more than all of it", 105.0, unit="%")
     return Claim(
-        "cube_moves_in_fingers", at_least(share, bound), numbers={"whole": whole, "left": left, "right": right}
+        "cube_moves_in_fingers",
+        all_of(at_least(share, bound), at_most(most, upper)),
+        numbers={"whole": whole, "left": left, "right": right},
     )
 
 

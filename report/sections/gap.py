@@ -6,6 +6,7 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, at_least, at_most, within
 from report.deriving.arithmetic import by_case, noise_floor, share, spread
 from report.figures import INK, SERIES, new_figure
+from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
 
@@ -19,7 +20,7 @@ def derive(results: Results) -> Section:
     contacts = Figure(
         draw=lambda: _draw_contacts(rows),
         sources=[column for row in rows for column in (row.mean_row_count, row.mean_loaded_row_count)],
-        numbers={"cases": [(row.case, row.mean_loaded_row_count, row.mean_row_count) for row in rows]},
+        numbers={"cases": [(name_of(row.case), row.mean_loaded_row_count, row.mean_row_count) for row in rows]},
     )
     return Section(
         tables={"cases": _table(rows)},
@@ -91,7 +92,7 @@ def _table(rows: list[Row]) -> Table:
 def _draw_contacts(rows: list[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 2.2)
     there = [row for row in rows if row.mean_row_count.value is not None]
-    names, loaded = [row.case for row in there], np.array([row.mean_loaded_row_count.value for row in there])
+    names, loaded = [name_of(row.case) for row in there], np.array([row.mean_loaded_row_count.value for row in there])
     idle = np.array([row.mean_row_count.value for row in there]) - loaded
     axes.barh(names, loaded, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6, label="carry force")
     axes.barh(

@@ -9,6 +9,7 @@ from report.quantities import Quantity, absent
 from report.results import Results, Row
 
 order = 130
+page = "fix"
 
 SCENES = ("as-shipped", "fixed")
 NOT_FOUND = "the lint does not find it"

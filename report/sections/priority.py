@@ -6,11 +6,13 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import HOLDS, Claim, Outcome, at_least, at_most, greater, within
 from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share, spread
 from report.figures import SERIES, new_figure
+from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
 
 order = 100
+page = "fix"
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
@@ -23,7 +25,9 @@ def derive(results: Results) -> Section:
     slips = Figure(
         draw=lambda: _draw_slips(results.rows),
         sources=[row.slip_mm for row in results.rows],
-        numbers={"slips": Markup("; ").join(Markup("{}: {}").format(row.case, row.slip_mm) for row in results.rows)},
+        numbers={
+            "slips": Markup("; ").join(Markup("{}: {}").format(name_of(row.case), row.slip_mm) for row in results.rows)
+        },
     )
     return Section(
         tables={"cases": _table(results.rows)},
@@ -161,8 +165,8 @@ def _draw_slips(rows: list[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 2.6)
     for place, row in enumerate(there):
         group = 0 if row.case in CUBE else 1 if "pad_ke" in row else 2
-        axes.barh(place, row.slip_mm.value, color=SERIES[group], hatch=(None, "///", "...")[group], height=0.65)
-    axes.set_yticks(range(len(there)), [row.case for row in there])
+        axes.barh(place, row.slip_mm.value, color=SERIES[group], hatch=(None, "//", "\\\\")[group], height=0.65)
+    axes.set_yticks(range(len(there)), [name_of(row.case) for row in there])
     axes.grid(visible=False, axis="y")
     axes.set_xlabel("slip [mm]")
     return drawing

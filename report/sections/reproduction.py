@@ -15,12 +15,12 @@ from report.deriving.arithmetic import (
     SETTLES,
     by_case,
     departure,
-    in_code,
     ratio,
     size_share,
     spread,
 )
 from report.figures import INK, new_figure
+from report.names import cases_html, name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row, Series
@@ -33,12 +33,20 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 """Where the cases were measured besides, by how their names end."""
 AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
 """Columns of a trace that hold the displacement in the axes of the TCP frame."""
+SCENE = (
+    ("cube_edge", 40, "mm"),
+    ("cube_mass", 32, "g"),
+    ("frame_rate", 60, "1/s"),
+    ("substeps", 16, "1"),
+)
+"""Name, value and unit of what the scene sets; a test compares them with the scene."""
 BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
 """Most that a batch may cost against one world, by the device that it runs on."""
 
 
 def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
+    _scene(results, shipped)
     traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
     claims = [
         _slips(results, shipped),
@@ -69,6 +77,17 @@ def derive(results: Results) -> Section:
         claims=claims,
         unmeasured=() if launched else ("launching_costs",),
     )
+
+
+def _scene(results: Results, shipped: Row) -> None:
+    """What is simulated, for pages that tell it; what no record says is as in ``experiments/``."""
+    for name, value, unit in SCENE:
+        results.value(name, "set in the scene", lambda value=value: value, unit=unit)
+    amplitude = shipped.shake_amplitude_m
+    results.value("amplitude", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
+    results.value("frequency", "as a whole number", round, shipped.shake_frequency_hz, unit="Hz")
+    formula = "size of the change in slip with stiff pads, of the slip as shipped"
+    departure(results, "stiff_share", formula, results.row["stiff-pads"].slip_mm, shipped.slip_mm)
 
 
 def _slips(results: Results, shipped: Row) -> Claim:
@@ -192,7 +211,7 @@ def _same_on_both_engines(results: Results) -> Claim:
             "shipped": _listed(shipped),
             "stiff": _listed(stiff),
             "difference": difference,
-            "lost": in_code(lost) if lost else "",
+            "lost": cases_html(lost) if lost else "",
             "reason": results.row[lost[0]].slip_mm.reason if lost else "",
         },
         says_missing=True,
@@ -294,7 +313,7 @@ def _draw_displacement(traces: dict[str, Series]) -> Drawing:
     for axes, (name, frame) in zip(panels[0], there.items(), strict=True):
         for start, (column, axis) in enumerate(AXES.items()):
             axes.plot(frame["time_s"], frame[column], label=axis, markevery=(30 * start, 90))
-        axes.set_title(name)
+        axes.set_title(name_of(name))
     panels[0][0].set_ylabel("displacement [mm]")
     drawing.supxlabel("time since the shake began [s]", fontsize=10)
     drawing.legend(*panels[0][0].get_legend_handles_labels(), loc="outside upper right", ncols=len(AXES))
@@ -306,7 +325,7 @@ def _draw_increments(traces: dict[str, Series], frequency_hz: float) -> Drawing:
     for name, trace in traces.items():
         if trace.value is not None:
             increments = _cycle_increments(trace.value, frequency_hz)
-            axes.plot(range(1, len(increments) + 1), increments, label=name, markevery=1)
+            axes.plot(range(1, len(increments) + 1), increments, label=name_of(name), markevery=1)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlabel("shake cycle")

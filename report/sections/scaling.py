@@ -15,6 +15,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 170
+page = "cost"
 
 FLOOR_COUNTS = (1, 4096, 16384)
 """Numbers of worlds for which the floor is a target."""
@@ -23,18 +24,19 @@ RATE_COUNT = 16384
 
 def derive(results: Results) -> Section:
     rows = results.rows
+    ends = [rows[0], rows[-1]]
     over_floor = {row.worlds.value: _over_floor(results, row) for row in rows}
     floor_bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
     rate_bound = results.chosen("rate_bound", "what this GPU should reach", 6.0, unit="million world-substeps/s")
     times = Figure(
         draw=lambda: _draw_times(rows, over_floor, floor_bound),
         sources=[row.frame_ms for row in rows],
-        numbers={"rows": rows},
+        numbers={"ends": ends},
     )
     capacity = Figure(
         draw=lambda: _draw_capacity(rows),
         sources=[row.world_substeps_per_s for row in rows],
-        numbers={"rows": rows},
+        numbers={"ends": ends},
     )
     return Section(
         tables={"worlds": _table(results, rows, over_floor)},

@@ -10,10 +10,12 @@ from report.claims import Claim, at_least, greater, within
 from report.deriving.arithmetic import by_case, ratio
 from report.deriving.timing import cell, frame_spread
 from report.figures import INK, SERIES, new_figure
+from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
 
 order = 160
+page = "cost"
 
 EDGES = ("frame_ms_p5", "frame_ms_p95")
 UNTRIMMED = "as-shipped-untrimmed"
@@ -30,7 +32,9 @@ def derive(results: Results) -> Section:
     frames = Figure(
         draw=lambda: _draw_frames(results.rows),
         sources=[row.frame_ms for row in results.rows],
-        numbers={"times": Markup("; ").join(Markup("{}: {}").format(row.case, row.frame_ms) for row in results.rows)},
+        numbers={
+            "times": Markup("; ").join(Markup("{}: {}").format(name_of(row.case), row.frame_ms) for row in results.rows)
+        },
     )
     return Section(
         tables={"cases": _table(results.rows)},
@@ -99,7 +103,7 @@ def _table(rows: Sequence[Row]) -> Table:
 
 def _draw_frames(rows: Sequence[Row]) -> Drawing:
     rows = [row for row in rows if row.frame_ms.value is not None]
-    names = [row.case for row in rows]
+    names = [name_of(row.case) for row in rows]
     median, low, high = (np.array([row[name].value for row in rows]) for name in ("frame_ms", *EDGES))
     drawing, axes = new_figure(7.2, 0.8 + 0.34 * len(rows))
     whiskers = {"xerr": [median - low, high - median], "capsize": 3, "error_kw": {"ecolor": INK, "elinewidth": 1.2}}

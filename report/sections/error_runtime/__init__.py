@@ -5,11 +5,12 @@ from collections.abc import Mapping, Sequence
 import pandas as pd
 from markupsafe import Markup
 
+from report.deriving.arithmetic import cell_or_absent
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims
-from report.sections.error_runtime.figures import STYLES, draw_grasp, draw_numerical
+from report.sections.error_runtime.figures import draw_grasp, draw_numerical
 from report.sections.error_runtime.knobs import knob_claims, model_claims
 from report.sections.error_runtime.runs import (
     ENGINES,
@@ -31,6 +32,7 @@ from report.sections.error_runtime.runs import (
 from report.sections.error_runtime.worlds import derive_worlds
 
 order = 155
+page = "error"
 
 PARAMETERS = (
     "iterations",
@@ -47,10 +49,12 @@ PARAMETERS = (
 
 def derive(results: Results) -> Section:
     points = points_of(results)
-    orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in STYLES}
+    orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in LABELS}
     front = front_rows(points, points.front)
     warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
+    references = [points.reference(pads) for pads in PADS]
+    converged = [cell_or_absent(reference, GRASP, "mm/cycle") for reference in references]
     return Section(
         tables={
             "front": _front_table(distinct(points, front)),
@@ -60,14 +64,14 @@ def derive(results: Results) -> Section:
         },
         figures={
             "numerical": Figure(
-                draw=lambda: draw_numerical(points, orders),
+                draw=lambda: draw_numerical(points),
                 sources=[row.numerical_error_mm for row in points.settings],
-                numbers={"front": _listed(front, ERROR)},
+                numbers=_as_shipped(points, ERROR),
             ),
             "grasp": Figure(
                 draw=lambda: draw_grasp(points),
                 sources=[row.grasp_error_mm_per_cycle for row in points.settings],
-                numbers={"front": _listed([row for row in points.settings if row.case in points.grasp_front], GRASP)},
+                numbers=_as_shipped(points, GRASP) | {"soft": converged[0], "stiff": converged[1]},
             ),
             "worlds": worlds_figure,
         },
@@ -75,8 +79,14 @@ def derive(results: Results) -> Section:
     )
 
 
-def _listed(rows: Sequence[Row], error: str) -> Markup:
-    return Markup("; ").join(Markup("{}: {} in {}").format(row.case, row[error], row[TIME]) for row in rows)
+def _as_shipped(points: Points, error: str) -> dict[str, Markup]:
+    """By engine: the errors as shipped with either pads, and the run time with the first."""
+    found = {}
+    for name, backend in zip(("warp", "c"), points.engines, strict=True):
+        rows = [row for row in (points.shipped(pads, backend) for pads in PADS) if row]
+        errors = Markup(" and ").join(Markup("{}").format(row[error]) for row in rows) or Markup("nothing that counts")
+        found[name] = errors + (Markup(" in {}").format(rows[0][TIME]) if rows else "")
+    return found
 
 
 def _front_table(rows: Sequence[Row]) -> Table:

@@ -1,6 +1,6 @@
 """Error against run time as a diagram, and the run time of many worlds."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -9,221 +9,129 @@ from matplotlib.figure import Figure as Drawing
 from report.deriving.timing import decade_axis, world_axis
 from report.figures import FAINT, INK, SERIES, new_figure
 from report.format import format_number
+from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
-from report.sections.error_runtime.runs import (
-    ENGINES,
-    ERROR,
-    GRASP,
-    LABELS,
-    PADS,
-    Points,
-    hit_iteration_limit,
-    is_clamped,
-    is_own_model,
-)
+from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, no_worse
 
-STYLES = {
-    "newton": (SERIES[0], "-", "o"),
-    "newton-each-substep": (SERIES[0], "", "^"),
-    "mujoco": (SERIES[1], "--", "s"),
-    "newton-rk4": (SERIES[3], "-.", "v"),
-    "mujoco-rk4": (SERIES[3], ":", "P"),
-    "cpu": (SERIES[4], ":", "X"),
-    "c": (SERIES[2], "-", "D"),
-    "c-rk4": (SERIES[2], "--", "h"),
-}
-GRASP_STYLES = {"warp-cuda": "o", "warp-cpu": "X", "mujoco-c": "D"}
+COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
+NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
 LEAST_ERROR_MM = 1e-5
 """Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
-FADED = 0.35
+FADED = 0.3
 
 
-def draw_numerical(points: Points, orders: Mapping[tuple[str, str], Quantity]) -> Drawing:
-    drawing, panels = new_figure(7.2, 5.6, ncols=2, sharex=True, sharey=True, squeeze=False)
-    right, top = _limits(points.settings, ERROR)
+def draw_numerical(points: Points) -> Drawing:
+    """Every setting that counts, faint; the front of each engine, and on it where it ships and what is no worse."""
+    drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
+    rows = [row for row in points.settings if row.valid and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
         axes.set_title(title)
-        _set_axes(axes, LEAST_ERROR_MM, right, top, points.settings)
+        _set_axes(axes, rows, ERROR, LEAST_ERROR_MM)
         axes.set_xlabel("numerical error [mm]")
         _shade_floor(axes, points.floors[pads].value)
-        _say_reference(axes, points.reference(pads))
-        _draw_spread(axes, [row for row in points.settings if row["pads"] == pads and row.valid and is_own_model(row)])
-        for method, (colour, line, mark) in STYLES.items():
-            ladder = [row for row in points.ladder(pads, method) if row.valid]
-            x, y = _places(ladder, ERROR, LEAST_ERROR_MM)
-            axes.plot(x, y, linestyle=line, color=colour, marker="", linewidth=1.0, alpha=0.6)
-            _scatter(axes, x, y, ladder, colour, mark, points.backend_front)
-        others = [row for row in points.knobs(pads) if row.valid and is_own_model(row)]
-        axes.scatter(*_places(others, ERROR, LEAST_ERROR_MM), s=9, color=INK, alpha=FADED)
-        _draw_front(axes, points, pads, LEAST_ERROR_MM)
-        _mark_failures(axes, [row for row in points.settings if row["pads"] == pads], right, top)
+        for backend in points.engines:
+            mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
+            _draw_engine(axes, mine, ERROR, points.backend_front, COLOURS[backend])
+            _name_engine(axes, mine, ERROR, backend)
+            shipped = points.shipped(pads, backend)
+            if shipped is not None:
+                _mark(axes, shipped, ERROR, "*", f"shipped{_error(shipped)}", COLOURS[backend])
+                better = no_worse(mine, shipped)
+                if better is not None:
+                    _mark(axes, better, ERROR, "s", f"{_setting(better)}{_error(better)}", COLOURS[backend])
     panels[0][0].set_ylabel("run time [ms per simulated s]")
-    _legend(drawing, points, orders)
     return drawing
 
 
-def _limits(rows: Sequence[Row], error: str) -> tuple[float, float]:
-    """Right and upper end of the axes."""
-    valid = [row for row in rows if row.valid and row[error].value is not None]
-    return 3.0 * max(row[error].value for row in valid), 4.0 * max(row.ms_per_s.value for row in valid)
+def draw_grasp(points: Points) -> Drawing:
+    """The drift of every setting that counts, faint; where each model converges to, and where each engine ships."""
+    drawing, axes = new_figure(7.2, 4.2)
+    rows = [row for row in points.settings if row.valid and row[GRASP].value]
+    _set_axes(axes, rows, GRASP, 0.5 * min(row[GRASP].value for row in rows))
+    for colour, (pads, title) in zip((SERIES[1], SERIES[0]), PADS.items(), strict=True):
+        mine = [row for row in rows if row["pads"] == pads]
+        axes.scatter(*_places(mine, GRASP, 0.0), s=16, color=colour, alpha=FADED, linewidths=0)
+        reference = points.reference(pads)
+        if reference is not None and reference[GRASP].value:
+            _name_converged(axes, reference[GRASP].value, title, colour)
+        for backend in points.engines:
+            shipped = points.shipped(pads, backend)
+            if shipped is not None and shipped[GRASP].value:
+                _mark(axes, shipped, GRASP, "*", NAMES[backend], colour)
+    axes.set_xlabel("grasp error [mm/cycle]")
+    axes.set_ylabel("run time [ms per simulated s]")
+    return drawing
 
 
-def _set_axes(axes: Axes, left: float, right: float, top: float, rows: Sequence[Row]) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(left, right)
-    axes.set_ylim(0.4 * min(row.ms_per_s.value for row in rows if row.valid), top)
+def _set_axes(axes: Axes, rows: Sequence[Row], error: str, left: float) -> None:
+    times = [row[TIME].value for row in rows]
+    axes.set(xscale="log", yscale="log")
+    axes.set_xlim(left, 4.0 * max(row[error].value for row in rows))
+    axes.set_ylim(0.4 * min(times), 4.0 * max(times))
     axes.minorticks_off()
-    axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=9)
+    axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 
 
 def _shade_floor(axes: Axes, floor: float | None) -> None:
     if floor is not None:
         axes.axvspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-
-
-def _say_reference(axes: Axes, reference: Row | None) -> None:
-    """The reference's own error, which lies far beyond the left edge."""
-    if reference is not None and reference.numerical_error_mm.value is not None:
-        text = f"← reference itself: {format_number(reference.numerical_error_mm.value, digits=1)} mm"
-        axes.text(0.03, 0.94, text, transform=axes.transAxes, fontsize=9)
-
-
-def _draw_spread(axes: Axes, rows: Sequence[Row]) -> None:
-    """From the 5th to the 95th percentile of the run time."""
-    x, _ = _places(rows, ERROR, LEAST_ERROR_MM)
-    low, high = ([row[column].value for row in rows] for column in ("ms_per_s_p5", "ms_per_s_p95"))
-    axes.vlines(x, low, high, color=INK, linewidth=0.7, alpha=0.5, zorder=1)
+        text = "Warp's rounding "
+        axes.annotate(text, (floor, 0.97), xycoords=("data", "axes fraction"), fontsize=8, ha="right", va="top")
 
 
 def _places(rows: Sequence[Row], error: str, left: float) -> tuple[np.ndarray, np.ndarray]:
     x = np.array([max(row[error].value, left) for row in rows])
-    return x, np.array([row.ms_per_s.value for row in rows])
+    return x, np.array([row[TIME].value for row in rows])
 
 
-def _scatter(
-    axes: Axes, x: np.ndarray, y: np.ndarray, rows: Sequence[Row], colour: str, mark: str, front: frozenset[str]
-) -> None:
-    """Marks: open where the timeconst is raised, faint where another setting of the same engine beats it."""
-    for clamped in (False, True):
-        for best in (False, True):
-            mine = [i for i, row in enumerate(rows) if is_clamped(row) is clamped and (row.case in front) is best]
-            if mine:
-                axes.scatter(
-                    x[mine],
-                    y[mine],
-                    s=26,
-                    marker=mark,
-                    facecolors="none" if clamped else colour,
-                    edgecolors=colour,
-                    alpha=1.0 if best else FADED,
-                    clip_on=False,
-                    zorder=3,
-                )
+def _draw_engine(axes: Axes, rows: Sequence[Row], error: str, front: frozenset[str], colour: str) -> None:
+    axes.scatter(*_places(rows, error, LEAST_ERROR_MM), s=12, color=colour, alpha=FADED, linewidths=0, clip_on=False)
+    best = sorted((row for row in rows if row.case in front), key=lambda row: row[error].value)
+    if best:
+        x, y = _places(best, error, LEAST_ERROR_MM)
+        style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
+        axes.step([*x, axes.get_xlim()[1]], [*y, y[-1]], where="post", **style)
 
 
-def _draw_front(axes: Axes, points: Points, pads: str, left: float) -> None:
-    mine = (row for row in points.settings if row.case in points.front and row["pads"] == pads)
-    front = sorted(mine, key=lambda row: row.numerical_error_mm.value)
-    if front:
-        x, y = _places(front, ERROR, left)
-        axes.step(
-            [*x, axes.get_xlim()[1]],
-            [*y, y[-1]],
-            where="post",
-            color=INK,
-            linestyle="-",
-            linewidth=1.0,
-            marker="",
-            zorder=2,
+def _name_engine(axes: Axes, rows: Sequence[Row], error: str, backend: str) -> None:
+    """Above its slowest setting."""
+    if rows:
+        top = max(rows, key=lambda row: row[TIME].value)
+        x, y = _places([top], error, LEAST_ERROR_MM)
+        is_left = x[0] <= 10 * LEAST_ERROR_MM
+        axes.annotate(
+            NAMES[backend],
+            (x[0], y[0]),
+            xytext=(4 if is_left else 0, 8),
+            textcoords="offset points",
+            color=COLOURS[backend],
+            fontsize=9,
+            ha="left" if is_left else "center",
         )
 
 
-def _mark_failures(axes: Axes, rows: Sequence[Row], right: float, top: float) -> None:
-    """On the upper edge, at their error where they have one: they have no time that counts."""
-    for mark, mine in (("x", _limited(rows)), ("P", _lost(rows))):
-        x = [min(row.numerical_error_mm.value or right, right) for row in mine]
-        axes.scatter(x, [top] * len(x), marker=mark, s=40, color=SERIES[5], clip_on=False, zorder=4)
+def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str) -> None:
+    """One setting by its name, beside a mark that can be seen."""
+    (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
+    size = {"*": 130, "s": 34}[mark]
+    axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
+    axes.annotate(text, (x, y), xytext=(8, 2), textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
 
 
-def _limited(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and hit_iteration_limit(row)]
+def _setting(row: Row) -> str:
+    """What is set, without pads and engine."""
+    return ", ".join(name_of(row.case).split(", ")[2:])
 
 
-def _lost(rows: Sequence[Row]) -> list[Row]:
-    return [row for row in rows if not row.valid and not hit_iteration_limit(row)]
+def _error(row: Row) -> str:
+    return f": {format_number(row[ERROR].value, digits=2)} mm"
 
 
-def _legend(drawing: Drawing, points: Points, orders: Mapping[tuple[str, str], Quantity]) -> None:
-    axes = drawing.axes[0]
-    handles = []
-    for method, (colour, line, mark) in STYLES.items():
-        if any(row.method == method for row in points.settings):
-            label = LABELS[method] + _order_note([orders.get((pads, method)) for pads in PADS])
-            handles += axes.plot([], [], linestyle=line, color=colour, marker=mark, label=label)
-    handles += axes.plot(
-        [], [], linestyle="", marker=".", color=INK, alpha=FADED, label="other knobs, shipped substeps"
-    )
-    handles += axes.plot([], [], linestyle="-", marker="", color=INK, linewidth=1.0, label="Pareto front of all")
-    for mark, found, label in (
-        ("x", _limited, "failed: iteration limit"),
-        ("P", _lost, "failed: grasp lost, not finite, overflow"),
-    ):
-        if found(points.settings):
-            handles += axes.plot([], [], linestyle="", marker=mark, color=SERIES[5], label=label)
-    drawing.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=8.5)
-
-
-def _order_note(orders: Sequence[Quantity | None]) -> str:
-    """The observed orders, that of the pads as shipped first."""
-    texts = [
-        format_number(order.value, digits=2) if order is not None and order.value is not None else "–"
-        for order in orders
-    ]
-    return f" (order {' | '.join(texts)})" if any(text != "–" for text in texts) else ""
-
-
-def draw_grasp(points: Points) -> Drawing:
-    drawing, axes = new_figure(7.2, 4.6)
-    rows = [row for row in points.settings if row.valid and row.grasp_error_mm_per_cycle.value]
-    errors = [row.grasp_error_mm_per_cycle.value for row in rows]
-    right, top = _limits(rows, GRASP)
-    _set_axes(axes, 0.5 * min(errors), right, top, rows)
-    for number, (pads, title) in enumerate(PADS.items()):
-        for backend, mark in GRASP_STYLES.items():
-            mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
-            x, y = _places(mine, GRASP, 0.0)
-            _scatter(axes, x, y, mine, SERIES[number], mark, points.grasp_backend_front)
-            if mine:
-                label = f"{title}, {ENGINES[backend].replace('MuJoCo Warp', 'Warp')}"
-                axes.plot([], [], linestyle="", marker=mark, color=SERIES[number], label=label)
-        reference = points.reference(pads)
-        if reference is not None and reference.grasp_error_mm_per_cycle.value:
-            axes.axvline(
-                reference.grasp_error_mm_per_cycle.value,
-                color=SERIES[number],
-                linestyle=(":", "--")[number],
-                linewidth=1.2,
-                marker="",
-                label=f"{title}, converged",
-            )
-    front = sorted((row for row in rows if row.case in points.grasp_front), key=lambda row: row[GRASP].value)
-    x, y = _places(front, GRASP, 0.0)
-    axes.step(
-        [*x, right],
-        [*y, y[-1]],
-        where="post",
-        color=INK,
-        linestyle="-",
-        linewidth=1.0,
-        marker="",
-        label="Pareto front of all",
-    )
-    axes.set_xlabel("grasp error [mm/cycle]")
-    axes.set_ylabel("run time [ms per simulated s]")
-    drawing.legend(loc="outside lower center", ncols=2, fontsize=8.5)
-    return drawing
+def _name_converged(axes: Axes, x: float, title: str, colour: str) -> None:
+    axes.axvline(x, color=colour, linestyle="--", linewidth=1.2, marker="")
+    text = f" {title},\n converged: {format_number(x)}"
+    axes.annotate(text, (x, 0.985), xycoords=("data", "axes fraction"), fontsize=8.5, color=colour, va="top")
 
 
 def draw_worlds(

@@ -78,10 +78,32 @@ class Points:
     def cell(self, case: str, column: str) -> Quantity:
         return cell(self.results, self.results.row.get(case), column, case)
 
+    @property
+    def engines(self) -> tuple[str, str]:
+        """The two backends to compare."""
+        return self.warp, "mujoco-c"
+
+    def shipped(self, pads: str, backend: str) -> Row | None:
+        """The settings as shipped on a backend, where they count."""
+        method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
+        row = self.results.row.get(with_shipped_steps(pads, method))
+        return row if row and row.valid and row.backend == backend else None
+
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""
         mine = (row for row in self.references if row["pads"] == pads and is_own_model(row))
         return next(mine, None)
+
+
+def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
+    """Of the rows of the same model the fastest that is no farther from its solution than ``shipped``, if not itself.
+
+    Where the contacts' timeconst is raised, or cone or impratio are others, it is another model.
+    """
+    own = [row for row in rows if is_own_model(row) and not is_clamped(row)]
+    closer = [row for row in own if row[ERROR].value <= shipped[ERROR].value]
+    fastest = min(closer, key=lambda row: row[TIME].value, default=shipped)
+    return None if fastest.case == shipped.case else fastest
 
 
 def points_of(results: Results) -> Points:

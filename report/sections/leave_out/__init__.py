@@ -4,9 +4,10 @@ import math
 from collections.abc import Sequence
 
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, greater, within
-from report.deriving.arithmetic import DEVICES, difference, in_code, noise_floor, ratio
+from report.deriving.arithmetic import DEVICES, difference, noise_floor, ratio
 from report.deriving.timing import cell, frame_spread
 from report.format import format_number
+from report.names import case_html, cases_html
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
@@ -24,6 +25,7 @@ from report.sections.leave_out.variants import (
 )
 
 order = 150
+page = "cost"
 
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""
@@ -152,7 +154,7 @@ def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[
     return Claim(
         f"same_slip_on_{DEVICES[device].lower()}",
         outcome,
-        numbers={"largest": largest, "floor": floor, "most": in_code([most] if most else [])},
+        numbers={"largest": largest, "floor": floor, "most": cases_html([most] if most else [])},
     )
 
 
@@ -169,7 +171,7 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     return Claim(
         "each_helps",
         HOLDS if helping and not idle else FAILS if idle else Outcome("unknown", "nothing was left out alone"),
-        numbers={"helping": in_code(helping), "idle": in_code(idle)},
+        numbers={"helping": cases_html(helping), "idle": cases_html(idle)},
     )
 
 
@@ -182,7 +184,7 @@ def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         "rest_helps",
         _is_faster(results, variants, device, worlds, BASELINE, ALL),
         numbers={
-            "baseline": BASELINE,
+            "baseline": case_html(BASELINE),
             "worlds": f"{format_number(worlds)} world{'s' * (worlds > 1)}",
             "device": DEVICES[device],
             "before": before,
@@ -223,9 +225,9 @@ def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
         "same_bits",
         outcome,
         numbers={
-            "same": in_code(same),
-            "apart": in_code(apart),
-            "reference": in_code([reference.case] if reference else []),
+            "same": cases_html(same),
+            "apart": cases_html(apart),
+            "reference": cases_html([reference.case] if reference else []),
             "largest": largest,
         },
     )

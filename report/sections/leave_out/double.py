@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import pandas as pd
 
 from report.claims import Claim, at_most
-from report.deriving.arithmetic import difference, friction_rows_differ, in_code, noise_floor
+from report.deriving.arithmetic import difference, friction_rows_differ, noise_floor
+from report.names import case_html, cases_html
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
@@ -40,8 +41,8 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
             "floor": floor,
             "apart": apart,
             "has_same": bool(same),
-            "same": in_code(row.of for row in same),
-            "moved": in_code(row.of for row in moved),
+            "same": cases_html(row.of for row in same),
+            "moved": cases_html(row.of for row in moved),
             "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
         },
     )
@@ -54,4 +55,4 @@ def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
         "same bits": ["reference" if row.of == REFERENCE else is_identical(row) for row in rows],
         "apart": [row.pose_difference_mm for row in rows],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index([row.of for row in rows], name="case")))
+    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.of) for row in rows], name="case")))

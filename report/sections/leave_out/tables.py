@@ -10,6 +10,7 @@ from matplotlib.figure import Figure as Drawing
 from report.deriving.arithmetic import DEVICES
 from report.figures import INK, SERIES, new_figure
 from report.format import format_number
+from report.names import case_html, name_of
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -34,7 +35,7 @@ LEFT_OUT = {
 def case_table(variants: Sequence[Variant]) -> Table:
     names = list(dict.fromkeys(variant.case for variant in variants))
     columns = {"left out": [LEFT_OUT.get(name, "") for name in names]}
-    return Table(pd.DataFrame(columns, index=pd.Index(names, name="case")))
+    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, names), name="case")))
 
 
 def audit_table(results: Results) -> Table:
@@ -66,7 +67,7 @@ def cost_table(variants: Sequence[Variant]) -> Table:
         name = f"{format_number(count)} world{'s' * (count > 1)}"
         columns[name] = [row.frame_ms if row else "" for row in rows]
     columns["memory"] = [variant.run.buffer_bytes_per_world for variant in variants]
-    index = pd.Index([variant.case for variant in variants], name="case")
+    index = pd.Index([case_html(variant.case) for variant in variants], name="case")
     return Table(pd.DataFrame(columns, index=index))
 
 
@@ -79,7 +80,7 @@ def same_table(variants: Sequence[Variant], differences: dict[str, Value]) -> Ta
         "same bits": [_bits(variants, variant) for variant in variants],
         "apart": [variant.run.pose_difference_mm for variant in variants],
     }
-    index = pd.Index([variant.case for variant in variants], name="case")
+    index = pd.Index([case_html(variant.case) for variant in variants], name="case")
     return Table(pd.DataFrame(columns, index=index))
 
 
@@ -91,11 +92,12 @@ def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
 
 def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:
     times = Markup("; ").join(
-        Markup("{} on the {} with {} worlds: {}").format(
-            variant.case, DEVICES[variant.device], row.worlds, row.frame_ms
+        Markup("{} on the {}, {} worlds: {}").format(
+            name_of(variant.case), DEVICES[device], format_number(worlds), variant.at(worlds).frame_ms
         )
+        for device, worlds in dict.fromkeys((panels[0], panels[-1]))
         for variant in variants
-        for row in variant.rows
+        if variant.device == device and variant.case in (REFERENCE, ALL) and variant.at(worlds)
     )
     return Figure(
         draw=lambda: _draw_cost(variants, panels),
@@ -122,7 +124,7 @@ def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -
         axes.set_xlim(left=0)
         axes.set_title(f"{DEVICES[device]}\n{format_number(worlds)} world{'s' * (worlds > 1)}")
         axes.grid(axis="y", visible=False)
-    grid[0][0].set_yticks(range(len(names)), names)
+    grid[0][0].set_yticks(range(len(names)), map(name_of, names))
     grid[0][0].invert_yaxis()
     drawing.supxlabel("time of a frame as a share of that exactly as shipped [%]", fontsize=10)
     return drawing

@@ -27,6 +27,7 @@ from report.sections.stability.figures import (
 from report.sections.stability.passing import DEPTH_LARGEST, passing
 
 order = 145
+page = "limits"
 
 LET_GO = "the fingers let the cube go"
 
@@ -55,6 +56,7 @@ def derive(results: Results) -> Section:
         claims=[
             limits.safe(results, critical, default_kd),
             limits.steps(results),
+            limits.steps_order(results),
             limits.plateau(results, critical),
             limits.boundary(results, default_kd),
             limits.clamp(results),
@@ -63,11 +65,14 @@ def derive(results: Results) -> Section:
             extremes.crossover(results, "grip"),
             extremes.friction(results),
             extremes.mass(results),
+            extremes.mass_drift(results),
+            extremes.mass_sink(results),
             extremes.size(results, depth),
             extremes.overlap(results),
             extremes.gravity(results),
             extremes.freed(results),
             extremes.long(results),
+            extremes.long_adds_up(results),
             extremes.buffers(results),
             extremes.neighbours(results),
             extremes.repeats_agree(results),
@@ -179,6 +184,7 @@ def _others_table(results: Results) -> Table:
         "drift": [absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s for row in rows],
         "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
         "depth": [row.penetration_mm for row in rows],
+        "hand sinks": [row.hand_sink_mm for row in rows],
         "friction used": [_friction_used(row) for row in rows],
         "passes": [bool(passes) for members in families for passes in passing(members)],
     }

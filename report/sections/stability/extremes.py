@@ -2,13 +2,21 @@
 
 from markupsafe import Markup
 
-from report.claims import Claim, Outcome, at_most, within
-from report.deriving.arithmetic import cell_or_absent, extreme, in_code, share
-from report.quantities import Value, absent
-from report.results import Results
+from experiments.case import AS_SHIPPED
+from report.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, increases, within
+from report.deriving.arithmetic import cell_or_absent, extreme, share
+from report.names import cases_html
+from report.quantities import Quantity, Value, absent
+from report.results import Results, Row
 from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family, family_claim
-from report.sections.stability.passing import passed
+from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, passed
+
+MU = {"shake": 0.0187, "grip": 0.1}
+"""Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
+MASS_DRIFT_RATIO = 2.0
+SINK_LEAST_MM = 0.1
+"""A hand that comes down by no more than that has not come down."""
 
 
 def crossover(results: Results, name: str) -> Claim:
@@ -17,13 +25,13 @@ def crossover(results: Results, name: str) -> Claim:
     lost = extreme(
         results, f"{name}_lost", "least load that drops", min, [r.load for r in rows if r["class"] == "dropped"]
     )
-    one_sided = None in (kept.value, lost.value)
+    mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
     return family_claim(
         results,
         f"{name}_crossover",
         family(results, name),
-        outcome=Outcome("unknown", "not both sides of the limit were reached") if one_sided else None,
-        numbers={"kept": kept, "lost": lost},
+        also=decided(True, kept, lost),
+        numbers={"kept": kept, "lost": lost, "mu": mu},
     )
 
 
@@ -37,30 +45,54 @@ def friction(results: Results) -> Claim:
         results,
         "friction_extremes",
         rows,
+        also=_unbroken(sorted(rows, key=lambda row: row.pad_mu.value), kept, most),
         numbers={"kept": kept, "most": most},
     )
 
 
+def _unbroken(rows: list[Row], *ends: Value) -> Outcome:
+    """Whether those that hold stand together in the order given."""
+    return contiguous([is_stable(row) for row in rows], *ends)
+
+
+def _by_mass(results: Results) -> list[Row]:
+    return sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
+
+
 def mass(results: Results) -> Claim:
-    rows = family(results, "mass")
+    rows = _by_mass(results)
     held = [row for row in rows if is_stable(row)]
     light = extreme(results, "mass_least", "least mass that is held", min, [row.cube_mass_kg for row in held])
     heavy = extreme(results, "mass_most", "largest mass that is held", max, [row.cube_mass_kg for row in held])
-    low = extreme(results, "mass_drift_least", "least drift of them", min, [row.drift_mm_s for row in held])
-    high = extreme(results, "mass_drift_most", "largest drift of them", max, [row.drift_mm_s for row in held])
-    sink = extreme(
-        results,
-        "mass_sink",
-        "largest sink of the hand",
-        max,
-        [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows],
-    )
     return family_claim(
         results,
         "masses",
         rows,
-        numbers={"light": light, "heavy": heavy, "low": low, "high": high, "sink": sink},
+        also=_unbroken(rows, light, heavy),
+        numbers={"light": light, "heavy": heavy},
     )
+
+
+def mass_drift(results: Results) -> Claim:
+    held = [row for row in _by_mass(results) if is_stable(row)]
+    drifts = [row.drift_mm_s for row in held]
+    low = extreme(results, "mass_drift_least", "least drift of masses that are held", min, drifts)
+    high = extreme(results, "mass_drift_most", "largest drift of masses that are held", max, drifts)
+    bound = results.chosen("mass_drift_bound", "alike", MASS_DRIFT_RATIO)
+    least = results.value(
+        "mass_drift_allowed", "the largest drift over that bound", lambda a, b: a / b, high, bound, unit="mm/s"
+    )
+    outcome = all_of(at_least(low, least), decided(True, *drifts))
+    return Claim("mass_drift", outcome, numbers={"low": low, "high": high, "bound": bound})
+
+
+def mass_sink(results: Results) -> Claim:
+    rows = _by_mass(results)
+    sinks = [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows]
+    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
+    noise = results.chosen("mass_sink_bound", "no sinking", SINK_LEAST_MM, unit="mm")
+    heavy = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
+    return Claim("mass_sink", increases(sinks, noise=noise), numbers={"sink": sink, "heavy": heavy})
 
 
 def size(results: Results, bound: Value) -> Claim:
@@ -68,11 +100,15 @@ def size(results: Results, bound: Value) -> Claim:
     edges = {grip: [row.cube_edge_mm for row in passed(rows) if row.grip == grip] for grip in ("as-shipped", "scaled")}
     shipped = extreme(results, "size_shipped", "least edge that passes, grip as shipped", min, edges["as-shipped"])
     scaled = extreme(results, "size_scaled", "least edge that passes, grip scaled", min, edges["scaled"])
+    least = {"as-shipped": shipped.value, "scaled": scaled.value}
+    small_ones_fail = None not in least.values() and all(
+        row.cube_edge_mm.value < least[row.grip] for row in rows if row not in passed(rows)
+    )
     return family_claim(
         results,
         "sizes",
         rows,
-        numbers={"bound": bound, "shipped": shipped, "scaled": scaled},
+        numbers={"bound": bound, "shipped": shipped, "scaled": scaled, "small_ones_fail": small_ones_fail},
     )
 
 
@@ -89,32 +125,35 @@ def overlap(results: Results) -> Claim:
         for row in rows
     ]
     most = extreme(results, "exit_share_most", "largest share", max, shares)
-    fastest = extreme(results, "exit_fastest", "largest exit speed", max, [row.exit_speed_mm_s for row in rows])
+    extreme(results, "exit_fastest", "largest exit speed", max, [row.exit_speed_mm_s for row in rows])
+    whole = results.chosen("exit_share_bound", "no faster than an undamped spring", 100.0, unit="%")
     deepest = extreme(results, "overlap_deepest", "deepest start", max, [row.overlap_mm for row in rows])
     return family_claim(
         results,
         "overlaps",
         rows,
-        numbers={"deepest": deepest, "most": most, "fastest": fastest},
+        also=at_most(most, whole),
+        numbers={"deepest": deepest, "most": most},
     )
 
 
 def gravity(results: Results) -> Claim:
     rows = [row for row in family(results, "gravity") if not row.freed]
     lost = [row for row in rows if not is_stable(row)]
-    sink = extreme(
+    extreme(
         results,
         "gravity_sink",
         "sink of the hand where the cube is lost",
         max,
         [cell_or_absent(row, "hand_sink_mm", "mm") for row in lost],
     )
+    tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
     return family_claim(
         results,
         "gravities",
         rows,
-        numbers={"lost": text, "sink": sink},
+        numbers={"tried": tried, "lost": text},
     )
 
 
@@ -127,41 +166,84 @@ def freed(results: Results) -> Claim:
         max,
         [cell_or_absent(row, "energy_growth", "1") for row in rows],
     )
+    bound = results.chosen("energy_growth_bound", "no energy gained", ENERGY_LARGEST)
     at_rest = [row.case for row in passed(rows) if row.energy_growth.value is None]
     return family_claim(
         results,
         "freed_cube",
         rows,
-        numbers={"growth": growth, "at_rest": in_code(at_rest) if at_rest else ""},
+        also=at_most(growth, bound),
+        numbers={"growth": growth, "at_rest": cases_html(at_rest) if at_rest else ""},
     )
 
 
 def long(results: Results) -> Claim:
     rows = family(results, "long")
-    row = rows[0] if rows else None
-    columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
-    columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
-    cells = {name: cell_or_absent(row, column, "1") for name, column in columns.items()}
-    numbers = {**cells, "ends": row["class"] if row else ""}
+    cells, ends = _long_cells(results), rows[0]["class"] if rows else ""
+    largest = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
+    allowed = results.value(
+        "long_creep_allowed",
+        "creep per cycle in the first tenth times that bound",
+        lambda first, bound: first * bound,
+        cells["first"],
+        largest,
+        unit="mm/cycle",
+    )
+    is_lost = any(not is_stable(row) for row in rows)
     return family_claim(
         results,
         "long_run",
         rows,
-        numbers=numbers,
+        also=HOLDS if is_lost else at_most(cells["last"], allowed),
+        numbers={**cells, "ends": ends, "is_lost": is_lost, "bound": largest},
     )
 
 
+def _long_cells(results: Results) -> dict[str, Quantity]:
+    rows = family(results, "long")
+    columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
+    columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
+    return {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+
+
+def long_adds_up(results: Results) -> Claim:
+    """Whether the cube creeps all the time: as far as by the mean of its first and its last creep."""
+    cells = _long_cells(results)
+    found = results.value(
+        "long_slip_share",
+        "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles",
+        lambda slip, first, last, seconds: (
+            100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
+        ),
+        *(cells[name] for name in ("slip", "first", "last", "duration")),
+        unit="%",
+    )
+    low = results.chosen("long_slip_least", "about as far as that", 90.0, unit="%")
+    high = results.chosen("long_slip_most", "about as far as that", 110.0, unit="%")
+    numbers = {"duration": cells["duration"], "slip": cells["slip"], "share": found}
+    return Claim("long_adds_up", all_of(at_least(found, low), at_most(found, high)), numbers=numbers)
+
+
 def buffers(results: Results) -> Claim:
+    """Whether every buffer that is too small is named, and those are that hold less than the grasp was seen to need."""
     rows = family(results, "buffers")
     ample = results.row.get("buffers-ample")
     columns = {"contacts": "peak_contact_count", "constraints": "peak_constraint_count"}
     peaks = {name: cell_or_absent(ample, column, "1") for name, column in columns.items()}
-    return family_claim(
-        results,
-        "buffers",
-        rows,
-        numbers=peaks,
-    )
+    small = {
+        name: extreme(
+            results,
+            f"{name}_too_few",
+            f"largest buffer of {name} that was too small",
+            max,
+            [row[column] for row in rows if row["class"] == "overflow" and f"-{name[:-1]}-" in row.case],
+        )
+        for name, column in (("contacts", "contact_max"), ("constraints", "constraint_max"))
+    }
+    room = [cell_or_absent(ample, column, "1") for column in ("contact_max", "constraint_max")]
+    fits = [at_most(peak, most) for peak, most in zip(peaks.values(), room, strict=True)]
+    needed = [at_least(peaks[name], small[name]) for name in peaks]
+    return family_claim(results, "buffers", rows, also=all_of(*fits, *needed), numbers=peaks)
 
 
 def neighbours(results: Results) -> Claim:

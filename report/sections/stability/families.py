@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 
-from report.claims import Claim, Outcome, at_most
+from report.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
+from report.names import case_html
 from report.quantities import Quantity, Value
 from report.results import Results, Row
-from report.sections.stability.passing import passing
+from report.sections.stability.passing import judged_by, passing
 
 NAMED_COUNT = 6
 """Cases that a sentence names at most."""
@@ -28,9 +29,9 @@ def family_claim(
     rows: Sequence[Row],
     *,
     numbers: Mapping[str, Quantity | str | bool] | None = None,
-    outcome: Outcome | None = None,
+    also: Outcome = HOLDS,
 ) -> Claim:
-    """Whether all rows of a family pass, of those of which something is asked.
+    """Whether all rows of a family pass, of those of which something is asked, and something else holds ``also``.
 
     Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass.
     """
@@ -43,12 +44,14 @@ def family_claim(
         "failed_count": failed_count,
         "failed": named(failed),
     }
-    if not asked:
+    cells = [cell for row in rows for cell in judged_by(row)]
+    outcome = all_of(at_most(failed_count, none), decided(True, *cells), also)
+    if not rows:
         outcome = Outcome("unknown", "they were not measured")
-    return Claim(name, outcome or at_most(failed_count, none), own | dict(numbers or {}))
+    return Claim(name, outcome, own | dict(numbers or {}))
 
 
 def named(rows: Sequence[Row]) -> Markup:
     """The cases with how they ended, as far as a sentence can hold them."""
-    text = Markup(", ").join(Markup("<code>{}</code> {}").format(row.case, row["class"]) for row in rows[:NAMED_COUNT])
+    text = Markup(", ").join(Markup("{} {}").format(case_html(row.case), row["class"]) for row in rows[:NAMED_COUNT])
     return text + (" and others" if len(rows) > NAMED_COUNT else "")

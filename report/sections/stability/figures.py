@@ -5,13 +5,12 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
-from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 
-from report.figures import FAINT, INK, MAP_INK, SERIES, new_figure, tick_125, tick_at, tick_decades
+from report.figures import FAINT, INK, MAP_INK, SERIES, is_narrow, new_figure, tick_125, tick_at, tick_decades
 from report.format import format_code, format_short
 from report.results import Row, Series
 from report.sections.stability.classes import CLASSES, is_stable
@@ -60,23 +59,30 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
     edges_x, edges_y = _edges(ke), _edges(steps)
     axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
     axes.grid(False)
-    axes.pcolormesh(
-        edges_x, edges_y, grid, cmap=ListedColormap(COLOURS), norm=BoundaryNorm(np.arange(7) - 0.5, 6), zorder=0.5
-    )
+    for number, colour in enumerate(COLOURS):
+        _fill(axes, colour, edges_x, edges_y, np.argwhere(grid == number))
     clamped = [(x, y) for (x, y), row in cells.items() if "clamped" in row and row.clamped]
-    axes.add_collection(
-        LineCollection(_hatching(clamped, ke, steps, edges_x, edges_y), color=HATCH, linewidths=0.6, zorder=0.6)
-    )
+    lines = [point for line in _hatching(clamped, ke, steps, edges_x, edges_y) for point in (*line, (np.nan, np.nan))]
+    if lines:  # one line with gaps, which takes a tenth of the room that a line for each takes
+        axes.plot(*zip(*lines, strict=True), color=HATCH, linewidth=0.6, linestyle="-", marker="", zorder=0.6)
     for name, mark in zip(CLASSES, MARKS, strict=True):
         found = [place for place, row in cells.items() if row["class"] == name]
         if mark and found:
             x, y = zip(*found, strict=True)
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
-        if row["class"] == "creeping":
-            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=6, color=MAP_INK)
+        if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers
+            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=7, color=MAP_INK)
     tick_decades(axes.xaxis)
     tick_at(axes.yaxis, steps, digits=2)
+
+
+def _fill(axes: Axes, colour: str, edges_x: np.ndarray, edges_y: np.ndarray, places: np.ndarray) -> None:
+    """Cells at ``places``, rows of their numbers in y and x, as one shape."""
+    corners = [[(x, y), (x, y + 1), (x + 1, y + 1), (x + 1, y)] for y, x in places]
+    outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
+    if outlines:
+        axes.add_patch(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
 
 
 def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:

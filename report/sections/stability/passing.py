@@ -1,9 +1,15 @@
-"""When a run of section stability passes: judged from what was measured of it, and of the others of its family."""
+"""When a run of section stability passes: judged from what was measured of it, and of the others of its family.
+
+Read as it was judged when it was measured, where a record still to be measured again lacks the number:
+``gains_energy``, of a freed cube that lies still and so has no ``energy_growth``. A stable run that lacks a number by
+which it is judged is not judged.
+"""
 
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from report.quantities import Quantity
 from report.results import Row
 from report.sections.stability.classes import is_stable
 
@@ -14,15 +20,22 @@ DEPTH_LARGEST = 1.0
 """Depth in stiff pads, at most, in percent of the edge."""
 GROWTH_LARGEST = 1.1
 """Creep per cycle at the end of the long run over that at its beginning, at most."""
-ENERGY_GROWTH_LARGEST = 1.01
-"""Kinetic energy of a freed cube at the end over that when the fingers have opened, at most: 1, and some rounding."""
+ENERGY_LARGEST = 1.01
+"""Energy of a freed cube at the end over that when the fingers had opened, at most."""
 NEAR_LIMIT = 0.9, 1.1
 """Between these shares of what friction can carry nothing is asked."""
 
 
 def passing(rows: Sequence[Row]) -> Passing:
     """Which rows of one family pass; rows that are judged by each other must all be among them."""
-    return FAMILIES[rows[0].family](rows) if rows else []
+    whole = [row for row in rows if all(cell.value is not None for cell in judged_by(row))]
+    verdicts = dict(zip(whole, FAMILIES[rows[0].family](whole), strict=True)) if rows else {}
+    return [verdicts.get(row) for row in rows]
+
+
+def judged_by(row: Row) -> list[Quantity]:
+    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended."""
+    return [row[column] for column in JUDGED_BY.get(row.family, ()) if is_stable(row)]
 
 
 def passed(rows: Sequence[Row]) -> list[Row]:
@@ -127,14 +140,16 @@ def _overlap(rows: Sequence[Row]) -> Passing:
 
 def _gravity(rows: Sequence[Row]) -> Passing:
     """Finite, and a cube that is let go gains no energy."""
-    return [row.finite and not (row.freed and _gains_energy(row)) for row in rows]
+    return [row.finite and not _gains_energy(row) for row in rows]
 
 
 def _gains_energy(row: Row) -> bool:
-    if "freed_speed_first_mm_s" not in row:  # a record that is still to be measured again says it itself
-        return "gains_energy" in row and bool(row["gains_energy"])
-    first, last = row.freed_speed_first_mm_s.value, row.freed_speed_last_mm_s.value
-    return last**2 > ENERGY_GROWTH_LARGEST * first**2
+    if "freed_speed_first_mm_s" in row:
+        first, last = row.freed_speed_first_mm_s.value, row.freed_speed_last_mm_s.value
+        return last**2 > ENERGY_LARGEST * first**2
+    if "energy_growth" in row and row.energy_growth.value is not None:
+        return row.energy_growth.value > ENERGY_LARGEST
+    return bool("gains_energy" in row and row.gains_energy)
 
 
 def _buffers(rows: Sequence[Row]) -> Passing:
@@ -161,9 +176,18 @@ def _long(rows: Sequence[Row]) -> Passing:
 
 def _is_near(value: float, other: float) -> bool:
     """Whether one is within a factor of two of the other, and on the same side of zero."""
-    return 0.5 <= value / other <= 2.0
+    return value * other > 0.0 and 0.5 * abs(other) <= abs(value) <= 2.0 * abs(other)
 
 
+JUDGED_BY = {
+    "steps": ("drift_mm_s",),
+    "ke-critical": ("penetration_mm",),
+    "shake": ("load",),
+    "grip": ("load",),
+    "size": ("penetration_mm",),
+    "overlap": ("exit_speed_mm_s", "exit_bound_mm_s"),
+    "long": ("increment_first_mm_per_cycle", "increment_last_mm_per_cycle"),
+}
 FAMILIES: dict[str, Callable[[Sequence[Row]], Passing]] = {
     "steps": _steps,
     "ke-critical": _critical,

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from experiments.case import AS_SHIPPED, STIFF_PADS
-from report.claims import Claim, Outcome, all_of, at_least, at_most
-from report.deriving.arithmetic import extreme, friction_rows_differ, ratio
+from report.claims import Claim, Outcome, all_of, at_least, at_most, decided, increases, within
+from report.deriving.arithmetic import departure, extreme, friction_rows_differ, ratio
 from report.quantities import Value
 from report.results import Results, Row
 from report.sections.stability.classes import is_stable
@@ -31,7 +31,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
     broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
     kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=np.inf)]
-    creep = extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
+    extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
     limit = extreme(
         results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
     )
@@ -45,7 +45,6 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
         numbers={
             "least": least,
             "step": largest_step,
-            "creep": creep,
             "stiff": stiff,
             "margin": margin,
             "limit": limit,
@@ -59,7 +58,6 @@ def steps(results: Results) -> Claim:
     rows = family(results, "steps")
     stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
     kept = passed(rows)
-    stiff = [row for row in rows if row.pads == "stiff"]
     step = extreme(
         results,
         "stiff_step",
@@ -74,14 +72,30 @@ def steps(results: Results) -> Claim:
         numbers={
             "stable": stable,
             "step": step,
-            "exponent": _step_exponent(results, stiff),
             "some_are_lost": not all(map(is_stable, rows)),
             "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
             "failed_are_clamped": all(
-                (row.step_ms.value or 0.0) > CLAMPED_MS / row.pad_kd.value for row in rows if row not in kept
+                row.pads == "stiff" and row.step_ms.value > max(step.value or 0.0, CLAMPED_MS / row.pad_kd.value)
+                for row in rows
+                if row not in kept
             ),
         },
     )
+
+
+def steps_order(results: Results) -> Claim:
+    """Whether the drift with stiff pads is in proportion to the step."""
+    rows = [row for row in family(results, "steps") if row.pads == "stiff"]
+    by_step = sorted(rows, key=lambda row: row.step_ms.value)
+    noise = extreme(
+        results, "steps_noise", "how far apart repeats creep, at most", max, [row.creep_floor_mm_s for row in rows]
+    )
+    exponent = _step_exponent(results, rows)
+    one = results.chosen("steps_exponent_of_proportion", "in proportion", 1.0)
+    off = departure(results, "steps_exponent_off", "how far the exponent is from one", exponent, one)
+    bound = results.chosen("steps_exponent_bound", "about in proportion", 10.0, unit="%")
+    outcome = all_of(increases([row.drift_mm_s for row in by_step], noise=noise), within(off, bound))
+    return Claim("steps_order", outcome, numbers={"exponent": exponent})
 
 
 def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
@@ -120,6 +134,7 @@ def clamp(results: Results) -> Claim:
     holding = [row.timeconst_steps for row in rows if is_stable(row)]
     first = extreme(results, "clamp_fails_at", "largest timeconst over dt that fails", max, failing)
     last = extreme(results, "clamp_holds_at", "least timeconst over dt that holds", min, holding)
+    parted = first.value is None or last.value is None or first.value < last.value
     predicted = results.value(
         "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", lambda: 1 / (8**0.5 - 2)
     )
@@ -127,11 +142,11 @@ def clamp(results: Results) -> Claim:
         results,
         "clamp_off",
         rows,
+        also=decided(parted, first, last),
         numbers={
             "first": first,
             "last": last,
             "predicted": predicted,
-            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
         },
     )
 

@@ -13,6 +13,7 @@ from report.sections.stiffness.knobs import knob_claims
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, drift_without_slide, is_held
 
 order = 90
+page = "cause"
 
 
 def derive(results: Results) -> Section:
@@ -49,7 +50,7 @@ def derive(results: Results) -> Section:
         claims=[
             cause(results, proportional),
             proportional,
-            not_creep_under_load(results, proportional, give, stiffness),
+            not_creep_under_load(results, stiffness),
             *knob_claims(results, runs, stiffness, clamp),
         ],
     )

@@ -25,6 +25,7 @@ from report.sections.upgrade.tables import (
 )
 
 order = 200
+page = "releases"
 
 
 def derive(results: Results, releases: Releases) -> Section:

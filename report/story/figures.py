@@ -1,0 +1,182 @@
+"""Figures of the front page and the story: the cube in the grasp, its way, the suspects and the mechanism."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Drawing
+from matplotlib.patches import Arc, Polygon, Rectangle
+
+from report.figures import FAINT, INK, SERIES, new_figure
+from report.format import format_number
+from report.names import name_of
+from report.quantities import Quantity
+from report.results import Series
+
+EDGE_MM = 40.0
+"""Edge of the cube, for drawings to scale."""
+PAD_MM = (17.5, 18.5)
+"""Width and height of the part of a finger that touches the cube, about the point between the fingertips."""
+FINGER_MM = (22.0, 20.0)
+"""Width and height of the part above it."""
+
+
+def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
+    """The cube at the end of the shake, seen along the line between the fingers and to scale, for each case."""
+    there = {case: trace.value for case, trace in traces.items() if trace.value is not None}
+    drawing, panels = new_figure(7.2, 3.0, ncols=len(there), squeeze=False)
+    for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
+        end = frame["x_mm"].iloc[-1], -frame["z_mm"].iloc[-1]
+        _draw_grasp(axes, end, SERIES[1 - number])
+        axes.set_title(f"{name_of(case)}: slips {format_number(slips[case].value)} mm")
+        axes.plot(frame["x_mm"], -frame["z_mm"], color=INK, linewidth=1.0, linestyle="-", marker="")
+    return drawing
+
+
+def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
+    """Cube at the start and in the end, behind a finger; [mm], the tool points down."""
+    half, (x, y) = EDGE_MM / 2, end
+    start: dict[str, Any] = {"fill": False, "edgecolor": INK, "linestyle": (0, (4, 3)), "linewidth": 1.0}
+    axes.add_patch(Rectangle((x - half, y - half), EDGE_MM, EDGE_MM, facecolor=colour, alpha=0.28, linewidth=0))
+    axes.add_patch(Rectangle((x - half, y - half), EDGE_MM, EDGE_MM, fill=False, edgecolor=colour, linewidth=1.6))
+    axes.add_patch(Rectangle((-half, -half), EDGE_MM, EDGE_MM, **start))
+    pad, finger = PAD_MM, FINGER_MM
+    metal: dict[str, Any] = {"facecolor": FAINT, "alpha": 0.55, "edgecolor": INK, "linewidth": 0.8}
+    axes.add_patch(Rectangle((-pad[0] / 2, -pad[1] / 2), *pad, **metal))
+    above = (-finger[0] / 2, pad[1] / 2 + 6.0)
+    neck = [(-pad[0] / 2, pad[1] / 2), (pad[0] / 2, pad[1] / 2), (finger[0] / 2, above[1]), (-finger[0] / 2, above[1])]
+    axes.add_patch(Polygon(neck, **metal))
+    axes.add_patch(Rectangle(above, finger[0], 12.0, **metal))
+    axes.annotate("finger", (0.0, above[1] + 6.0), ha="center", va="center", fontsize=8.5)
+    axes.annotate("pad", (0.0, -pad[1] / 2 + 3.0), ha="center", va="center", fontsize=8.5)
+    axes.annotate("cube at the start", (-half + 0.8, -half - 3.6), fontsize=8.5)
+    axes.plot([0.0], [0.0], marker="+", color=INK, markersize=7, markevery=1, linestyle="")
+    axes.plot([x], [y], marker="o", color=colour, markersize=6, markevery=1, linestyle="")
+    axes.set(xlim=(-30, 34), ylim=(-27, 30), aspect="equal")
+    axes.set_axis_off()
+
+
+def draw_walk(traces: Mapping[str, Series]) -> Drawing:
+    """The way of the cube along the shake's main axis, each line named where it ends."""
+    there = {case: trace.value for case, trace in traces.items() if trace.value is not None}
+    drawing, axes = new_figure(7.2, 2.9)
+    ends = _apart([frame["along_mm"].iloc[-1] for frame in there.values()])
+    for (case, frame), colour, place in zip(there.items(), (SERIES[1], SERIES[0], SERIES[5]), ends, strict=False):
+        axes.plot(frame["time_s"], frame["along_mm"], color=colour, linestyle="-", marker="")
+        end = frame["along_mm"].iloc[-1]
+        text = f"{name_of(case)}: {format_number(float(end), digits=2)} mm"
+        axes.annotate(text, (frame["time_s"].iloc[-1], place), color=colour, fontsize=9, va="center", ha="right")
+    axes.axhline(0.0, color=INK, linewidth=0.8)
+    axes.margins(x=0.01)
+    low, high = axes.get_ylim()
+    room = 0.06 * (high - low)
+    axes.set_ylim(min(low, min(ends) - room), max(high, max(ends) + room))
+    axes.set_xlabel("time since the shake began [s]")
+    axes.set_ylabel("along the main axis [mm]")
+    return drawing
+
+
+def _apart(ends: Sequence[float]) -> list[float]:
+    """Where the names of lines stand: away from zero beside the end, and so far apart that they can be read."""
+    step = 0.11 * (max(*ends, 0.0) - min(*ends, 0.0))
+    places: dict[int, float] = {}
+    for index in sorted(range(len(ends)), key=lambda index: ends[index]):
+        lowest = max((place for place in places.values() if place > 0), default=-np.inf) + 1.3 * step
+        places[index] = ends[index] - step if ends[index] < 0 else max(ends[index] + step, lowest)
+    return [places[index] for index in range(len(ends))]
+
+
+def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
+    """The largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
+    there = {name: share.value for name, share in shares.items() if share.value}
+    drawing, axes = new_figure(7.2, 1.1 + 0.3 * len(there))
+    axes.set_xscale("log")
+    low = 0.5 * min(there.values())
+    for place, (name, value) in enumerate(there.items()):
+        colour = SERIES[1] if name == remedy else SERIES[0]
+        axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
+        axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
+        axes.annotate(
+            f"{format_number(value, digits=2)} %",
+            (value, place),
+            xytext=(8, 0),
+            textcoords="offset points",
+            fontsize=9,
+            va="center",
+        )
+    if noise.value is not None:
+        axes.axvspan(low, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+        _name_above(axes, noise.value, "noise ", "right")
+    if bound.value is not None:
+        axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
+        _name_above(axes, bound.value, " a cause is beyond this", "left")
+    axes.set_yticks(range(len(there)), list(there))
+    axes.set_xlim(low, 6.0 * max(*there.values(), 100.0))
+    axes.set_ylim(len(there) - 0.5, -0.6)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(visible=False, axis="y")
+    axes.set_xlabel("largest change in slip, of the slip with shipped pads [%]")
+    return drawing
+
+
+def _name_above(axes: Axes, x: float, text: str, side: str) -> None:
+    axes.annotate(text, (x, 1.0), xycoords=("data", "axes fraction"), fontsize=8.5, va="bottom", ha=side)
+
+
+def draw_mechanism() -> Drawing:
+    """What a contact row leaves out, and what its friction does about it: a drawing of no data, not to scale."""
+    drawing, (left, right) = new_figure(7.2, 3.1, ncols=2)
+    _draw_arc(left)
+    _draw_brake(right)
+    for axes in (left, right):
+        axes.set_axis_off()
+        axes.set_aspect("equal", anchor="N")
+    return drawing
+
+
+def _draw_arc(axes: Axes) -> None:
+    """A pad that the arm's joints carry along a curve."""
+    axes.set_title("1. The pad follows a curve")
+    joint, radius, angle = np.array([0.0, 0.0]), 3.0, np.radians(58)
+    outward, along = np.array([np.cos(angle), np.sin(angle)]), np.array([np.sin(angle), -np.cos(angle)])
+    pad = joint + radius * outward
+    axes.add_patch(Arc(joint, 2 * radius, 2 * radius, theta1=18, theta2=98, color=INK, linestyle="--", linewidth=1.0))
+    axes.plot(*zip(joint, pad, strict=True), color=INK, linewidth=3.0, linestyle="-", marker="")
+    axes.plot(*joint, marker="o", markersize=10, color=INK, markevery=1)
+    axes.plot(*pad, marker="s", markersize=14, color=SERIES[0], markevery=1)
+    _arrow(axes, pad, pad + 1.5 * along, SERIES[0])
+    _arrow(axes, pad, pad - 1.5 * outward, SERIES[1])
+    axes.annotate("joint", joint + (0.25, -0.1), fontsize=9, va="top")
+    axes.annotate("velocity J·q̇:\nin the contact row", pad + 1.55 * along + (0.1, 0.1), color=SERIES[0], fontsize=9)
+    axes.annotate(
+        "acceleration J̇·q̇:\nleft out", pad - 1.3 * outward + (-0.25, 0.1), color=SERIES[1], fontsize=9, ha="right"
+    )
+    axes.annotate("pad", pad + (0.1, 0.3), fontsize=9)
+    axes.set(xlim=(-1.6, 4.9), ylim=(-0.8, 3.5))
+
+
+def _draw_brake(axes: Axes) -> None:
+    """Pad and cube with the friction row between them, which is a damper and no spring."""
+    axes.set_title("2. Friction brakes, and nothing pulls back")
+    axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, facecolor=SERIES[0], alpha=0.3, edgecolor=SERIES[0]))
+    axes.annotate("pad, on its curve", (1.2, 2.47), fontsize=9, ha="center", va="center")
+    axes.add_patch(Rectangle((0.0, 0.2), 2.4, 1.1, facecolor=FAINT, edgecolor=INK))
+    axes.annotate("cube", (1.2, 0.62), fontsize=9, ha="center", va="center")
+    _arrow(axes, np.array([2.5, 2.47]), np.array([4.0, 2.47]), SERIES[1])
+    axes.annotate("J̇·q̇", (3.2, 2.6), color=SERIES[1], fontsize=9, ha="center")
+    _arrow(axes, np.array([-0.1, 0.75]), np.array([-1.0, 0.75]), INK)
+    axes.annotate("left behind\nat v = J̇·q̇ / b", (-1.0, 0.0), fontsize=9, va="top")
+    y = 1.7
+    axes.plot([0.5, 0.5, 1.05], [1.3, y, y], color=INK, linewidth=1.4, linestyle="-", marker="")
+    axes.plot([1.45, 1.05, 1.05, 1.45], [y + 0.17, y + 0.17, y - 0.17, y - 0.17], color=INK, linestyle="-", marker="")
+    axes.plot([1.3, 1.3], [y - 0.12, y + 0.12], color=INK, linewidth=2.0, linestyle="-", marker="")
+    axes.plot([1.3, 1.9, 1.9], [y, y, 2.1], color=INK, linewidth=1.4, linestyle="-", marker="")
+    axes.annotate("friction row: −b·v,\na damper and no spring", (2.1, 1.68), fontsize=9, va="center")
+    axes.set(xlim=(-1.2, 5.3), ylim=(-0.9, 3.4))
+
+
+def _arrow(axes: Axes, start: np.ndarray, end: np.ndarray, colour: str) -> None:
+    axes.annotate(
+        "", tuple(end), tuple(start), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "shrinkA": 0}
+    )

@@ -1,0 +1,60 @@
+"""What sections found, for pages that retell it; what a release lacks is said and not left out."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from report.chapters import Chapters
+from report.claims import HOLDS, Claim
+from report.quantities import Quantity, absent
+from report.results import Series
+
+
+@dataclass(frozen=True)
+class Found:
+    """The chapters of one release."""
+
+    chapters: Chapters
+
+    @property
+    def does_slip(self) -> bool:
+        """Whether the cube slips as shipped."""
+        told = self.claim("reproduction", "slips")
+        return told is not None and told.outcome == HOLDS
+
+    def claim(self, section: str, name: str) -> Claim | None:
+        """A claim of a section; None where there is none."""
+        chapter = self.chapters.get(section)
+        claims = chapter.section.claims if chapter else ()
+        return next((claim for claim in claims if claim.name == name), None)
+
+    def value(self, section: str, name: str, unit: str = "1") -> Quantity:
+        """A value that a section derived."""
+        chapter = self.chapters.get(section)
+        derived = chapter.results.derived if chapter else {}
+        return derived.get(name) or self._absent(section, unit)
+
+    def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
+        """What a section measured."""
+        chapter = self.chapters.get(section)
+        row = chapter.results.row.get(case) if chapter else None
+        return row[column] if row and column in row else self._absent(section, unit)
+
+    def trace(self, section: str, case: str) -> Series:
+        chapter = self.chapters.get(section)
+        return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
+
+    def retold(self, name: str, section: str, claim: str, numbers: Mapping[str, Any] | None = None) -> Claim:
+        """A section's claim in other words: its outcome and what its wording can name, and ``numbers`` besides.
+
+        It has to be there.
+        """
+        told = self.claim(section, claim)
+        assert told, f"there is no claim {section}.{claim}"
+        return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
+
+    def _absent(self, section: str, unit: str) -> Quantity:
+        return absent(unit, self._reason(section))
+
+    def _reason(self, section: str) -> str:
+        return f"section {section} {'does not say' if section in self.chapters else 'has no results here'}"

@@ -1,0 +1,152 @@
+"""The front page: the verdict, what to change, and short answers to what one asks first."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from markupsafe import Markup
+
+from report.chapters import Chapters
+from report.claims import Claim, all_of, at_least
+from report.overview import overview
+from report.parts import Figure, Section
+from report.quantities import Quantity
+from report.story.figures import draw_still
+from report.story.found import Found
+
+
+@dataclass(frozen=True)
+class Card:
+    """One number before and after the change."""
+
+    label: str
+    values: Sequence[Quantity]
+    """Before and after."""
+    note: Markup
+
+    def __html__(self) -> Markup:
+        return Markup("<div><dt>{}</dt><dd><span>{}</span> → <strong>{}</strong> <small>{}</small></dd></div>").format(
+            self.label, *self.values, self.note
+        )
+
+
+@dataclass(frozen=True)
+class Cards:
+    """Cards side by side; the labels are a list of terms, so that they read well without a style."""
+
+    cards: Sequence[Card]
+
+    def __html__(self) -> Markup:
+        return Markup('<figure class="cards"><dl>\n{}\n</dl></figure>').format(
+            Markup("\n").join(Markup("{}").format(card) for card in self.cards)
+        )
+
+
+def front_of(chapters: Chapters) -> Section:
+    """Figures, cards and claims of the front page of one release."""
+    found = Found(chapters)
+    if "reproduction" not in chapters:
+        return Section(figures=_overview(chapters))
+    questions = {name: ask(found) for name, (sections, ask) in QUESTIONS.items() if sections <= set(chapters)}
+    return Section(
+        figures={"still": _still(found)} | _overview(chapters),
+        claims=[*_verdict(found), *questions.values(), *_ways(found)],
+        unmeasured=set(QUESTIONS) - set(questions),
+    )
+
+
+def _overview(chapters: Chapters) -> dict[str, Figure]:
+    figure = overview({name: chapter.results for name, chapter in chapters.items()})
+    return {"overview": figure} if figure else {}
+
+
+def _verdict(found: Found) -> list[Claim]:
+    """What the cube does, in the title and below it, and whether the fix is one."""
+    settings = {
+        "ke": found.cell("reproduction", "stiff-pads", "pad_ke"),
+        "kd": found.cell("reproduction", "stiff-pads", "pad_kd"),
+    }
+    return [
+        found.retold("title", "reproduction", "slips"),
+        found.retold("walks", "reproduction", "slips"),
+        found.retold("remedy", "reproduction", "stiff_pads_hold", settings),
+    ]
+
+
+def _still(found: Found) -> Figure:
+    cases = ("as-shipped", "stiff-pads")
+    traces = {case: found.trace("reproduction", case) for case in cases}
+    slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
+    return Figure(
+        draw=lambda: draw_still(traces, slips),
+        sources=[*traces.values(), *slips.values()],
+        numbers={"shipped": slips["as-shipped"], "stiff": slips["stiff-pads"], "slips": found.does_slip},
+    )
+
+
+def cards_of(chapters: Chapters) -> Cards:
+    """Slip, grip, sink depth and speed, with shipped pads and with stiff ones."""
+    found = Found(chapters)
+    slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in ("as-shipped", "stiff-pads")]
+    grips = [found.value("contacts", f"grip_used_{pads}", "%") for pads in ("shipped", "stiff")]
+    depths = [found.cell("stiffness", case, "penetration_mm", "mm") for case in ("pad-ke-2.5e3", "pad-ke-2.5e5")]
+    frames = [found.cell("speed", case, "frame_ms", "ms") for case in ("as-shipped", "stiff-pads-only")]
+    noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
+    cards = [
+        Card("slip in the shake", slips, Markup("runs differ by {}").format(noise)),
+        Card("grip used", grips, Markup("of the friction that there is")),
+        Card("pads sink in", depths, Markup("mean of the loaded contacts")),
+        Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
+    ]
+    return Cards([card for card in cards if card.values[0].value is not None])
+
+
+def _should_work(found: Found) -> Claim:
+    used = {"used": found.value("contacts", "grip_used_shipped")}
+    return found.retold("should_work", "contacts", "far_inside_cone", used)
+
+
+def _is_mistuned(found: Found) -> Claim:
+    """Stiff pads would help, and the cube's own material has no effect."""
+    cases = {"slip": "as-shipped", "stiff": "stiff-pads"}
+    slips = {name: found.cell("reproduction", case, "slip_mm", "mm") for name, case in cases.items()}
+    material = found.retold("is_mistuned", "lint", "names_the_material", slips)
+    held = found.retold("held", "reproduction", "stiff_pads_hold")
+    return replace(material, outcome=all_of(held.outcome, material.outcome))
+
+
+def _costs_no_speed(found: Found) -> Claim:
+    return found.retold("costs_no_speed", "speed", "stiff_pads_only_same_time")
+
+
+def _newest(found: Found) -> Claim:
+    return found.retold("newest", "upgrade", "slip_is_the_same")
+
+
+QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {
+    "should_work": ({"contacts"}, _should_work),
+    "is_mistuned": ({"lint"}, _is_mistuned),
+    "costs_no_speed": ({"speed"}, _costs_no_speed),
+    "newest": ({"upgrade"}, _newest),
+}
+"""Claims that are made where the sections that they need have results."""
+
+
+def _ways(found: Found) -> list[Claim]:
+    """Each way of finding contacts: whether the cube slips there with the shipped pads, and with stiff ones."""
+    bound = found.value("reproduction", "slip_bound", "mm")
+    slips = {
+        "newton": [("reproduction", "as-shipped"), ("reproduction", "stiff-pads")],
+        "mujoco": [("upgrade", "as-shipped-mujoco-contacts"), ("upgrade", "stiff-pads-mujoco-contacts")],
+        "c": [("reproduction", "as-shipped-mujoco-c"), ("reproduction", "stiff-pads-mujoco-c")],
+        "pyramid": [("solver", "cone-pyramidal")],
+    }
+    claims = []
+    for way, places in slips.items():
+        cells = [found.cell(*place, "slip_mm", "mm") for place in places]
+        numbers = dict(zip(("before", "after"), cells, strict=False))
+        if way == "pyramid":
+            numbers["cycle"] = found.cell(
+                "error_runtime", "stiff/newton/cone-pyramidal", "grasp_error_mm_per_cycle", "mm/cycle"
+            )
+        claims.append(Claim(f"way_{way}", at_least(cells[0], bound), numbers))
+    return claims

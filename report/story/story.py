@@ -1,0 +1,125 @@
+"""The story of one release: from the scene to the cause, the fix and what stays open."""
+
+from dataclasses import replace
+
+import pandas as pd
+
+from report.chapters import Chapters
+from report.claims import Claim, all_of
+from report.names import section_name
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity
+from report.story.figures import draw_mechanism, draw_suspects, draw_walk
+from report.story.found import Found
+
+SUSPECTS = {
+    section_name("friction"): ("friction", "largest_share", "pads and cube, lower and higher"),
+    section_name("contact_source"): ("contact_source", "largest_share", "more often, by another code, on other shapes"),
+    section_name("solver"): ("solver", "largest_share", "iterations, tolerance, impratio, cone, smaller steps"),
+    section_name("gap"): ("gap", "slip_difference_share", "as the robot's, and none"),
+    "cube's material": ("priority", "cube_slip_share", "ke lower and higher"),
+}
+"""What was suspected: section, value, and what was tried."""
+REMEDY = "stiff pads"
+TOLD = {
+    "title": ("reproduction", "slips"),
+    "walks": ("reproduction", "slips"),
+    "steady": ("reproduction", "drift_is_steady"),
+    "needs_shake": ("reproduction", "needs_shaking"),
+    "friction": ("friction", "less_friction_slips_no_more"),
+    "contact_points": ("contact_source", "not_the_cause"),
+    "solver": ("solver", "not_the_cause"),
+    "gap": ("gap", "not_the_cause"),
+    "material": ("priority", "cube_does_not_count"),
+    "noslip": ("noslip", "noslip_does_not_help_in_mujoco_c"),
+    "no_memory": ("contacts", "no_friction_residual"),
+    "slide": ("contacts", "slide_accounts"),
+    "left_out": ("contacts", "term_restored"),
+    "missing": ("contacts", "missing_term"),
+    "restored": ("contacts", "term_restored"),
+    "law": ("stiffness", "drift_follows_timeconst"),
+    "remedy": ("stiffness", "together_they_hold"),
+    "ke_alone": ("stiffness", "ke_alone_does_not_help"),
+    "clamp": ("stiffness", "flat_below_clamp"),
+    "harder": ("envelope", "stiff_pads_never_drop"),
+    "safe": ("stability", "safe_settings"),
+    "files": ("fix", "recommended"),
+    "release": ("upgrade", "slip_is_the_same"),
+    "own_timeconst": ("upgrade", "friction_timeconst_is_new"),
+    "taken_away": ("upgrade", "taking_it_away_brings_it_back"),
+    "elsewhere": ("upgrade", "mujoco_contacts_as_before"),
+    "creeps": ("hold", "creep_goes_on"),
+    "rounding": ("hold", "creep_is_rounding"),
+    "not_rigid": ("error_runtime", "pads_decide"),
+    "small_cubes": ("stability", "sizes"),
+}
+"""Claims of the story that retell a section's claim: section and name."""
+OF_A_SLIP = {"law", "ke_alone", "clamp"}
+"""Those that say something only where the cube slips as shipped."""
+
+
+def story_of(chapters: Chapters) -> Section:
+    """Figures, the table of suspects and the claims of the story; nothing where a part of it was not measured."""
+    found = Found(chapters)
+    if any(found.claim(*place) is None for place in TOLD.values()):
+        return Section()
+    told = {name: place for name, place in TOLD.items() if found.does_slip or name not in OF_A_SLIP}
+    claims = [found.retold(name, *place) for name, place in told.items()]
+    return Section(
+        tables={"suspects": _suspect_table(found)},
+        figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
+        claims=[*claims, _grip(found), _cube_moves(found)],
+        unmeasured=set(TOLD) - set(told),
+    )
+
+
+def _grip(found: Found) -> Claim:
+    return found.retold("grip", "contacts", "far_inside_cone", {"used": found.value("contacts", "grip_used_shipped")})
+
+
+def _cube_moves(found: Found) -> Claim:
+    """The cube moves, and the robot's own bodies don't."""
+    moves = found.retold("cube_moves", "frames", "cube_moves_in_fingers")
+    still = found.retold("robot", "frames", "robot_is_still")
+    numbers = {**moves.numbers, "robot": still.numbers["largest"]}
+    return replace(moves, outcome=all_of(moves.outcome, still.outcome), numbers=numbers)
+
+
+def _walk(found: Found) -> Figure:
+    cases = ("as-shipped", "stiff-pads", "hold")
+    traces = {case: found.trace("reproduction", case) for case in cases}
+    slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in cases]
+    numbers = dict(zip(("shipped", "stiff", "hold"), slips, strict=True)) | {"walks": found.does_slip}
+    return Figure(draw=lambda: draw_walk(traces), sources=list(traces.values()), numbers=numbers)
+
+
+def _shares(found: Found) -> dict[str, Quantity]:
+    shares = {name: found.value(section, value, "%") for name, (section, value, _) in SUSPECTS.items()}
+    return shares | {REMEDY: found.value("reproduction", "stiff_share", "%")}
+
+
+def _suspect_figure(found: Found) -> Figure:
+    shares = _shares(found)
+    bound = found.value("friction", "cause_bound", "%")
+    noise = found.value("noise", "slip_floor_share", "%")
+    return Figure(
+        draw=lambda: draw_suspects(shares, REMEDY, bound, noise),
+        sources=list(shares.values()),
+        numbers={
+            "remedy": shares[REMEDY],
+            "shares": ", ".join(f"{name} {share}" for name, share in shares.items()),
+            "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
+        },
+    )
+
+
+def _suspect_table(found: Found) -> Table:
+    shares = _shares(found)
+    tried = [what for _, _, what in SUSPECTS.values()]
+    columns = {"what was tried": [*tried, "ke and kd raised together"], "largest change in slip": list(shares.values())}
+    return Table(pd.DataFrame(columns, index=pd.Index(list(shares), name="suspect")))
+
+
+def _mechanism(found: Found) -> Figure:
+    """A drawing, of which the measured part is what the left-out acceleration makes of slide."""
+    return Figure(draw=draw_mechanism, sources=[found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")])

@@ -1,0 +1,132 @@
+"""What stands around the pages: picture, feed, site map, and what tells who made it."""
+
+import re
+import shutil
+import uuid
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure as Drawing
+
+from report import ROOT
+from report.compare import flips
+from report.editions import Edition
+from report.figures import INK, SERIES, STYLE
+from report.format import format_number
+from report.overview import BASELINE
+from report.page import Templates
+
+ASSETS = ("style.css", "page.js", "favicon.svg")
+"""Files of ``assets/`` that lie beside the pages of each release."""
+CARD = "card.png"
+TEXTS = {"404.html": "404.html.j2", "robots.txt": "robots.txt.j2", "sitemap.xml": "sitemap.xml.j2"}
+FEED = "feed.xml"
+CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
+FIXED = "stiff-pads"
+"""The case that the picture shows beside the baseline."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One entry of the feed."""
+
+    key: str
+    title: str
+    text: str
+    address: str
+    """Below the site."""
+    updated: str
+
+    @property
+    def id(self) -> str:
+        """The same for the same news, wherever the site lies."""
+        return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'shake-report/{self.key}')}"
+
+
+def citation() -> dict[str, str]:
+    """What CITATION.cff says, each key's first line."""
+    found = CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    return dict(reversed(found))
+
+
+def write_surroundings(
+    folder: Path, editions: Mapping[str, Edition], places: Mapping[str, str], templates: Templates, address: str
+) -> None:
+    """Write all that the site has once.
+
+    Args:
+        folder: The site.
+        editions: Every release by its name, oldest first.
+        places: Where the pages of each lie in the site.
+        templates: Those of the project.
+        address: Where the site will lie; empty where that is not known.
+    """
+    pages = [f"{places[name]}{page.file}" for name, edition in editions.items() for page in edition.pages]
+    names = {"address": address, "pages": sorted(pages), "citation": citation(), "feed": FEED}
+    for file, template in TEXTS.items():
+        (folder / file).write_text(templates.layout(template, names), encoding="utf-8")
+    entries = sorted(_entries(editions, places), key=lambda entry: entry.updated, reverse=True)
+    (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
+    shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
+    _draw_card(folder / CARD, editions)
+
+
+def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:
+    found = []
+    before: Edition | None = None
+    for release, edition in editions.items():
+        if not edition.chapters:
+            continue
+        dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
+        claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
+        text = claims[0].text if claims else ""
+        place = places[release]
+        found.append(Entry(release, f"Newton {release}", text, f"{place}index.html", max(dates.values())))
+        for flip in flips(before.chapters, edition.chapters) if before else ():
+            chapter = edition.chapters[flip.section]
+            name = f"{flip.section}.{flip.before.name}"
+            title = f"Newton {release}: {name}, {flip.before.outcome.name} → {flip.after.outcome.name}"
+            where = f"{place}{chapter.page.file}#{flip.section}"
+            found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
+        before = edition
+    return found
+
+
+def _date(text: str) -> str:
+    return datetime.fromisoformat(text).isoformat(timespec="seconds")
+
+
+def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
+    """The picture that others show with a link: the slip of every release, as shipped and fixed."""
+    slips = {release: _slips(edition) for release, edition in editions.items()}
+    with matplotlib.rc_context({**STYLE, "figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
+        drawing = Drawing(figsize=(12, 6.3), dpi=100)
+        axes = drawing.subplots()
+        for place, pair in enumerate(slips.values()):
+            for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
+                if slip is not None:
+                    axes.barh(place + shift, slip, height=0.34, color=SERIES[1 - number], label=label)
+                    axes.text(slip, place + shift, f" {format_number(slip)} mm", va="center", fontsize=22, color=INK)
+        axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
+        axes.invert_yaxis()
+        axes.margins(x=0.2)
+        axes.grid(visible=False)
+        axes.tick_params(bottom=False, labelbottom=False)
+        axes.spines[["bottom", "left"]].set_visible(False)
+        axes.set_title("Slip of a grasped cube in a shake test", fontsize=30, pad=24)
+        handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+        drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
+        FigureCanvasAgg(drawing).print_png(path, metadata={"Software": None})
+
+
+def _slips(edition: Edition) -> dict[str, float | None]:
+    found: dict[str, float | None] = {"as shipped": None, "stiff pads": None}
+    for label, case in zip(found, (BASELINE, FIXED), strict=True):
+        rows = (chapter.results.row for chapter in edition.chapters.values())
+        there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
+        found[label] = next((row.slip_mm.value for row in there), None)
+    return found

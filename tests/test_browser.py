@@ -1,0 +1,204 @@
+"""The site of the tracked results in a real browser: on a screen and on a phone, in both colour schemes."""
+
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from report import ROOT
+from report.records.project import Project, own_release
+from report.site import build
+
+sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
+axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
+pytestmark = pytest.mark.skipif(
+    not BROWSER, reason=f"there is no browser ({', '.join(BROWSERS)}) to look at the site with"
+)
+
+SCREENS = {"desk": (1280, 900), "phone": (390, 844)}
+LEAST_TEXT_PX = 9.0
+MOST_STOPS = 60
+MOST_ELEMENTS = 4000
+"""On a front page."""
+
+TOO_WIDE = """[...document.querySelectorAll("body *")].filter((element) =>
+  !element.closest(".wide, pre, svg, .skip") && element.checkVisibility()
+  && element.getBoundingClientRect().right > innerWidth + 1).map((element) => element.outerHTML.slice(0, 99))"""
+TEXT_SIZES = """[...document.querySelectorAll("svg text")].filter((text) => text.checkVisibility()).map((text) => {
+  const scale = text.getScreenCTM();
+  return parseFloat(getComputedStyle(text).fontSize) * Math.hypot(scale.a, scale.b);
+})"""
+STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], video[controls]")]
+  .filter((element) => element.tabIndex >= 0 && element.checkVisibility()).length"""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory) -> Path:
+    """The site of what is tracked, built apart from the checkout's own."""
+    root = tmp_path_factory.mktemp("project")
+    for folder in ("experiments", "report", "templates", "assets", "results"):
+        (root / folder).symlink_to(ROOT / folder)
+    (root / "pyproject.toml").symlink_to(ROOT / "pyproject.toml")
+    project = Project(own_release(), root=root)
+    build(project)
+    return project.site
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator["sync_api.Browser"]:
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def tab(browser, request) -> Iterator["sync_api.Page"]:
+    """A tab of the screen and the colour scheme that a test asks for, which must raise no error."""
+    screen, scheme = getattr(request, "param", ("desk", "light"))
+    width, height = SCREENS[screen]
+    context = browser.new_context(
+        viewport={"width": width, "height": height}, color_scheme=scheme, has_touch=screen == "phone"
+    )
+    tab = context.new_page()
+    problems: list[str] = []
+    tab.on("console", lambda message: problems.append(message.text) if message.type in ("error", "warning") else None)
+    tab.on("pageerror", lambda error: problems.append(str(error)))
+    tab.on("requestfailed", lambda request: problems.append(f"{request.url} could not be fetched"))
+    yield tab
+    context.close()
+    assert problems == []
+
+
+def each_look():
+    looks = [(screen, scheme) for screen in SCREENS for scheme in ("light", "dark")]
+    return pytest.mark.parametrize("tab", looks, indirect=True, ids="-".join)
+
+
+def pages(site: Path) -> list[Path]:
+    return sorted(site.glob("*.html"))
+
+
+def open_page(tab, path: Path, fragment: str = "") -> None:
+    tab.goto(path.as_uri() + fragment)
+
+
+@each_look()
+def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
+    axe = axe_core.AXE_FILE_PATH.read_text(encoding="utf-8")
+    for path in pages(site):
+        open_page(tab, path)
+        assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"], path.name
+        assert tab.evaluate(TOO_WIDE) == [], path.name
+        assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
+        assert tab.evaluate(STOPS) < MOST_STOPS, path.name
+        tab.evaluate(axe)
+        found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
+        grave = [
+            (rule["id"], [node["html"][:99] for node in rule["nodes"][:3]])
+            for rule in found
+            if rule["impact"] in ("serious", "critical")
+        ]
+        assert grave == [], path.name
+
+
+def test_the_front_page_is_small(site, tab):
+    open_page(tab, site / "index.html")
+    assert tab.evaluate("document.querySelectorAll('*').length") <= MOST_ELEMENTS
+
+
+def test_old_links_lead_on(site, tab):
+    open_page(tab, site / "index.html", "#friction")
+    tab.wait_for_url("**/evidence.html#friction")
+    open_page(tab, site / "index.html", "#stability-maps")
+    tab.wait_for_url("**/limits.html#stability-maps")
+
+
+def test_without_script_the_page_is_whole(site, browser):
+    context = browser.new_context(java_script_enabled=False)
+    tab = context.new_page()
+    open_page(tab, site / "index.html", "#friction")
+    assert tab.locator(".index a#friction").get_attribute("href") == "evidence.html#friction"
+    open_page(tab, site / "evidence.html")
+    assert tab.locator("#friction table tbody tr").count() > 1
+    assert tab.locator("main svg:visible").count() == tab.locator("main svg.broad").count() > 1
+    assert tab.locator("button:visible").count() == 0
+    assert tab.locator(".beside a[aria-current=page]").is_visible()
+    context.close()
+
+
+def column(tab, number: int) -> list[float]:
+    cells = tab.locator(f"#friction table tbody tr td:nth-child({number}) data")
+    return [float(cell.get_attribute("value")) for cell in cells.all()]
+
+
+def test_tables_are_sorted_by_a_click(site, tab):
+    open_page(tab, site / "evidence.html")
+    head = tab.locator("#friction table thead th", has_text="slip")
+    number = 1 + head.evaluate("head => head.cellIndex")
+    before = column(tab, number)
+    assert before != sorted(before)
+    for expected in (sorted(before), sorted(before, reverse=True), before):
+        head.locator("button").click()
+        assert column(tab, number) == expected
+    head.locator("button").press("Enter")
+    assert head.get_attribute("aria-sort") == "ascending"
+
+
+def test_tables_are_copied_as_csv(site, tab):
+    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    open_page(tab, site / "evidence.html")
+    tab.locator("#friction .copy").click()
+    lines = tab.evaluate("navigator.clipboard.readText()").splitlines()
+    assert len(lines) == 1 + tab.locator("#friction table tbody tr").count()
+    assert len({line.count(",") for line in lines}) == 1 and "slip [mm]" in lines[0]
+    first = tab.locator("#friction table tbody tr:first-child data").first.get_attribute("value")
+    assert first in lines[1].split(",")
+
+
+@pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)
+def test_a_number_says_where_it_comes_from(site, tab):
+    open_page(tab, site / "evidence.html")
+    number = tab.locator('#friction tbody data[data-src$="/slip_mm"]').first
+    if tab.viewport_size["width"] < 600:
+        number.tap()
+    else:
+        number.hover()
+    said = tab.locator("#origin").inner_text()
+    record = json.loads((site / "data" / number.get_attribute("data-src").partition("#")[0]).read_text())
+    assert f"{number.get_attribute('value')} mm, noise" in said
+    assert f"Newton {own_release()}" in said and record["measured"]["date"][:10] in said
+    assert (site / tab.locator("#origin a").get_attribute("href")).is_file()
+    tab.keyboard.press("Escape")
+    assert tab.locator("#origin").is_hidden()
+
+
+def test_numbers_are_one_stop_and_the_arrows_go_on(site, tab):
+    open_page(tab, site / "evidence.html")
+    numbers = tab.locator("main data")
+    assert tab.locator('main data[tabindex="0"]').count() == 1
+    numbers.first.focus()
+    assert tab.locator("#origin").is_visible()
+    tab.keyboard.press("ArrowRight")
+    assert numbers.nth(1).evaluate("number => number === document.activeElement")
+
+
+def test_the_colour_scheme_can_be_chosen_and_is_kept(site, tab):
+    open_page(tab, site / "index.html")
+    paper = tab.evaluate("getComputedStyle(document.body).backgroundColor")
+    tab.locator(".scheme").click()
+    tab.locator(".scheme").click()
+    assert tab.locator(".scheme").inner_text() == "Colours: dark"
+    assert tab.evaluate("getComputedStyle(document.body).backgroundColor") != paper
+    tab.reload()
+    assert tab.locator(".scheme").inner_text() == "Colours: dark"
+
+
+def test_the_contents_show_where_one_is(site, tab):
+    open_page(tab, site / "evidence.html", "#friction")
+    tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(timeout=5000)

@@ -1,0 +1,62 @@
+"""Names of cases for people: every case has one, and its code name stays with it."""
+
+import re
+
+import pytest
+
+from report.names import SECTIONS, case_html, cases_html, name_of, number_of
+from report.records.identity import sections
+from report.records.project import Project, own_release
+from report.records.record import load_record
+
+CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
+"""What gives away a name that was made for programs."""
+NO_CASES = re.compile(r"(option|default|sum|audit|as-shipped|fixed)-\w+|.*-batch-\d+|map")
+"""Rows that are no runs, or of which only their number is shown."""
+
+
+@pytest.mark.parametrize(
+    ("case", "name"),
+    [
+        ("as-shipped", "shipped pads"),
+        ("untrimmed", "exactly as shipped"),
+        ("stiff-pads", "stiff pads"),
+        ("substeps-64", "substeps 64"),
+        ("gravity--9.81", "gravity upward"),
+        ("pad-mu-0.2", "pads' friction 0.2"),
+        ("hold-60s-stiff", "arm held still, 60 s, stiff pads"),
+        ("as-shipped-mujoco-c-noslip", "shipped pads, MuJoCo C, noslip"),
+        ("ke-kd-100-4.64e+04-4", "pads' ke 46400, kd 100, 4 substeps"),
+        ("as-shipped/newton/iterations-1", "shipped pads, Newton's contacts, 1 iteration"),
+        ("density-500", "density 500"),
+    ],
+)
+def test_a_case_has_a_name_for_people(case, name):
+    assert name_of(case) == name
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"), [("0.2", "0.2"), ("8e3", "8000"), ("2.5e6", "2.5×10⁶"), ("1e-10", "10⁻¹⁰"), ("64", "64")]
+)
+def test_numbers_of_names(text, shown):
+    assert number_of(text) == shown
+
+
+def test_the_code_name_stays_with_it():
+    assert case_html("stiff-pads") == '<span class="case" title="stiff-pads">stiff pads</span>'
+    assert cases_html([]) == "none"
+
+
+def test_every_case_of_the_tracked_results_has_one():
+    project = Project(own_release())
+    for release in project.releases:
+        for section in sections():
+            path = project.of(release).record_path(section)
+            rows = load_record(path).rows if path.is_file() else []
+            cases = {row["case"] for row in rows if not NO_CASES.fullmatch(row["case"])}
+            assert {case: name_of(case) for case in cases if CODE.search(name_of(case))} == {}
+            assert len({name_of(case) for case in cases}) == len(cases), section
+
+
+def test_every_section_has_one():
+    assert set(sections()) == set(SECTIONS)

@@ -1,0 +1,147 @@
+"""The front page and the story: short, made of claims, every number once, and following the data."""
+
+import re
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+from experiments.case import AS_SHIPPED
+from experiments.task import FRAME_RATE
+from report import ROOT
+from report.check import check_site
+from report.claims import FAILS, HOLDS, Outcome
+from report.editions import editions_of
+from report.page import Templates
+from report.pages import FRONT
+from report.records.project import Project, own_release
+from report.sections.reproduction import SCENE
+from report.story.found import Found
+from report.story.front import front_of
+from report.story.story import story_of
+
+MOST_WORDS = 2500
+TAGS = re.compile(r"<[^>]*>")
+SAYING = re.compile(r"\{#.*?#\}|\{%.*?%\}|\{\{.*?\}\}|<[^>]*>|\(#\w+\)", re.DOTALL)
+FORMULAS = ("2 / (dmax · timeconst)", "2 / kd", "2√ke")
+NUMBER = re.compile(r"(?<![\w.])\d")
+
+
+@pytest.fixture(scope="module")
+def templates():
+    return Templates(ROOT / "templates")
+
+
+@pytest.fixture(scope="module")
+def editions(templates):
+    return editions_of(Project(own_release()), templates)
+
+
+def front_text(edition, templates):
+    return edition.texts(FRONT, templates, {})[0]
+
+
+def story_text(edition, templates):
+    return edition.texts(FRONT, templates, {})[1]
+
+
+def html_of(prose) -> str:
+    return prose.html({figure.anchor: f"[{figure.anchor}]" for figure in prose.figures})
+
+
+def words_of(prose) -> int:
+    captions = [figure.wording("caption", figure.numbers) for figure in prose.figures]
+    return len(TAGS.sub(" ", " ".join([html_of(prose), *captions])).split())
+
+
+def test_the_story_is_short(editions, templates):
+    for edition in editions.values():
+        assert words_of(story_text(edition, templates)) <= MOST_WORDS
+        assert words_of(front_text(edition, templates)) <= MOST_WORDS / 3
+
+
+@pytest.mark.parametrize("name", ["front", "story"])
+def test_no_number_is_typed(name):
+    text = SAYING.sub(" ", (ROOT / "templates" / f"{name}.md.j2").read_text(encoding="utf-8"))
+    for formula in FORMULAS:
+        text = text.replace(formula, "")
+    assert [text[max(0, found.start() - 30) : found.end() + 10] for found in NUMBER.finditer(text)] == []
+
+
+def test_the_story_says_every_number_once(editions, templates):
+    for edition in editions.values():
+        prose = story_text(edition, templates)
+        said = "".join(str(thing) for thing in prose.printed)
+        sources = Counter(re.findall(r'data-src="([^"]+)"', said))
+        assert [source for source, count in sources.items() if count > 1] == []
+        assert len(sources) > 40 or not prose.printed
+
+
+def test_what_was_measured_whole_is_told(editions, templates):
+    told = [release for release, edition in editions.items() if story_text(edition, templates).printed]
+    assert told == ["1.4.0", "1.8.0"]
+
+
+@pytest.mark.parametrize(("make", "page"), [(front_of, "front"), (story_of, "story")])
+def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, templates, make, page):
+    for edition in editions.values():
+        prose = {"front": front_text, "story": story_text}[page](edition, templates)
+        said = html_of(prose) + prose.title
+        names = {claim.name for claim in make(edition.chapters).claims}
+        assert set(re.findall(r'data-claim="\w+\.(\w+)"', said)) == names
+        words = templates.text(f"{page}.md.j2").words
+        for claim in make(edition.chapters).claims:
+            claim = replace(claim, wording=words["claim", claim.name])
+            texts = [replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "a test"))]
+            assert len(set(texts)) == 3 and all(texts)
+            assert claim.name == "title" or all(text.endswith((".", ":")) for text in texts), texts
+
+
+def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
+    titles = {release: front_text(edition, templates).title.striptags() for release, edition in editions.items()}
+    assert titles["1.4.0"].startswith("The cube walks out of a firm grasp")
+    assert titles["1.8.0"].startswith("As shipped the cube stays in the grasp")
+
+
+def test_a_claim_that_flips_changes_the_front_page(editions, templates):
+    edition = editions["1.4.0"]
+    chapter = edition.chapters["reproduction"]
+    claims = [replace(claim, outcome=FAILS) if claim.name == "slips" else claim for claim in chapter.section.claims]
+    flipped = replace(chapter, section=replace(chapter.section, claims=claims))
+    front = front_text(replace(edition, chapters={**edition.chapters, "reproduction": flipped}), templates)
+    assert front.title.striptags().startswith("As shipped the cube stays in the grasp")
+    assert "The cube keeps its place" in front.figures[0].wording("caption", front.figures[0].numbers)
+
+
+def test_the_scene_that_is_told_is_the_one_that_is_simulated():
+    edge_m, density = AS_SHIPPED.cube_edge_m, AS_SHIPPED.cube_density_kg_m3
+    told = {name: value for name, value, _ in SCENE}
+    assert told["cube_edge"] == pytest.approx(1e3 * edge_m)
+    assert told["cube_mass"] == pytest.approx(1e3 * density * edge_m**3)
+    assert (told["frame_rate"], told["substeps"]) == (FRAME_RATE, AS_SHIPPED.substeps)
+
+
+def test_alternative_texts_are_short(editions, templates):
+    for edition in editions.values():
+        proses = [
+            front_text(edition, templates),
+            story_text(edition, templates),
+            *(c.prose for c in edition.chapters.values()),
+        ]
+        figures = [figure for prose in proses for figure in prose.figures]
+        alts = {figure.anchor: figure.wording("alt", figure.numbers).striptags() for figure in figures}
+        assert {anchor: len(alt) for anchor, alt in alts.items() if len(alt) > 300} == {}
+
+
+def test_what_is_not_there_is_said(editions):
+    found = Found(editions["1.5.0"].chapters)
+    assert found.claim("friction", "not_the_cause") is None
+    assert found.cell("speed", "as-shipped", "frame_ms", "ms").reason == "section speed has no results here"
+    assert found.value("reproduction", "no_such", "mm").reason == "section reproduction does not say"
+
+
+def test_without_the_shake_test_there_is_a_title_alone(toy):
+    toy.write("templates/front.md.j2", (ROOT / "templates" / "front.md.j2").read_text(encoding="utf-8"))
+    toy.build()
+    assert "<h1>A shake test on a grasped cube</h1>" in toy.front
+    assert check_site(toy.project.site) == []
