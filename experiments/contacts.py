@@ -3,6 +3,7 @@
 import os
 from collections.abc import Sequence
 from dataclasses import replace
+from multiprocessing import get_context
 
 import numpy as np
 from tqdm import tqdm
@@ -12,7 +13,6 @@ from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.measurement import Conditions, Measurement, grasp_columns, summarize
 from experiments.missing_term import be_quiet, predicted_row, restored_row
 from experiments.trace import ContactRows
-from report.records.processes import workers
 
 ROW_NAMES = ("normal", "friction 1", "friction 2")
 DOUBLE_STEP = replace(AS_SHIPPED, name="double-step", substeps=AS_SHIPPED.substeps // 2)
@@ -23,11 +23,10 @@ def measure(conditions: Conditions) -> Measurement:
     cases = (AS_SHIPPED, STIFF_PADS)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
     runs = [(predicted_row, case) for case in cases] + [(restored_row, case) for case in (*cases, DOUBLE_STEP)]
-    count = min(len(runs), os.cpu_count() or 1)
-    with workers(count, "spawn", be_quiet) as pool:
-        waiting = [pool.submit(measure_row, case) for measure_row, case in runs]
+    with get_context("spawn").Pool(min(len(runs), os.cpu_count() or 1), be_quiet) as pool:
+        waiting = [pool.apply_async(measure_row, [case]) for measure_row, case in runs]
         measurement = measure_live(conditions, cases)
-        in_c = [row.result() for row in tqdm(waiting, desc="contacts, in C", unit="run", delay=3.0)]
+        in_c = [row.get() for row in tqdm(waiting, desc="contacts, in C", unit="run", delay=3.0)]
     return replace(measurement, rows=[*measurement.rows, *in_c])
 
 

@@ -1,5 +1,6 @@
 """The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
 
+import signal
 from dataclasses import replace
 
 import numpy as np
@@ -18,8 +19,9 @@ TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 
 
 def be_quiet() -> None:
-    """In a process beside others: Warp warns no second time."""
+    """In a process beside others: Warp warns no second time, and whoever started it is who stops it."""
     wp.config.log_level = wp.LOG_ERROR
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def predicted_row(case: Case) -> dict[str, object]:

@@ -106,6 +106,7 @@ class World:
             for each, chapters in self.releases.items()
         }
         results = self._bare(release, name, records, traces)
+        releases[release][name] = replace(releases[release][name], results=results)
         others = {other: releases[release][other].results for other in results.others}
         section = derive_section(replace(results, others=others), releases)
         text = self.templates.text(f"sections/{name}.md.j2")
