@@ -1,67 +1,81 @@
 # make help says what there is. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
 
-ifeq ($(origin PYTHON), undefined)
-PYTHON := .venv/bin/python
-READY := .venv/.ready
+# What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
+# reads it. Variables that were exported for something else do not count.
+GIVEN := SECTION NEWTON DEVICE PROFILE A B TARGET PORT ADDRESS PYTHON
+define pass_on
+unexport $(1)
+ifeq ($$(origin $(1)),command line)
+override MAKE_$(1) := $$(value $(1))
+override $(1) := $$(value $(1))
+export MAKE_$(1)
+else
+unexport MAKE_$(1)
 endif
+endef
+$(foreach name,$(GIVEN),$(eval $(call pass_on,$(name))))
+unexport PYTHONSAFEPATH MAKEFLAGS
 
-PORT ?= 8000
-NEWTON_OPTION = $(if $(NEWTON),--newton '$(NEWTON)')
-DEVICE_OPTION = $(if $(DEVICE),--device '$(DEVICE)')
-PROFILE_OPTION = $(if $(PROFILE),--profile '$(PROFILE)')
-ADDRESS_OPTION = $(if $(ADDRESS),--address '$(ADDRESS)')
+ifneq ($(origin MAKE_PYTHON),override)
+READY := .venv/.ready
+export MAKE_PYTHON := .venv/bin/python
+endif
+RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun check diff publish serve test lint help
+.PHONY: report page status rerun check diff publish serve test torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
-	@$(PYTHON) build.py report $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
+	$(RUN) report
 
 page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE ADDRESS]
-	@$(PYTHON) build.py page $(NEWTON_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
+	$(RUN) page
 
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
-	@$(PYTHON) build.py status $(NEWTON_OPTION) $(PROFILE_OPTION)
+	$(RUN) status
 
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
-	@$(PYTHON) build.py rerun --section '$(SECTION)' $(NEWTON_OPTION) $(DEVICE_OPTION) $(PROFILE_OPTION) $(ADDRESS_OPTION)
+	$(RUN) rerun
 
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
-	@$(PYTHON) build.py check $(NEWTON_OPTION) $(PROFILE_OPTION)
+	$(RUN) check
 
 diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE]
-	@$(PYTHON) build.py diff --a '$(A)' --b '$(B)' $(PROFILE_OPTION)
+	$(RUN) diff
 
-publish: $(READY) ## Check site/ and put it at TARGET=dir:PATH in one step [TARGET]
-	@$(PYTHON) build.py publish --target '$(TARGET)'
+publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
+	$(RUN) publish
 
 serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
-	@$(PYTHON) -m http.server --directory site --bind 127.0.0.1 $(PORT)
+	$(RUN) serve
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
-	@$(PYTHON) build.py test $(NEWTON_OPTION)
+	$(RUN) test
+
+torture: $(READY) ## Run what is too slow for the tests: kill, fill and damage, into docs/reliability.md
+	$(RUN) torture
 
 lint: $(READY) ## Check style and types of the sources
-	@$(PYTHON) -m ruff check .
-	@$(PYTHON) -m ruff format --check .
-	@$(PYTHON) -m mypy
+	@"$$MAKE_PYTHON" -m ruff check .
+	@"$$MAKE_PYTHON" -m ruff format --check .
+	@"$$MAKE_PYTHON" -m mypy
 
 help: ## Print this
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' Makefile
 	@echo
 	@echo 'SECTION=reproduction    section to measure'
 	@echo 'NEWTON=1.8.0            Newton release, measured in an environment of its own'
 	@echo 'A=1.4.0 B=1.8.0         Newton releases to compare'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
-	@echo 'TARGET=dir:PATH         where to publish'
-	@echo 'ADDRESS=https://…/      where the site will lie, for its feed, site map and pictures'
+	@echo 'TARGET=dir:PATH         where to publish: also rsync:HOST:PATH and git:REMOTE'
+	@echo 'PORT=8000               where to serve'
 	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'
 
 .venv/.ready: pyproject.toml uv.lock
-	@if command -v uv >/dev/null; then \
-		uv sync --frozen --quiet; \
-	else \
-		python3 -m venv .venv && .venv/bin/python -m pip install --quiet uv && .venv/bin/uv sync --frozen --inexact --quiet; \
-	fi
-	@touch $@
+	@for python in python3 python3.12 python3.13 python3.11 python3.10; do \
+		"$$python" -c 'import sys; sys.exit(not (3, 10) <= sys.version_info < (3, 14))' 2>/dev/null && \
+			exec "$$python" -m report.records.environment; \
+	done; \
+	echo "Python 3.10, 3.11, 3.12 or 3.13 is needed, and there is $$(python3 --version 2>&1 || echo none)" >&2; \
+	exit 2

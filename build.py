@@ -1,37 +1,70 @@
 """The command line that make calls; ``make help`` says what there is."""
 
+import signal
+import sys
+from pathlib import Path
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # which PYTHONSAFEPATH leaves out
+
 import argparse
+import io
 import os
 import subprocess
-import sys
+from collections.abc import Iterable, Mapping
 from functools import partial
-from typing import Any
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.columns import UNPRINTABLE
+from report.records.devices import DEVICES, NO_CUDA, measuring_device
 from report.records.environment import python_of, refuse_bad_release
+from report.records.files import settle
 from report.records.identity import sections
-from report.records.measure import NO_CUDA, measure, measuring_device
+from report.records.measure import measure
 from report.records.project import PROFILES, Project, own_release
 from report.records.status import expected_packages, states_of, status_matrix, status_table
 
+if TYPE_CHECKING:
+    from report.editions import Edition
+
 
 def main() -> int:
+    os.environ.pop("PYTHONSAFEPATH", None)  # programs that are started from here are modules of this folder
+    for stop in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(stop, signal.default_int_handler)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # closed, it is None
+            stream.reconfigure(errors="replace")
     try:
         arguments = _parse_arguments()
         own = own_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
+        settle(project.results.parent)
         result = arguments.run(project, arguments)
-        sys.stdout.flush()
+        print(end="", flush=True)
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _drop_output()
         return 1
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
         print("stopped; what was measured before is kept", file=sys.stderr)
         return 130
+    except OSError as error:
+        _drop_output()
+        print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
+        return 1
     except ReportError as error:
-        print(error, file=sys.stderr)
+        print(UNPRINTABLE.sub("?", " ".join(str(error).split())), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
+
+
+def _drop_output() -> None:
+    """What could not be written is not tried again at the end."""
+    if sys.stdout:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
@@ -39,11 +72,7 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, project.profile)
     if not device:
         _refuse_unmeasured(project)
-    states = states_of(project)
-    for state in states:
-        if state.kind == "damaged":
-            print(f"damaged record: {'; '.join(state.notes)}", file=sys.stderr)
-    stale = [state.section for state in states if state.kind != "fresh"]
+    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
@@ -53,9 +82,10 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
         except ReportError as error:
             print(error, file=sys.stderr)
             failed = True
-    if _build(project, arguments.address) and not device:
+    damaged, lacking = _build(project, arguments.address)
+    if lacking and not device:
         print(f"{NO_CUDA}, in up to hours")
-    return int(failed)
+    return int(failed or damaged)
 
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
@@ -64,15 +94,13 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     if not device:
         raise UsageError(NO_CUDA)
     measure(project, [arguments.section], device)
-    _build(project, arguments.address)
-    return 0
+    return int(_build(project, arguments.address)[0])
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site from what is measured, and measure nothing."""
     _refuse_unmeasured(project)
-    _build(project, arguments.address)
-    return 0
+    return int(_build(project, arguments.address)[0])
 
 
 def status(project: Project, arguments: argparse.Namespace) -> int:
@@ -90,11 +118,14 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
     from report.page import Templates
 
     _refuse_unmeasured(project)
-    for chapter in editions_of(project, Templates(project.templates))[project.release].chapters.values():
+    edition = editions_of(project, Templates(project.templates))[project.release]
+    for chapter in edition.chapters.values():
         for claim in chapter.section.claims:
             said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
             print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
-    return 0
+    for state in edition.left_out:
+        print(f"{'absent':8} {state.section}: {'; '.join(state.notes) or 'it was not measured'}")
+    return int(_say_damage([edition]))
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
@@ -107,9 +138,11 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     for side in sides:
         _refuse_unmeasured(side)
     templates = Templates(project.templates)
-    comparison = compare((arguments.a, arguments.b), *(derive_edition(side, templates).chapters for side in sides))
+    editions = [derive_edition(side, templates) for side in sides]
+    comparison = compare((arguments.a, arguments.b), *(edition.chapters for edition in editions))
     print(comparison.text)
-    return 1 if comparison.flips else 0
+    damaged = _say_damage(editions)
+    return 1 if comparison.flips or damaged else 0
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -126,18 +159,44 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
-def _build(project: Project, address: str) -> bool:
-    """Build the site, and say what it lacks; whether it lacks anything."""
+def torture(project: Project, arguments: argparse.Namespace) -> int:
+    """Kill, fill and damage whatever there is, and write how that went into docs/reliability.md."""
+    return subprocess.run([sys.executable, "-m", "tests.torture"], cwd=project.root, check=False).returncode
+
+
+def serve(project: Project, arguments: argparse.Namespace) -> int:
+    """Serve the site until Ctrl-C."""
+    handler = partial(SimpleHTTPRequestHandler, directory=project.site)
+    try:
+        server = ThreadingHTTPServer(("127.0.0.1", arguments.port), handler)
+    except OSError as error:
+        raise UsageError(f"PORT={arguments.port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
+    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    server.serve_forever()
+    return 0
+
+
+def _build(project: Project, address: str) -> tuple[bool, bool]:
+    """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    edition = build(project, address)
+    editions = build(project, address)
+    edition = editions[project.release]
     stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
     for state in edition.left_out:
         print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
     for name in stale:
         print(f"{name} is stale: {project.rerun(name)} renews it")
     print(f"built {project.site / 'index.html'}")
-    return bool(edition.left_out or stale)
+    return _say_damage(editions.values()), bool(edition.left_out or stale)
+
+
+def _say_damage(editions: "Iterable[Edition]") -> bool:
+    """Name each record that can't be trusted; whether there is one."""
+    damaged = [state for edition in editions for state in edition.left_out if state.kind == "damaged"]
+    for state in damaged:
+        print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
+    return bool(damaged)
 
 
 def _refuse_unmeasured(project: Project) -> None:
@@ -160,10 +219,16 @@ def _release(option: str, release: str) -> str:
     return release
 
 
-def _profile(name: str) -> str:
-    if name not in PROFILES:
-        raise UsageError(f"PROFILE={name} is no profile; use one of: {', '.join(PROFILES)}")
+def _one_of(option: str, names: Iterable[str], name: str) -> str:
+    if name not in names:
+        raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
     return name
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
+        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
+    return int(text)
 
 
 def _address(address: str) -> str:
@@ -178,10 +243,15 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "newton": {"type": partial(_release, "NEWTON"), "help": "Newton release, where it is not the project's own"},
     "a": {"type": partial(_release, "A"), "default": "", "help": "Newton release to compare from"},
     "b": {"type": partial(_release, "B"), "default": "", "help": "Newton release to compare with it"},
-    "device": {"help": "cuda or cpu, to measure there on purpose"},
-    "profile": {"type": _profile, "default": "full", "help": "quick: small grids and short runs, kept apart"},
+    "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
+    "profile": {
+        "type": partial(_one_of, "PROFILE", PROFILES),
+        "default": "full",
+        "help": "quick: small grids and short runs, kept apart",
+    },
+    "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
+    "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
-    "target": {"default": "", "help": "where to publish, as dir:PATH"},
 }
 COMMANDS = {
     report: ("newton", "device", "profile", "address"),
@@ -191,7 +261,9 @@ COMMANDS = {
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),
     publish: ("target",),
+    serve: ("port",),
     test: ("newton",),
+    torture: (),
 }
 """What there is to run, and the options that each has."""
 
@@ -200,19 +272,31 @@ class _Parser(argparse.ArgumentParser):
     """One that says in one line what it can't read."""
 
     def error(self, message: str):
-        raise UsageError(f"{message}; see {self.prog} --help")
+        raise UsageError(f"{' '.join(message.split()):.300}; see {self.prog} --help")
 
 
 def _parse_arguments() -> argparse.Namespace:
-    parser = _Parser(prog="build.py", description=__doc__)
+    given = _given_to_make()
+    parser = _Parser(prog="build.py", description=__doc__, allow_abbrev=False)
     parser.set_defaults(newton=None, profile="full")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for run, options in COMMANDS.items():
-        command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__)
+        command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__, allow_abbrev=False)
         command.set_defaults(run=run)
         for option in options:
-            command.add_argument(f"--{option}", **OPTIONS[option])
+            default = {"default": given[option]} if option in given else {}
+            command.add_argument(f"--{option}", **{**OPTIONS[option], **default})
     return parser.parse_args()
+
+
+def _given_to_make() -> Mapping[str, str]:
+    """What the variables of make's command line say, as the Makefile passes it on; what makes no sense is refused."""
+    # Programs that are started from here, as the tests, are no part of what make was asked for.
+    given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
+    given = {name: value for name, value in given.items() if value}
+    for name, value in given.items():
+        OPTIONS[name]["type"](value)
+    return given
 
 
 if __name__ == "__main__":

@@ -27,10 +27,13 @@ from experiments.clips import (
 from experiments.run import commit, machine, measuring_device
 from report import ReportError
 from report.records import clips as shown
+from report.records.columns import units_of
+from report.records.files import atomic_file
 from report.records.kept import kept_run
 from report.records.project import PROFILES, Project, own_release
-from report.records.record import Record, atomic_file, load_record, units_of, write_record
-from report.records.traces import load_trace, trace_path, write_traces
+from report.records.reading import load_record
+from report.records.record import Record, write_record
+from report.records.traces import load_trace, packed, trace_path
 
 
 def main() -> int:
@@ -79,8 +82,8 @@ def make_clips(project: Project, device: wp.Device) -> None:
         rows=rows,
     )
     path = project.record_path(shown.CLIPS)
-    write_traces(path, {case: pd.DataFrame(clip.readout()).round(5) for case, clip in clips.items()})
-    write_record(path, record)
+    tables = {case: pd.DataFrame(clip.readout()).round(5) for case, clip in clips.items()}
+    write_record(path, record, {case: packed(path, case, table) for case, table in tables.items()})
     print(f"{len(rows)} files in {record.measured['seconds']:.0f} s → {path}")
 
 

@@ -10,7 +10,7 @@ from experiments.case import AS_SHIPPED, CaseError
 from experiments.poses import CUBE_POSE, JOINTS
 from experiments.scene import build_scene
 from experiments.task import FRAME_RATE
-from report.records.record import RecordError
+from report.records.files import RecordError
 from report.records.traces import load_trace
 
 

@@ -3,9 +3,10 @@
 import argparse
 import hashlib
 import importlib.util
-import math
+import io
 import os
 import platform
+import re
 import subprocess
 import sys
 import time
@@ -14,24 +15,34 @@ from datetime import datetime, timezone
 from pathlib import Path
 from types import ModuleType
 
-import pandas as pd
 import warp as wp
 
 from experiments.kernels import compile_for
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
+from report.records.columns import is_number, number_problem, units_of
+from report.records.devices import NO_CUDA
+from report.records.files import refuse_unwritable
 from report.records.identity import identity_of, package_versions, sections
-from report.records.measure import NO_CUDA
 from report.records.project import Project, own_release
-from report.records.record import Record, check_record, units_of, write_record
-from report.records.traces import write_traces
+from report.records.record import Record, write_record
+from report.records.traces import packed
+
+OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
+DEVICE_LOST = re.compile(
+    "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
+)
 
 
 def main() -> int:
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # the output may know ASCII alone
     arguments = parse_arguments()
     try:
         device = measuring_device(arguments.device)
         modules = {section: section_module(section) for section in arguments.section}
+        refuse_unwritable(Project(package_versions()["newton"], arguments.profile).results)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
@@ -42,14 +53,27 @@ def main() -> int:
         print(f"[{number}/{len(modules)}] {section}")
         try:
             measure_section(section, module, device, arguments.profile)
-        except Exception:  # one section's fault must not cost the others
-            traceback.print_exc()
-            print(f"{section}: measuring failed; what was there is kept", file=sys.stderr)
+        except Exception as error:  # one section's fault must not cost the others
+            print(f"{section}: measuring failed; what was there is kept: {reason_of(error)}", file=sys.stderr)
             failures += 1
         except KeyboardInterrupt:
             print(f"{section}: stopped; what was there is kept", file=sys.stderr)
             return 130
     return 1 if failures else 0
+
+
+def reason_of(error: Exception) -> str:
+    """Why measuring failed, in one line, with what to do; an error of the code itself has its trace as well."""
+    said = " ".join(str(error).split())
+    if isinstance(error, MemoryError) or OUT_OF_MEMORY.search(said):
+        return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
+    if DEVICE_LOST.search(said):
+        return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
+    if isinstance(error, OSError):
+        return f"{error.filename or 'a file'}: {error.strerror}"
+    if not isinstance(error, ReportError):
+        traceback.print_exc()
+    return said or type(error).__name__
 
 
 def compile_first(device: wp.Device) -> None:
@@ -109,12 +133,10 @@ def measure_section(section: str, module: ModuleType, device: wp.Device, profile
             "seconds": round(time.perf_counter() - start, 1),
         },
         units=units_of(measurement.rows),
-        rows=[finite(row) for row in measurement.rows],
+        rows=[believable(row) for row in measurement.rows],
     )
     path = project.record_path(section)
-    check_record(record, path.name)  # before traces take the place of those that are there
-    write_traces(path, {name: pd.DataFrame(table) for name, table in measurement.traces.items()})
-    write_record(path, record)
+    write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
     print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
 
 
@@ -122,9 +144,9 @@ def now() -> str:
     return datetime.now(timezone.utc).isoformat(timespec="seconds")
 
 
-def finite(row: dict[str, object]) -> dict[str, object]:
-    """The row with None, and the reason beside it, for each number that is not finite: one must not cost the others."""
-    lost = [name for name, value in row.items() if isinstance(value, float) and not math.isfinite(value)]
+def believable(row: dict[str, object]) -> dict[str, object]:
+    """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
+    lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     return row | dict.fromkeys(lost) | {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
 
 

@@ -7,6 +7,7 @@ python -m experiments.shake --viewer gl --replay results/newton-1.4.0/poses.as-s
 
 import importlib.util
 import json
+import os
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -23,6 +24,10 @@ from experiments.trace import Trace
 
 SLIP_LIMIT_MM = 20.0
 """Half the cube's edge: with more slip the pads no longer cover the cube's centre."""
+
+
+LARGEST = {"world_count": 65536, "substeps": 4096, "num_frames": 1_000_000}
+"""More would be at work for days before anything is seen."""
 
 
 class TestFailed(ValueError):
@@ -105,8 +110,10 @@ def case_of(args) -> Case:
     """The case that the command line describes; CaseError when a value makes no sense."""
     if args.backend == "mujoco" and args.world_count != 1:
         raise CaseError(f"--world-count must be 1 with --backend mujoco, got {args.world_count}")
-    if args.world_count < 1:
-        raise CaseError(f"--world-count must be at least 1, got {args.world_count}")
+    for name, largest in LARGEST.items():
+        if not 1 <= getattr(args, name) <= largest:
+            option = f"--{name.replace('_', '-')}"
+            raise CaseError(f"{option} must be from 1 to {largest}, got {getattr(args, name)}")
     return replace(
         AS_SHIPPED,
         name="shake",
@@ -140,23 +147,44 @@ def check_viewer(name: str) -> None:
 
 def check_json(path: Path | None) -> None:
     """CaseError when no file can be written there, which would be found out only at the end."""
-    if path and (path.is_dir() or not path.parent.is_dir()):
-        raise CaseError(f"--json {path} is no file in a folder that is there")
+    if path and (
+        (path.exists() and not path.is_file()) or not os.access(path if path.exists() else path.parent, os.W_OK)
+    ):
+        raise CaseError(f"--json {path} is no file in a folder that is there, and that can be written")
 
 
 def main() -> int:
-    parser = create_parser()
-    args = parser.parse_args()
     try:
-        case_of(args)
-        check_device(args.device)
-        check_viewer(args.viewer)
-        check_json(args.json)
-        poses = load_poses(args.replay) if args.replay else None
+        return run(create_parser())
     except CaseError as error:
         print(error, file=sys.stderr)
         return 2
-    viewer, args = newton.examples.init(parser)
+    except KeyboardInterrupt:
+        print("stopped; nothing was written", file=sys.stderr)
+        return 130
+    except OSError as error:
+        print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
+        return 1
+
+
+def refuse(message: str) -> None:
+    """CaseError with what the command line can't be."""
+    raise CaseError(" ".join(message.split()))
+
+
+def run(parser) -> int:
+    """Run the scene as the command line says; the exit status."""
+    parser.error = refuse
+    args = parser.parse_args()
+    case_of(args)
+    check_device(args.device)
+    check_viewer(args.viewer)
+    check_json(args.json)
+    poses = load_poses(args.replay) if args.replay else None
+    try:
+        viewer, args = newton.examples.init(parser)
+    except (ImportError, ValueError, RuntimeError) as error:
+        raise CaseError(f"--viewer {args.viewer}: {' '.join(str(error).split())}") from None
     if poses is not None:
         newton.examples.run(Replay(viewer, poses), args)
         return 0
@@ -169,8 +197,8 @@ def main() -> int:
         status = 1
     summary = plain(example.summaries()[0])
     if args.json:
-        args.json.write_text(json.dumps(summary, indent=1) + "\n")
-    print(headline(summary))
+        args.json.write_text(json.dumps(summary, indent=1) + "\n", encoding="utf-8")
+    print(headline(summary), flush=True)
     return status
 
 

@@ -11,8 +11,9 @@ from report.chapters import Chapters
 from report.editions import derive_section, editions_of
 from report.page import Templates
 from report.parts import Section
+from report.records.columns import REASON
 from report.records.project import Project, own_release
-from report.records.record import REASON, Record
+from report.records.record import Record
 from report.records.traces import load_trace
 from report.results import Results, Series
 from report.settings import settings
@@ -105,6 +106,7 @@ class World:
             for each, chapters in self.releases.items()
         }
         results = self._bare(release, name, records, traces)
+        releases[release][name] = replace(releases[release][name], results=results)
         others = {other: releases[release][other].results for other in results.others}
         section = derive_section(replace(results, others=others), releases)
         text = self.templates.text(f"sections/{name}.md.j2")

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlsplit
+from urllib.parse import SplitResult, unquote, urlsplit
 
 from report import ROOT
 from report.format import format_code, format_number
@@ -15,8 +15,13 @@ from report.quantities import VALUES_FILE
 SCRIPT = "page.js"
 """The one script that pages run: the project's own, beside them."""
 
-FETCHING = {"src", "srcset", "poster", "data", "xlink:href"}
-"""Attributes whose address a browser fetches unasked, as it does every href but that of ``a``."""
+FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
+"""Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
+ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal"}
+"""Elements that run, hold another page, or change where links lead."""
+SCHEMES = {"", "http", "https", "mailto"}
+"""What a link may begin with: a page may lead anywhere, but nothing that it leads to may run in it."""
+BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
@@ -39,7 +44,10 @@ class Reading(HTMLParser):
     def handle_starttag(self, tag, attrs):
         attributes = {name: value or "" for name, value in attrs}
         self._open.append(tag)
-        if (tag == "script" and attributes != {"src": SCRIPT}) or any(name.startswith("on") for name in attributes):
+        is_own = tag == "script" and attributes == {"src": SCRIPT}
+        if (tag in ACTIVE and not is_own) or any(name.startswith("on") or name == "srcdoc" for name in attributes):
+            self.scripts.append(tag)
+        if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
             self.scripts.append(tag)
         if tag == "script":
             self.fetched.append(attributes.get("src", ""))
@@ -100,7 +108,9 @@ def _check_self_contained(reading: Reading) -> list[str]:
 def _check_links(reading: Reading, page: Path, pages: Mapping[Path, Reading], site: Path) -> list[str]:
     problems = [f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1]
     for address in reading.links + reading.fetched:
-        parts = urlsplit(address)
+        parts = _parts(address)
+        if address in reading.links and parts.scheme not in SCHEMES:
+            problems.append(f"{address} is no address that a page may lead to")
         if parts.scheme or parts.netloc:
             continue
         target = (page.parent / unquote(parts.path)).resolve() if parts.path else page
@@ -148,5 +158,14 @@ def _resolve(data: Any, pointer: str) -> Any:
 
 
 def _is_elsewhere(address: str) -> bool:
-    parts = urlsplit(address)
-    return bool(parts.netloc or parts.scheme not in ("", "data"))
+    parts = _parts(address)
+    is_image = parts.scheme == "data" and parts.path.startswith((",", "image/", "font/"))
+    return bool(parts.netloc or (parts.scheme and not is_image))
+
+
+def _parts(address: str) -> SplitResult:
+    """An address as browsers read it, which pass over blanks and control characters, and take \\ for /."""
+    try:
+        return urlsplit(BLANK.sub("", address).replace("\\", "/"))
+    except ValueError:
+        return SplitResult("unreadable", "", "", "", "")

@@ -9,7 +9,8 @@ from report.chapters import Chapter, Chapters
 from report.claims import NEAR_NOISE, Claim
 from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
 from report.quantities import Quantity
-from report.records.record import REASON, Record
+from report.records.columns import REASON
+from report.records.record import Record
 from report.results import Row
 
 KEYS = ("case", "kind", "device", "worlds", "substeps")

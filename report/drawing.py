@@ -1,6 +1,5 @@
 """Drawing: all figures of a build at once, on every processor that there is."""
 
-import multiprocessing
 import os
 import sys
 from collections.abc import Sequence
@@ -8,6 +7,7 @@ from collections.abc import Sequence
 from markupsafe import Markup
 
 from report.parts import Figure
+from report.records.processes import workers
 
 _figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
@@ -16,12 +16,12 @@ _figures: Sequence[Figure] = ()
 def draw_all(figures: Sequence[Figure]) -> list[Markup]:
     """Each figure as HTML, in their order."""
     global _figures
-    workers = min(_processor_count(), len(figures))
-    if workers < 2:
+    count = min(_processor_count(), len(figures))
+    if count < 2:
         return [figure.drawn() for figure in figures]
     _figures = figures
-    with multiprocessing.get_context("fork").Pool(workers) as pool:
-        return pool.map(_draw, range(len(figures)), chunksize=1)
+    with workers(count, "fork") as pool:
+        return list(pool.map(_draw, range(len(figures))))
 
 
 def _draw(index: int) -> Markup:

@@ -4,6 +4,8 @@ import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
+from pathlib import Path
+from traceback import extract_tb
 from types import ModuleType
 from typing import Any
 
@@ -14,6 +16,7 @@ from report.page import Prose, Templates, Text
 from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
+from report.records.files import RecordError, place_of
 from report.records.project import Project
 from report.records.status import State, states_of
 from report.results import Results, ResultsError
@@ -127,7 +130,7 @@ def derive_section(results: Results, releases: Releases) -> Section:
     except ReportError:
         raise
     except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
-        what = f"{type(error).__name__}: {' '.join(str(error).split())}"
+        what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
         raise LostError(f"its record lacks what the section is about ({what})") from error
 
 
@@ -157,11 +160,23 @@ def _compares(module: ModuleType) -> bool:
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
-    """A section that can't be shown: a record of older code or of another release may lack anything."""
-    if state.kind == "fresh" and project.is_own and not isinstance(error, LostError):
+    """A section that can't be shown, for the rest of the page stands without it.
+
+    A record of older code may lack anything. One that is fresh should not: then it is damaged, or its section is wrong.
+    A fault of the template, which is not the record's, stops the build.
+    """
+    if state.kind == "fresh" and project.is_own and not isinstance(error, RecordError | ResultsError | LostError):
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
-    return replace(state, record=None, notes=(" ".join(words.split()),))
+    kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
+    place = "" if isinstance(error, RecordError) else f"{place_of(project.record_path(state.section))}: "
+    return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
+
+
+def _line_of(error: Exception) -> str:
+    """Where an error was raised, for whoever has to mend it."""
+    where = extract_tb(error.__traceback__)[-1]
+    return f"{Path(where.filename).name}:{where.lineno}"
 
 
 def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
@@ -200,7 +215,7 @@ def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bo
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:
     def find(name: str) -> Any:
         if name not in things:
-            raise ResultsError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
+            raise ReportError(f"{section} has no {kind} {name!r}; it has: {', '.join(things) or 'none'}")
         return things[name]
 
     return find

@@ -41,6 +41,7 @@ PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint)"} | {
 
 STYLE: dict[str, Any] = {
     "svg.fonttype": "none",
+    "text.parse_math": False,
     "figure.facecolor": "none",
     "axes.facecolor": "none",
     "savefig.facecolor": "none",
@@ -210,7 +211,9 @@ def _folded(text: str) -> str:
 
 def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
     """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
-    with matplotlib.rc_context({**STYLE, "svg.hashsalt": name}):
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()  # the user's own settings count for nothing
+        matplotlib.rcParams.update({**STYLE, "svg.hashsalt": name})
         buffer = io.StringIO()
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
         drawing = draw()

@@ -1,6 +1,7 @@
 """The page: templates of Markdown with values in it, made into HTML."""
 
 import re
+import secrets
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -29,7 +30,8 @@ from report.words import Wording, WordTags, wordings
 
 # What a template prints passes Markdown as a token between two private characters and is put back afterwards,
 # so that no value, case name or table is ever taken for Markdown. Alone in its paragraph it may be a block.
-OPEN, CLOSE = "\ue000", "\ue001"
+# The token has a part that nobody can know before, so that no text of a record can be one.
+OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 TOKEN = re.compile(f"(<p>)?{OPEN}([0-9]+){CLOSE}(?(1)</p>)")
 BLOCK = ("<figure", "<p")
 TITLE = re.compile(r"\s*<h2[^>]*>.*?</h2>", re.DOTALL)
@@ -76,7 +78,7 @@ class Text:
             text = self.template.render({**names, "printed": printed})
         headings = {
             "baselevel": 2,
-            "slugify": lambda title, separator: f"{anchor}-{slugify(title, separator)}",
+            "slugify": lambda title, separator: f"{anchor}-{slugify(TOKEN.sub(_number, title), separator)}",
         }
         markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
         html = markdown.convert(text)
@@ -157,6 +159,10 @@ def _as_token(context: Context, value: Any) -> Markup:
     printed = context["printed"]
     printed.append(value if isinstance(value, Figure) else escape(value))
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+
+
+def _number(token: re.Match) -> str:
+    return token[2]
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:

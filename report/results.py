@@ -1,6 +1,7 @@
 """Results: one section's record as its section module sees it."""
 
 import math
+import os
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -12,7 +13,8 @@ import pandas as pd
 
 from report import ReportError
 from report.quantities import VALUES_FILE, Quantity, Value, absent, mixed
-from report.records.record import REASON, Origin, Record, RecordError
+from report.records.columns import REASON
+from report.records.record import Origin, Record
 from report.records.traces import load_trace, trace_path
 from report.settings import case_settings
 
@@ -131,12 +133,11 @@ class Results:
         return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
 
     def trace(self, case: str) -> Series:
-        path = trace_path(self.path, case)
+        path, seals = trace_path(self.path, case), self.record.traces
         source = f"{path.parent.name}/{path.name}"
-        try:
-            return Series(load_trace(path), source, origins=frozenset({self.record.origin}))
-        except RecordError as error:
-            return Series(None, source, str(error))
+        if not os.path.lexists(path) if seals is None else case not in seals:
+            return Series(None, source, f"there is no {path.name}")
+        return Series(load_trace(path, seals[case] if seals else None), source, origins=frozenset({self.record.origin}))
 
     def value(
         self,

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 import re
 import shutil
 from collections.abc import Collection, Mapping, Sequence
@@ -20,10 +19,12 @@ from report.editions import Edition, editions_of
 from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates
 from report.pages import FRONT, Page
+from report.placing import aside, replace
 from report.quantities import VALUES_FILE
+from report.records.files import locked
 from report.records.identity import files_digest, package_versions
 from report.records.project import Project
-from report.records.traces import traces_of
+from report.records.traces import BYTE_LIMIT, traces_of
 from report.surroundings import ASSETS, citation, write_surroundings
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
@@ -77,8 +78,8 @@ class Link:
         return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
 
 
-def build(project: Project, address: str = "") -> Edition:
-    """Write the site and return the edition of ``project``; until the site is whole, the one that was there stays.
+def build(project: Project, address: str = "") -> dict[str, Edition]:
+    """Write the site and return the edition of each release; until the site is whole, the one that was there stays.
 
     Its pages are the first of the site; those of other releases that have results lie in a folder each, and are
     written only when something that they are made from has changed.
@@ -87,15 +88,12 @@ def build(project: Project, address: str = "") -> Edition:
         project: What to show.
         address: Where the site will lie, with a slash at its end; empty where that is not known.
     """
-    fresh = project.root / f".site-{os.getpid()}"
     templates = Templates(project.templates)
-    editions = editions_of(project, templates)
-    try:
+    with aside(project.site) as fresh, locked(project.results.parent, alone=False):
+        editions = editions_of(project, templates)
         _write_site(fresh, project, editions, templates, address)
-        _replace(project.site, fresh)
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
-    return editions[project.release]
+        replace(project.site, fresh)
+    return editions
 
 
 def _write_site(
@@ -214,7 +212,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             path = chapter.results.path
             there = folder / path.parent.name
             there.mkdir(parents=True, exist_ok=True)
-            for file in (path, *(traces_of(path) if own else ())):
+            for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
             rows = pd.DataFrame(chapter.results.record.rows)
             rows.to_csv(there / f"{path.stem}.csv", index=False, lineterminator="\n")
@@ -235,8 +233,12 @@ def _local(text: str, release: str) -> str:
 def _digest(project: Project, address: str) -> str:
     """Of all that the pages are made from."""
     files = (path for folder in INPUTS for path in (project.root / folder).rglob("*"))
-    sources = [path for path in files if "__pycache__" not in path.parts]
-    made_from = (project, address, package_versions(), files_digest(sources, project.root))
+    sources = [path for path in files if "__pycache__" not in path.parts and path.is_file()]
+    sources = [
+        path for path in sources if path.stat().st_size <= BYTE_LIMIT
+    ]  # larger ones are refused by their readers
+    place = (project.release, project.profile, project.own_release)  # and not where the folder lies
+    made_from = (place, address, package_versions(), files_digest(sources, project.root))
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 
@@ -245,11 +247,3 @@ def _read_digest(folder: Path) -> str | None:
         return (folder / DIGEST_FILE).read_text(encoding="utf-8")
     except OSError:
         return None
-
-
-def _replace(site: Path, fresh: Path) -> None:
-    old = fresh.with_name(f"{fresh.name}-old")
-    if site.exists():
-        os.rename(site, old)
-    os.rename(fresh, site)
-    shutil.rmtree(old, ignore_errors=True)

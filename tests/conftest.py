@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import pandas as pd
 import pytest
 
 import report.sections
@@ -16,7 +15,7 @@ from report.records.identity import identity_of, package_versions
 from report.records.project import Project
 from report.records.record import Record, units_of, write_record
 from report.records.status import state_of
-from report.records.traces import write_traces
+from report.records.traces import packed
 from report.site import build
 from report.surroundings import ASSETS
 
@@ -139,8 +138,8 @@ class Toy:
         return Record(**{**fields, **changes})
 
     def measure(self, rows=ROWS) -> None:
-        write_traces(self.record_path, {"stiff": pd.DataFrame({"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]})})
-        write_record(self.record_path, self.record(rows))
+        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]})}
+        write_record(self.record_path, self.record(rows), traces)
 
     def state(self):
         return state_of(self.project, "toy")
@@ -194,7 +193,6 @@ def poses_path(tmp_path_factory) -> Path:
 
     measurement = measure(Conditions(device="cpu", quick=True))
     path = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}/poses.json"
-    write_traces(path, {case: pd.DataFrame(table) for case, table in measurement.traces.items()})
     record = Record(
         section="poses",
         identity=identity_of("poses", "quick"),
@@ -203,5 +201,5 @@ def poses_path(tmp_path_factory) -> Path:
         units=units_of(measurement.rows),
         rows=measurement.rows,
     )
-    write_record(path, record)
+    write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
     return path

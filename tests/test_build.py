@@ -56,7 +56,8 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
         (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
         (["publish", "--target", "ftp:x"], "TARGET="),
-        (["publish"], "TARGET="),
+        (["serve", "--port", "x"], "PORT=x"),
+        (["serve", "--port", "65536"], "PORT=65536"),
     ],
 )
 def test_bad_input_gets_one_line_and_status_2(arguments, message):

@@ -21,7 +21,8 @@ from report.deriving.arithmetic import (
 from report.deriving.variants import beyond_noise
 from report.format import format_number, format_short
 from report.quantities import Quantity, absent
-from report.records.record import load_record, record_path
+from report.records.reading import load_record
+from report.records.record import record_path
 from report.results import Results, ResultsError
 from report.sections import fix
 from report.words import Wording

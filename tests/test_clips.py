@@ -8,7 +8,7 @@ from experiments.stage import Camera, Stage, display
 from report.records.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
 from report.records.kept import kept_run
 from report.records.project import Project, own_release
-from report.records.record import load_record
+from report.records.reading import load_record
 from report.records.traces import load_trace, trace_path
 
 OWN = Project(own_release())

@@ -73,7 +73,7 @@ def test_every_way_to_import_is_followed(toy, statement):
 
 
 def test_package_versions_count(toy, monkeypatch):
-    from report.records.record import identity
+    from report.records import identity
 
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(identity.metadata, "version", installed.__getitem__)

@@ -8,7 +8,7 @@ import pytest
 
 from report.results import Results, Row
 from report.sections.error_runtime.fronts import front, pareto_front
-from report.sections.hold import is_monotonic
+from report.sections.hold import is_monotonic, seconds_back
 from report.sections.stability.passing import explicit_margin, passed, passing
 
 Made = Callable[[Sequence[dict]], list[Row]]
@@ -185,3 +185,4 @@ def test_a_creep_is_monotonic_that_goes_one_way_in_every_second():
     assert not is_monotonic(frame(shaken, back))
     paused = np.interp(seconds, [0, 1, 2, 3, 4], [0, 1, 1, 2, 3])
     assert not is_monotonic(frame(0.0 * seconds, paused))
+    assert [seconds_back(frame(0.0 * seconds, down), least) for least in (0.0, 1.9, 2.1)] == [0, 0, 4]

@@ -9,7 +9,7 @@ from experiments.replay import Replay, load_poses
 from experiments.scene import body_index
 from report.records.kept import kept_run
 from report.records.kinematics import quaternion_matrices
-from report.records.record import load_record
+from report.records.reading import load_record
 from report.records.traces import load_trace, trace_path
 
 

@@ -1,5 +1,6 @@
 """Several releases: judged, shown and compared without any of them being installed."""
 
+import json
 import shutil
 from argparse import Namespace
 from dataclasses import replace
@@ -19,7 +20,8 @@ from report.quantities import Quantity, mixed
 from report.records.environment import requirements
 from report.records.identity import MISSING
 from report.records.project import Project
-from report.records.record import Origin, load_record, write_record
+from report.records.reading import load_record
+from report.records.record import Origin, write_record
 from report.records.status import status_matrix
 from report.results import Results
 
@@ -109,10 +111,10 @@ def test_the_check_follows_links_to_other_pages(toy, newer):
     assert "newton-1.8.0/index.html: evidence.html#toy leads nowhere" in problems
 
 
-def test_an_older_record_that_derive_breaks_on_is_left_out(toy):
+def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
-    with pytest.raises(IndexError):
-        toy.build()
+    assert build.page(toy.project, Namespace(address="")) == 1
+    assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
     assert "<b>toy</b> is left out" in toy.page and "IndexError" in toy.page
@@ -240,6 +242,7 @@ def upgraded(toy) -> Toy:
     toy.write(
         "templates/sections/upgrade.md.j2", (ROOT / "templates/sections/upgrade.md.j2").read_text(encoding="utf-8")
     )
+    toy.write("templates/sources.toml", (ROOT / "templates/sources.toml").read_text(encoding="utf-8"))
     toy.write("experiments/upgrade.py", EXPERIMENT_OF_RELEASES)
     floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
     toy.write(
@@ -289,6 +292,20 @@ def test_claims_that_turned_are_said_in_both_ways(upgraded):
     assert 'data-src="values.json#/toy/gain"' in turned
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned
     assert check_site(upgraded.project.site) == []
+
+
+def test_what_one_release_cannot_tell_is_listed_and_counted_by_itself(upgraded):
+    for release, slips in UPGRADE_ROWS.items():
+        measure_upgrade(upgraded, release, slips)
+    newer = upgraded.of("1.8.0")
+    newer.measure([SOFT, {**STIFF, "slip_mm": None, "slip_mm_reason": "as a test"}])
+    rows = [{"case": "a", "of": "as-shipped", "slip_mm": 1.0}]  # without it a section is missing
+    write_record(newer.project.record_path("noise"), newer.record(rows, section="noise"))
+    upgraded.build()
+    turned = upgraded.page.partition('class="turns"')[2]
+    assert "toy: helps" in turned and "cannot be told (as a test)" in turned
+    values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
+    assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
 
 
 def test_one_release_alone_tells_nothing(upgraded):

@@ -13,7 +13,7 @@ from report.check import Reading
 from report.editions import derive_edition
 from report.page import Templates
 from report.records.project import Project
-from report.records.record import load_record
+from report.records.reading import load_record
 from report.replay import SHAKES, packed_runs, replay_page, script
 from report.results import Results
 

@@ -14,7 +14,8 @@ from report.altered import MUTATIONS, World, mutated, tracked_world
 from report.check import check_site
 from report.editions import LostError
 from report.inert import surveys
-from report.records.record import REASON, Record
+from report.records.columns import REASON
+from report.records.record import Record
 from report.stated import references
 
 WORK = Path(__file__).parent / "sentences"

@@ -1,16 +1,15 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
-import shutil
 from dataclasses import replace
 
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE
 
-from report import ReportError, UsageError
+from report import ReportError
 from report.check import check_site
 from report.figures import SERIES, draw_svg, new_figure
-from report.publish import publish
+from report.records.record import write_record
 
 
 def test_a_section_takes_three_files_and_passes_the_check(toy):
@@ -47,7 +46,6 @@ def test_text_from_results_is_no_markup(toy):
     [
         ("{{ nothing }}", "nothing"),
         ("{{ value.nothing }}", "nothing"),
-        ('{{ row["stiff"].nothing_mm }}', "toy: stiff has no column nothing_mm"),
         ('{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
         ('{{ figure("nothing") }}', "toy has no figure"),
         ("{{ 3.5 }}", "says nothing of where it comes from"),
@@ -61,6 +59,13 @@ def test_a_wrong_template_stops_the_build_and_keeps_the_site(toy, words, message
     with pytest.raises(ReportError, match=message):
         toy.build()
     assert toy.page == before
+
+
+def test_what_the_record_lacks_leaves_its_section_out(toy):
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].nothing_mm }}')
+    toy.build()
+    assert 'id="toy"' not in toy.page
+    assert "newton-1.4.0/toy.json: toy: stiff has no column nothing_mm" in toy.page
 
 
 def test_nothing_is_left_behind_when_drawing_fails(toy):
@@ -99,7 +104,7 @@ def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
 
 
 def test_a_figure_without_data_is_one_line(toy):
-    (toy.record_path.parent / "toy.stiff.csv.gz").unlink()
+    write_record(toy.record_path, toy.record(), {})
     toy.build()
     assert "A figure is left out here: there is no toy.stiff.csv.gz" in toy.page
     assert "<svg" not in toy.page
@@ -154,77 +159,6 @@ def test_the_check_finds_what_is_wrong(toy, old, new, problem):
     assert any(problem in line for line in check_site(toy.project.site))
 
 
-def test_publishing_switches_a_link(toy, tmp_path):
-    toy.build()
-    place = tmp_path / "www"
-    publish(toy.project.site, f"dir:{place}")
-    first = place.resolve()
-    assert place.is_symlink() and check_site(place) == []
-    publish(toy.project.site, f"dir:{place}")
-    assert place.resolve() == first
-    toy.measure([{**ROWS[0], "slip_mm": 5.0}, ROWS[1]])
-    toy.build()
-    publish(toy.project.site, f"dir:{place}")
-    assert place.resolve() != first and first.is_dir()
-    assert (place / "evidence.html").read_text() == toy.page
-    assert len(list((tmp_path / ".www.versions").iterdir())) == 2
-
-
-def test_a_build_with_a_problem_is_not_published(toy, tmp_path):
-    toy.build()
-    place = tmp_path / "www"
-    publish(toy.project.site, f"dir:{place}")
-    before = place.resolve()
-    (toy.project.site / "data/values.json").unlink()
-    with pytest.raises(ReportError, match="not published"):
-        publish(toy.project.site, f"dir:{place}")
-    assert place.resolve() == before
-
-
-def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
-    toy.build()
-    (tmp_path / "mine").mkdir()
-    (tmp_path / "mine/letter.txt").write_text("dear")
-    (tmp_path / "link").symlink_to(tmp_path / "mine")
-    for target in (
-        f"dir:{tmp_path}/mine",
-        f"dir:{tmp_path}/link",
-        f"dir:{tmp_path}/no/where",
-        f"dir:{tmp_path}/{'long' * 62}",
-        "dir:/proc/www",
-        "dir:~no-one/www",
-        "dir:",
-        "ftp:x",
-        "",
-    ):
-        with pytest.raises(UsageError) as error:
-            publish(toy.project.site, target)
-        assert "\n" not in str(error.value)
-    assert (tmp_path / "mine/letter.txt").read_text() == "dear"
-    assert not list(tmp_path.glob(".*.versions"))
-
-
-@pytest.mark.parametrize("step", ["shutil.copytree", "os.replace"])
-def test_nothing_is_left_behind_when_publishing_fails(toy, tmp_path, monkeypatch, step):
-    toy.build()
-
-    def fail(source, target):
-        failed = (str(source), str(target), "No space left on device")
-        raise shutil.Error([failed] * 2) if step == "shutil.copytree" else OSError(28, failed[2])
-
-    monkeypatch.setattr(step, fail)
-    with pytest.raises(UsageError, match=r"^TARGET=dir:.*/www: No space left on device$"):
-        publish(toy.project.site, f"dir:{tmp_path}/www")
-    assert [path.name for path in tmp_path.iterdir()] == ["project"]
-
-
-def test_an_empty_folder_may_become_the_site(toy, tmp_path):
-    toy.build()
-    (tmp_path / "www").mkdir()
-    publish(toy.project.site, f"dir:{tmp_path}/www")
-    assert check_site(tmp_path / "www") == []
-
-
 def test_quick_results_are_shown_as_such(toy):
     quick = replace(toy, project=replace(toy.project, profile="quick"))
     quick.measure()
@@ -232,11 +166,3 @@ def test_quick_results_are_shown_as_such(toy):
     assert "quick profile" in quick.page
     assert "make rerun SECTION=toy PROFILE=quick" in quick.page
     assert check_site(quick.project.site) == []
-
-
-def test_a_quick_look_is_not_published(toy, tmp_path):
-    quick = replace(toy, project=replace(toy.project, profile="quick"))
-    quick.measure()
-    quick.build()
-    with pytest.raises(UsageError, match="quick look"):
-        publish(quick.project.site, f"dir:{tmp_path / 'www'}")

@@ -69,6 +69,13 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
     return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
 
 
+def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
+    """What a wording can name where a claim turns on ``found``; without that nothing can be told of the others."""
+    if found.value is not None:
+        return numbers
+    return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
+
+
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
     return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)

@@ -11,7 +11,7 @@ from report.claims import HOLDS, Claim, Outcome, beyond
 from report.deriving.arithmetic import cell_or_absent
 from report.noise import is_beyond, verdict
 from report.quantities import Quantity, Value
-from report.results import Results
+from report.results import Results, Row
 
 
 @dataclass(frozen=True)
@@ -23,14 +23,25 @@ class Headline:
     case: str
     column: str
     unit: str
+    device: str = ""
+    """For a section that has the case on several devices and with several numbers of worlds: of which to take one."""
+    worlds: int = 1
 
 
 def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
     """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""
     chapter = releases[release].get(headline.section)
-    row = chapter.results.row.get(headline.case) if chapter else None
+    row = _row(chapter.results, headline) if chapter else None
     reason = f"{headline.section} has not been measured so with Newton {release}"
     return cell_or_absent(row, headline.column, headline.unit, reason)
+
+
+def _row(results: Results, headline: Headline) -> Row | None:
+    if not headline.device:
+        return results.row.get(headline.case)
+    wanted = headline.case, headline.device, headline.worlds
+    rows = [row for row in results.rows if "device" in row]
+    return next((row for row in rows if (row.case, row.device, row.worlds.value) == wanted), None)
 
 
 def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
@@ -69,21 +80,27 @@ class Turn:
     said: Sequence[tuple[Sequence[str], Claim]]
     """Neighbouring releases that agree, and the claim as one of them words it."""
 
+    @property
+    def is_decided(self) -> bool:
+        """Whether one release upholds it and another doesn't; or else one of them can't tell."""
+        return len({claim.outcome.name for _, claim in self.said} - {"unknown"}) > 1
+
 
 def turns(releases: Releases, shown: str) -> list[Turn]:
-    """The claims that are upheld in one release and not in another.
+    """The claims that are upheld in one release and not in another, then those that not all of them can tell.
 
-    Of releases that agree the one of the page, ``shown``, has the word, or else the newest.
-
-    What is near the noise in a release says nothing, nor, where a release lacks a section that another one has, what it
-    can't tell.
+    Of releases that agree the one of the page, ``shown``, has the word, or else the newest. What a release can't tell
+    says nothing where it lacks a section that another one has, unless it is for being near the noise.
     """
-    whole = len({frozenset(release) for release in releases.values()}) == 1
+    sections = set().union(*releases.values())
     found = []
     for section, name in dict.fromkeys(pair for release in releases.values() for pair in _claims(release)):
         answers = [(release, _claims(chapters).get((section, name))) for release, chapters in releases.items()]
-        answers = [(release, claim) for release, claim in answers if claim and (whole or _is_told(claim))]
-        answers = [(release, claim) for release, claim in answers if not claim.outcome.is_near]
+        answers = [
+            (release, claim)
+            for release, claim in answers
+            if claim and (_is_told(claim) or set(releases[release]) == sections)
+        ]
         said = []
         for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
             members = list(group)
@@ -91,7 +108,7 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
             said.append((names, dict(members)[shown if shown in names else names[-1]]))
         if len(said) > 1:
             found.append(Turn(section, name, said))
-    return found
+    return sorted(found, key=lambda turn: not turn.is_decided)
 
 
 def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
@@ -100,7 +117,7 @@ def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
 
 
 def _is_told(claim: Claim) -> bool:
-    return claim.outcome.name != "unknown"
+    return claim.outcome.name != "unknown" or claim.outcome.is_near
 
 
 @dataclass(frozen=True)
@@ -159,7 +176,11 @@ class Ends:
 
 
 def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
-    """Whether a change is no more than noise and rounding."""
+    """Whether a change is no more than noise and rounding; clearly more is the opposite."""
+    return _unchanged(before, after, moved, noise).having_read(before, after, moved, noise)
+
+
+def _unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
     for quantity in (moved, noise):
         if quantity.value is None:
             return Outcome("unknown", quantity.reason)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import NEAR_NOISE, Claim, at_most, within
+from report.claims import NEAR_NOISE, Claim, Outcome, greater, within
 from report.deriving.arithmetic import by_case, difference, noise_floor, share
 from report.figures import FAINT, INK, SERIES, new_figure
 from report.format import format_number
@@ -79,7 +79,22 @@ def _difference(results: Results, row: Row, reference: Row) -> Value:
 def not_the_cause(results: Results, variants: Variants) -> Claim:
     """Whether every variant leaves most of the slip in place."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
-    return Claim("not_the_cause", at_most(variants.largest_share, bound), variants.numbers)
+    outcome = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
+    return Claim("not_the_cause", outcome, variants.numbers)
+
+
+def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
+    """Whether a change of slip [mm] is less than ``bound`` percent of a slip, by more than the noise; more is the
+    opposite."""
+    limit = results.value(
+        f"{name}_limit",
+        f"{bound.value:g} % of the slip, signs left out",
+        lambda percent, whole: percent / 100 * abs(whole),
+        bound,
+        slip,
+        unit="mm",
+    )
+    return greater(limit, change, noise=noise)
 
 
 def within_noise(variants: Variants) -> Claim:
@@ -146,7 +161,7 @@ def _draw_variants(variants: Variants) -> Drawing:
             right.axvspan(-floor, floor, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
             above = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
             right.annotate("noise", (0.0, 1.0), fontsize=8.5, **above)
-        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=None, markersize=6)
+        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=1, markersize=6)
     right.set_xlabel(f"difference from {names[0]} [mm]")
     right.locator_params(axis="x", nbins=4)
     right.tick_params(axis="y", left=False)

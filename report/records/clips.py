@@ -5,9 +5,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from report.records.files import RecordError
 from report.records.identity import Identity, changes, files_digest, identity_of
 from report.records.project import Project
-from report.records.record import Record, RecordError, load_record
+from report.records.reading import load_record
+from report.records.record import Record
 from report.records.status import State
 from report.records.traces import trace_path
 

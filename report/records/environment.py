@@ -1,26 +1,49 @@
-"""Environments: another Newton release is measured in one of its own, and the project's lock is not touched."""
+"""Environments: the project's own, and one of its own for each other Newton release, which leaves the lock alone.
 
+Each is made aside and put in place whole, so that one that is there can be used. Run as a program, by a Python that has
+nothing yet, this makes the project's own.
+"""
+
+import hashlib
+import os
 import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
-from report import ROOT, UsageError
+from report import ROOT, ReportError, UsageError
+from report.records.files import locked
 from report.records.identity import MISSING, package_versions
+from report.records.processes import end_with
 
-RELEASE = re.compile(r"[0-9]+(\.[0-9]+)+")
+RELEASE = re.compile(r"[0-9]{1,4}(\.[0-9]{1,6}){1,4}")
+VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
 NAME = re.compile(r"[A-Za-z0-9-]+")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
+OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
+READY = ".ready"
+"""In an environment: the digest of what it was made from."""
 
 
 def refuse_bad_release(name: str, release: str) -> None:
     """UsageError when what was given as ``name`` can't be a Newton release."""
     if not RELEASE.fullmatch(release):
         raise UsageError(f"{name}={release} is no release number; {name}=1.8.0 is one")
+
+
+def own_environment(root: Path = ROOT) -> None:
+    """Make ``.venv`` as the lock says, unless it is there already."""
+    sources = [root / "pyproject.toml", root / "uv.lock"]
+    folder = root / ".venv"
+    _make(folder, ".venv", b"".join(path.read_bytes() for path in sources), partial(_fill_from_lock, root), root)
+    # Make goes by times: what was made is newer than what it was made from, whatever the clock says.
+    newest = max(path.stat().st_mtime for path in [*sources, folder / READY])
+    os.utime(folder / READY, (newest, newest))
 
 
 def python_of(release: str, packages: Mapping[str, str], root: Path = ROOT) -> Path:
@@ -33,24 +56,13 @@ def python_of(release: str, packages: Mapping[str, str], root: Path = ROOT) -> P
     """
     if package_versions()["newton"] == release:
         return Path(sys.executable)
+    refuse_bad_release("NEWTON", release)
     folder = root / f".venv-newton-{release}"
-    python, ready = folder / "bin" / "python", folder / ".ready"
-    if not ready.exists():
-        _set_up(folder, release, packages, root)
-        ready.touch()
-    return python
-
-
-def _set_up(folder: Path, release: str, packages: Mapping[str, str], root: Path) -> None:
-    uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
-    if not uv:
-        raise UsageError(f"NEWTON={release} needs uv to make its environment, and uv is not there")
-    project = root / "pyproject.toml"
-    python = str(folder / "bin" / "python")
-    install = [uv, "pip", "install", "--python", python, "--group", f"{project}:dev"]
-    install += requirements(project.read_text(encoding="utf-8"), {**packages, "newton": release})
-    for command in ([uv, "venv", "--allow-existing", "--python", sys.executable, str(folder)], install):
-        _run(command, release, folder)
+    wanted = requirements((root / "pyproject.toml").read_text(encoding="utf-8"), {**packages, "newton": release})
+    if not (folder / READY).exists():
+        fill = partial(_fill_from_requirements, root, wanted)
+        _make(folder, f"NEWTON={release}", "\n".join(wanted).encode(), fill, root)
+    return folder / "bin" / "python"
 
 
 def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
@@ -60,20 +72,103 @@ def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
         project: Text of pyproject.toml, in which each requirement is a line of its own.
         packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
     """
-    named = {"newton": "newton[sim]"}
+    named = {"newton": "newton[sim]", "warp-lang": "warp-lang", "mujoco-warp": "mujoco-warp", "mujoco": "mujoco"}
+    for name, version in packages.items():
+        if name not in named or (not VERSION.fullmatch(version) and version != MISSING):
+            raise ReportError(f"{name} {version!r:.60} is no package of the simulator with a plain version")
     own = [line for line in REQUIREMENT.findall(project) if NAME.match(line)[0] not in packages]
-    return own + [f"{named.get(name, name)}=={version}" for name, version in packages.items() if version != MISSING]
+    return own + [f"{named[name]}=={version}" for name, version in packages.items() if version != MISSING]
 
 
-def _run(command: list[str], release: str, folder: Path) -> None:
-    """Run uv, which takes a while, and pass on what it says of its progress."""
-    with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as uv:
+def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> None:
+    """Make the environment ``folder``, which was asked for as ``name``: aside, and then put in place.
+
+    Args:
+        source: What it is made from; when it was made from the same before, it is there.
+        fill: Gives the commands, and settings for each, that install what it needs.
+    """
+    digest = hashlib.sha256(source).hexdigest()
+    new, old, tools = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old", ".tools"))
+    with locked(root):
+        ready = folder / READY
+        if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
+            return
+        try:
+            _remove(new, old, tools)  # of one that was killed
+            uv = _uv(root, tools, name)
+            # Its programs are found from where they lie, so that it can be moved.
+            _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
+            for command, settings in fill(uv, new):
+                _run(command, name, settings)
+            (new / READY).write_text(digest, encoding="utf-8")
+            if os.path.lexists(folder):
+                os.rename(folder, old)
+            os.rename(new, folder)
+        except OSError as error:
+            raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
+        finally:
+            _remove(new, old, tools)
+
+
+def _remove(*folders: Path) -> None:
+    for folder in folders:
+        if folder.is_symlink():
+            folder.unlink()
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _uv(root: Path, tools: Path, name: str) -> str:
+    """The program that makes environments; where there is none it is installed for the time being."""
+    uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
+    if not uv:
+        _run([sys.executable, "-m", "venv", str(tools)], name)
+        _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
+    return uv or str(tools / "bin" / "uv")
+
+
+def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
+    yield [uv, "sync", "--frozen", "--project", str(root)], {"UV_PROJECT_ENVIRONMENT": str(new)}
+    if not shutil.which("uv"):  # environments of other releases need it
+        yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
+
+
+def _fill_from_requirements(root: Path, wanted: Sequence[str], uv: str, new: Path) -> "Commands":
+    python = str(new / "bin" / "python")
+    yield [uv, "pip", "install", "--python", python, "--group", f"{root / 'pyproject.toml'}:dev", *wanted], {}
+
+
+def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:
+    """Run a program, which takes a while, and pass on what it says of its progress."""
+    with subprocess.Popen(
+        command,
+        stderr=subprocess.STDOUT,
+        stdout=subprocess.PIPE,
+        text=True,
+        errors="replace",
+        env={**os.environ, **(settings or {})},
+        preexec_fn=partial(end_with, os.getpid()),
+    ) as program:
         lines = []
-        for line in uv.stderr:
+        for line in program.stdout:
             lines.append(line.strip(" ×╰─▶\t\n"))
             if PROGRESS.match(line):
-                print(f"{folder.name}: {line.strip()}", flush=True)
-    if uv.returncode:
-        shutil.rmtree(folder, ignore_errors=True)
+                print(f"{name}: {line.strip()}", flush=True)
+    if program.returncode:
         said = [line for line in lines if line]
-        raise UsageError(f"NEWTON={release} cannot be installed: {said[-1] if said else 'uv gave no reason'}")
+        offline = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
+        raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}{offline}")
+
+
+Commands = Iterator[tuple[list[str], Mapping[str, str]]]
+Fill = Callable[[str, Path], Commands]
+
+
+if __name__ == "__main__":
+    try:
+        own_environment()
+    except KeyboardInterrupt:
+        sys.exit("stopped; make begins again")
+    except ReportError as failure:
+        print(failure, file=sys.stderr)
+        sys.exit(2)

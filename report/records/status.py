@@ -1,11 +1,14 @@
 """Status: which sections of which releases are fresh, and what changed for those that aren't."""
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from report.records.files import RecordError
 from report.records.identity import MISSING, changes, identity_of, package_versions, sections
 from report.records.project import Project
-from report.records.record import Record, RecordError, load_record
+from report.records.reading import load_record
+from report.records.record import Record
 
 HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
 
@@ -37,7 +40,7 @@ def states_of(project: Project) -> list[State]:
 def state_of(project: Project, section: str, packages: Mapping[str, str] | None = None) -> State:
     """The state of one section; ``packages`` is what it should have been measured with."""
     path = project.record_path(section)
-    if not path.exists():
+    if not os.path.lexists(path):
         return State(section, "missing")
     try:
         record = load_record(path)

@@ -1,6 +1,7 @@
 """Time and memory against the number of worlds, with the engine's own steps in the same frames as the floor."""
 
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from typing import Any
 
 import pandas as pd
@@ -120,9 +121,12 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
     bound = results.chosen("cheap_bound", "a frame no longer than this many times that of one world", 2.0)
     cheap = results.value(
         "cheap_worlds",
-        "most worlds with which a frame takes no longer than the bound times that of one world",
+        "most worlds with which, as with all fewer, a frame takes no longer than the bound times that of one world",
         lambda limit, *cells: max(
-            worlds for worlds, time in zip(cells[::2], cells[1::2], strict=True) if time <= limit * cells[1]
+            worlds
+            for worlds, _ in takewhile(
+                lambda pair: pair[1] <= limit * cells[1], zip(cells[::2], cells[1::2], strict=True)
+            )
         ),
         bound,
         *(quantity for row in rows for quantity in (row.worlds, row.frame_ms)),
@@ -156,7 +160,7 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
     )
     bound = results.chosen("memory_bound", "the same memory per world", 10.0, unit="%")
     formula = "contact and constraint buffers, of the memory per world with the most worlds"
-    buffers = share(results, "buffer_share", formula, last.buffer_bytes_per_world, last.bytes_per_world)
+    share(results, "buffer_share", formula, last.buffer_bytes_per_world, last.bytes_per_world)
     return Claim(
         "memory_settles",
         at_most(change, bound),
@@ -165,8 +169,7 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
             "worlds": last.worlds,
             "fewer": before.worlds,
             "change": change,
-            "share": buffers,
-            "buffers": last.buffer_bytes_per_world,
+            "bound": bound,
         },
     )
 

@@ -59,8 +59,6 @@ def _impratio(results: Results, variants: Variants) -> Claim:
         | {
             "impratio": row.impratio,
             "slip": row.slip_mm,
-            "drift": row.drift_mm_s,
-            "baseline_drift": variants.baseline.drift_mm_s,
             "reduction": reduction,
         },
     )

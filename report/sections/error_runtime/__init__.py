@@ -10,6 +10,7 @@ from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims
+from report.sections.error_runtime.counting import counts, hit_iteration_limit
 from report.sections.error_runtime.figures import draw_grasp, draw_numerical
 from report.sections.error_runtime.knobs import knob_claims, model_claims
 from report.sections.error_runtime.runs import (
@@ -23,7 +24,6 @@ from report.sections.error_runtime.runs import (
     assignment,
     distinct,
     front_rows,
-    hit_iteration_limit,
     is_clamped,
     order_of,
     points_of,
@@ -143,7 +143,7 @@ def _changed(row: Row) -> Markup | str:
 
 
 def _failure_table(points: Points) -> Table:
-    rows = [row for row in points.settings if not row.valid]
+    rows = [row for row in points.settings if not counts(row)]
     columns = {
         "pads": [row["pads"] for row in rows],
         "method": [LABELS[row.method] for row in rows],

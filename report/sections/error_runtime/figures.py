@@ -12,6 +12,7 @@ from report.format import format_number
 from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
+from report.sections.error_runtime.counting import counts
 from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, no_worse
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
@@ -24,7 +25,7 @@ FADED = 0.3
 def draw_numerical(points: Points) -> Drawing:
     """Every setting that counts, faint; the front of each engine, and on it where it ships and what is no worse."""
     drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
-    rows = [row for row in points.settings if row.valid and row[ERROR].value is not None]
+    rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
         axes.set_title(title)
         _set_axes(axes, rows, ERROR, LEAST_ERROR_MM)
@@ -47,7 +48,7 @@ def draw_numerical(points: Points) -> Drawing:
 def draw_grasp(points: Points) -> Drawing:
     """The drift of every setting that counts, faint; where each model converges to, and where each engine ships."""
     drawing, axes = new_figure(7.2, 4.2)
-    rows = [row for row in points.settings if row.valid and row[GRASP].value]
+    rows = [row for row in points.settings if counts(row) and row[GRASP].value]
     _set_axes(axes, rows, GRASP, 0.5 * min(row[GRASP].value for row in rows))
     for colour, (pads, title) in zip((SERIES[1], SERIES[0]), PADS.items(), strict=True):
         mine = [row for row in rows if row["pads"] == pads]

@@ -8,13 +8,13 @@ from report.results import Row
 
 
 def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozenset[str]:
-    """The cases of the valid rows that no other has a smaller ``error`` in less time than.
+    """The cases of the rows that have both and that no other has a smaller ``error`` in less time than.
 
     Only rows that are alike in the columns ``groups`` compete.
     """
     competing: dict[tuple, list[Row]] = {}
     for row in rows:
-        if row.valid and row[error].value is not None:
+        if None not in (row[error].value, row.ms_per_s.value):
             competing.setdefault(tuple(row[name] for name in groups), []).append(row)
     return frozenset(case for group in competing.values() for case in _unbeaten(group, error))
 

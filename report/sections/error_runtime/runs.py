@@ -10,6 +10,7 @@ from experiments.case import AS_SHIPPED
 from report.deriving.timing import cell
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 
 PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
@@ -25,17 +26,12 @@ LABELS = {
 }
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
 MODEL_KNOBS = ("cone", "impratio")
-ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
+GRASP = "grasp_error_mm_per_cycle"
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
     """The case with the substeps as shipped."""
     return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
-
-
-def hit_iteration_limit(row: Row) -> bool:
-    """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
-    return "iterations" in (row.invalid_reason or "")
 
 
 SHIPPED = with_shipped_steps("as-shipped", "newton")
@@ -87,7 +83,7 @@ class Points:
         """The settings as shipped on a backend, where they count."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self.results.row.get(with_shipped_steps(pads, method))
-        return row if row and row.valid and row.backend == backend else None
+        return row if row and counts(row) and row.backend == backend else None
 
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""
@@ -109,7 +105,8 @@ def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method not in ("reference", "worlds")]
     # The numerical error compares settings of one model; the grasp error compares everything.
-    own_model = [row for row in settings if is_own_model(row)]
+    counted = [row for row in settings if counts(row)]
+    own_model = [row for row in counted if is_own_model(row)]
     return Points(
         results=results,
         settings=settings,
@@ -118,8 +115,8 @@ def points_of(results: Results) -> Points:
         floors={pads: _floor(results, settings, pads) for pads in PADS},
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
-        grasp_front=front(settings, GRASP),
-        grasp_backend_front=front(settings, GRASP, ("backend",)),
+        grasp_front=front(counted, GRASP),
+        grasp_backend_front=front(counted, GRASP, ("backend",)),
     )
 
 
@@ -134,6 +131,18 @@ def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
     ]
     formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
     return results.value(f"floor_{pads}", formula, lambda *distance: max(distance), *cells, unit="mm")
+
+
+def time_range(points: Points, name: str, *cases: str) -> Value:
+    """How far apart the times of one run are, of these cases the one where it is most."""
+    edges = [points.cell(case, f"{TIME}_{edge}") for case in cases for edge in ("p5", "p95")]
+    return points.results.value(
+        name,
+        "largest of the ranges from the 5th to the 95th percentile of the run time",
+        lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
+        *edges,
+        unit="ms/s",
+    )
 
 
 def is_own_model(row: Row) -> bool:
@@ -154,7 +163,7 @@ def order_of(points: Points, pads: str, method: str) -> Value:
     used = [
         row
         for row in points.ladder(pads, method)
-        if row.valid and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
+        if counts(row) and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
     ]
 
     def slope(*cells: float) -> float:

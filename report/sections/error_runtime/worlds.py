@@ -3,8 +3,9 @@
 import numpy as np
 from markupsafe import Markup
 
-from report.claims import FAILS, HOLDS, Claim, Outcome
+from report.claims import Claim, all_of, contiguous, greater
 from report.deriving.arithmetic import ratio
+from report.deriving.timing import cell
 from report.parts import Figure
 from report.quantities import Value
 from report.results import Row
@@ -54,6 +55,25 @@ def _rate(points: Points, row: Row) -> Value:
     )
 
 
+def _rate_range(points: Points, name: str, row: Row) -> Value:
+    """How far apart the speeds of one core or of these worlds are, the larger of the two [world-s/s]."""
+    core = points.results.row.get("one-core")
+    edges = [cell(points.results, core, f"{TIME}_{edge}", "one-core") for edge in ("p5", "p95")]
+    return points.results.value(
+        f"{name}_rate_range",
+        "larger of the ranges from the 5th to the 95th percentile of the speed, with these worlds and on one core",
+        lambda worlds, *edge: max(
+            1e3 * worlds * (1 / edge[0] - 1 / edge[1]),
+            1e3 * (1 / edge[2] - 1 / edge[3]),
+        ),
+        row.worlds,
+        row[f"{TIME}_p5"],
+        row[f"{TIME}_p95"],
+        *edges,
+        unit="world-s/s",
+    )
+
+
 def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
     """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
     above = [rate >= level for rate in rates]
@@ -70,12 +90,12 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
     advantage = ratio(points.results, "one_core_advantage", formula, one_core, first)
     formula = "speed of Warp with the most worlds over that of C on one core"
     gain = ratio(points.results, "worlds_gain", formula, last, one_core)
-    if None in (one_core.value, first.value, last.value):
-        lacking = next(value for value in (one_core, first, last) if value.value is None)
-        outcome = Outcome("unknown", lacking.reason)
-    else:
-        outcome = HOLDS if crossover.value is not None else FAILS
-    is_behind = first.value is not None and one_core.value is not None and first.value < one_core.value
+    is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
+    outcome = all_of(
+        greater(one_core, first, noise=_rate_range(points, "first", points.worlds[0])),
+        greater(last, one_core, noise=_rate_range(points, "last", points.worlds[-1])),
+        contiguous(is_ahead, *rates, one_core),
+    )
     return Claim(
         "crossover",
         outcome,
@@ -85,6 +105,7 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
             "crossover": crossover,
             "most": points.worlds[-1].worlds,
             "gain": gain,
-            "is_behind": is_behind,
+            "is_behind": not any(is_ahead),
+            "is_ahead": all(is_ahead),
         },
     )

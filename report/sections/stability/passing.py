@@ -1,7 +1,8 @@
 """When a run of section stability passes: judged from what was measured of it, and of the others of its family.
 
-Read as it was judged when it was measured, for want of a number in records that are still to be measured again:
-``gains_energy``, of a freed cube that lies still and so has no ``energy_growth``. A stable run that lacks a number by which it is judged is not judged.
+Read as it was judged when it was measured, where a record still to be measured again lacks the number:
+``gains_energy``, of a freed cube that lies still and so has no ``energy_growth``. A stable run that lacks a number by
+which it is judged is not judged.
 """
 
 from collections.abc import Callable, Sequence

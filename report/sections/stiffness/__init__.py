@@ -50,7 +50,7 @@ def derive(results: Results) -> Section:
         claims=[
             cause(results, proportional),
             proportional,
-            not_creep_under_load(results, proportional, give, stiffness),
+            not_creep_under_load(results, stiffness),
             *knob_claims(results, runs, stiffness, clamp),
         ],
     )

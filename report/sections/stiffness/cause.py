@@ -3,8 +3,10 @@
 from collections.abc import Mapping
 from statistics import median
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_most, greater
-from report.deriving.arithmetic import noise_floor, other_value, ratio
+from markupsafe import Markup
+
+from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
+from report.deriving.arithmetic import noise_floor, other_value, ratio, told
 from report.quantities import Value
 from report.results import Results
 from report.sections.stiffness.runs import SHIPPED, Runs, drift_without_slide, has_slip, is_held
@@ -12,31 +14,30 @@ from report.sections.stiffness.runs import SHIPPED, Runs, drift_without_slide, h
 HARDEST = "solimp-dmax-0.9999"
 
 
+CONDITIONS = {
+    "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound", "%"),
+    "that the slide ends when it is put back": ("contacts", "restored_share", "restored_share_bound", "%"),
+    "that friction rows have no position residual": ("contacts", "friction_residual", "friction_residual_bound", "mm"),
+    "that sliding is the motion": ("contacts", "slide_departure_as-shipped", "slide_departure_bound", "%"),
+    "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound", "%"),
+}
+"""What the cause takes, in words: section, value, the bound that it keeps, and their unit."""
+
+
 def cause(results: Results, proportional: Claim) -> Claim:
-    residual = other_value(results, "contacts", "friction_residual", unit="mm")
-    departure = other_value(results, "contacts", "slide_departure_as-shipped", unit="%")
-    share = other_value(results, "hold", "hold_share", unit="%")
-    missing = other_value(results, "contacts", "missing_term_departure", unit="%")
-    slip = results.row[SHIPPED].slip_mm
-    outcomes = [
-        has_slip(results),
-        at_most(missing, other_value(results, "contacts", "missing_term_bound", unit="%")),
-        at_most(residual, other_value(results, "contacts", "friction_residual_bound", unit="mm")),
-        at_most(departure, other_value(results, "contacts", "slide_departure_bound", unit="%")),
-        at_most(share, other_value(results, "hold", "hold_share_bound", unit="%")),
-        proportional.outcome,
-    ]
+    slip = has_slip(results)
+    outcomes = {
+        words: at_most(other_value(results, section, name, unit=unit), other_value(results, section, bound, unit=unit))
+        for words, (section, name, bound, unit) in CONDITIONS.items()
+    } | {"that the drift goes with the timeconst": proportional.outcome}
     return Claim(
         "cause",
-        all_of(*outcomes),
-        # Without a slip the others need not be known, and a number that is not there is no finding.
+        all_of(slip, *outcomes.values()),
+        # Without a slip the others need not be known.
         numbers={
-            "has_slip": outcomes[0] != FAILS,
-            "slip": slip,
-            "residual": residual,
-            "departure": departure,
-            "share": share,
-            "missing": missing,
+            "has_slip": slip != FAILS,
+            "slip": results.row[SHIPPED].slip_mm,
+            "lacking": Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS),
         },
     )
 
@@ -82,33 +83,31 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
     )
     bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
     wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
-    outcome = at_most(spread, bound)
-    is_narrow = None not in (width.value, spread.value) and width.value < wide.value
+    outcome, is_wide = at_most(spread, bound), at_least(width, wide)
+    is_narrow = is_wide == FAILS and spread.value is not None
     if is_narrow:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
     return Claim(
         "drift_follows_timeconst",
-        outcome,
-        numbers={"spread": spread, "ratio": width, "is_narrow": is_narrow},
+        outcome.having_read(spread, bound, width, wide),
+        numbers={"is_narrow": is_narrow, "bound": bound, **told(spread, {"spread": spread, "ratio": width})},
     )
 
 
-def not_creep_under_load(
-    results: Results, proportional: Claim, give: Mapping[str, Value], stiffness: Mapping[str, Value]
-) -> Claim:
-    """``give`` is 1 - dmax and ``stiffness`` [N/m] what is measured, by case."""
+def not_creep_under_load(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+    """``stiffness`` [N/m] is measured, by case."""
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
     formula = "measured stiffness with dmax raised, over that as shipped"
     stiffer = ratio(results, "dmax_stiffness_ratio", formula, stiffness[HARDEST], stiffness[SHIPPED])
+    bound = results.chosen("dmax_stiffness_bound", "clearly stiffer", 2.0)
+    moves_more = greater(hardest.drift_mm_s, shipped.drift_mm_s, noise=noise_floor(results, "drift_floor"))
     return Claim(
         "not_creep_under_load",
-        greater(hardest.drift_mm_s, shipped.drift_mm_s, noise=noise_floor(results, "drift_floor")),
+        all_of(at_least(stiffer, bound), moves_more),
         numbers={
-            "soft": give[SHIPPED],
-            "hard": give[HARDEST],
+            "dmax": hardest.pad_dmax,
             "stiffer": stiffer,
             "before": shipped.drift_mm_s,
             "after": hardest.drift_mm_s,
-            "is_proportional": proportional.outcome == HOLDS,
         },
     )

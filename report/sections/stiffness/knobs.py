@@ -5,14 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most, within
-from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread
-from report.quantities import Value
+from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
+from report.quantities import Quantity, Value, absent
 from report.results import Results
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
-NO_SLIP = Outcome("unknown", "as shipped there is no slip to bring down")
+NO_SLIP = "as shipped there is no slip to bring down"
 
 
 def knob_claims(results: Results, runs: Runs, stiffness: Mapping[str, Value], clamp: Value) -> list[Claim]:
@@ -42,22 +42,30 @@ def _ke_is_no_spring(results: Results, stiffness: Mapping[str, Value]) -> Claim:
     )
 
 
+def _with_slip(name: str, results: Results, outcome: Outcome, numbers: Mapping[str, Quantity]) -> Claim:
+    """A claim about what brings the slip down; where there is none as shipped, it can't tell and names no numbers."""
+    slip = has_slip(results)
+    if slip != FAILS:
+        return Claim(name, outcome, numbers)
+    return Claim(name, Outcome("unknown", NO_SLIP, reads=slip.reads), told(absent("mm", NO_SLIP), numbers))
+
+
 def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     held = [row for row in runs.ke_alone if is_held(row)]
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
-    high = extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
+    extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
     formula = "least slip with kd at its default, of the slip as shipped"
     of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
     bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
-    return Claim(
+    return _with_slip(
         "ke_alone_does_not_help",
-        NO_SLIP if has_slip(results) == FAILS else at_least(of_shipped, bound),
-        numbers={
+        results,
+        at_least(of_shipped, bound),
+        {
             "kd": results.row[SHIPPED].pad_kd,
             "share": of_shipped,
             "low": low,
-            "high": high,
             "first": extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses),
             "last": extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses),
         },
@@ -78,11 +86,8 @@ def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value])
     outcome = all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"]))
     if not kept:
         outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
-    return Claim(
-        "stiff_contact_still_slips",
-        NO_SLIP if has_slip(results) == FAILS else outcome,
-        numbers={"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm},
-    )
+    numbers = {"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm}
+    return _with_slip("stiff_contact_still_slips", results, outcome, numbers)
 
 
 def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
@@ -118,8 +123,6 @@ def _together_they_hold(results: Results) -> Claim:
         numbers={
             "ke": fix.pad_ke,
             "kd": fix.pad_kd,
-            "before": shipped.timeconst_s,
-            "after": fix.timeconst_s,
             "slipped": shipped.slip_mm,
             "slip": fix.slip_mm,
             "gain": gain,

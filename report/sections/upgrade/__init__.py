@@ -4,17 +4,29 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from report.chapters import Releases
-from report.claims import FAILS, HOLDS, Claim, Outcome
-from report.deriving.releases import Ends, TurnList, cell, change, floor, machines_differ, turns, unchanged
+from report.claims import FAILS, Claim, Outcome, decided
+from report.deriving.releases import (
+    Ends,
+    Headline,
+    Turn,
+    TurnList,
+    cell,
+    change,
+    floor,
+    machines_differ,
+    turns,
+    unchanged,
+)
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
-from report.sections.upgrade.cause import cause_claims
+from report.sections.upgrade.cause import cause_claims, nothing_to_explain
 from report.sections.upgrade.tables import (
     EDGES,
     FLOORS,
+    ON_CPU,
+    ONE_WORLD,
     SLIP,
-    SPEEDS,
     edge,
     headline_table,
     live_table,
@@ -32,6 +44,7 @@ def derive(results: Results, releases: Releases) -> Section:
     floors = {unit: floor(results, releases, name, unit) for unit, name in FLOORS.items()}
     turned = turns(releases, results.record.origin.release)
     ends = Ends(releases)
+    same_slip = _slip_is_the_same(results, ends, floors["mm"])
     tables = {
         "headlines": headline_table(results, releases, floors),
         "turns": TurnList(turned, list(results.others)),
@@ -44,11 +57,12 @@ def derive(results: Results, releases: Releases) -> Section:
         tables=tables,
         figures={"slips": slip_figure(releases)},
         claims=[
-            _slip_is_the_same(results, ends, floors["mm"]),
-            _in_one_step(results, releases, floors["mm"]),
+            same_slip,
+            _in_one_step(results, releases, floors["mm"], same_slip.outcome),
             _claims_stand(results, turned, list(releases)),
-            *cause_claims(results, ends),
-            _same_speed(results, ends),
+            *cause_claims(results, ends, same_slip.outcome),
+            _same_speed(results, ends, "same_speed", "frame", ONE_WORLD),
+            _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", ON_CPU),
         ],
     )
 
@@ -59,49 +73,58 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     return Claim(
         "slip_is_the_same",
         ends.one or unchanged(old, new, moved, noise),
-        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise},
+        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)},
     )
 
 
-def _in_one_step(results: Results, releases: Releases, noise: Value) -> Claim:
+def _grows(moved: Value) -> bool:
+    return moved.value is not None and moved.value > 0
+
+
+def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
     """Between which neighbours the slip changes, of the releases that say."""
     cells = {release: cell(releases, release, SLIP) for release in releases}
     there = [release for release in releases if cells[release].value is not None]
-    steps = []
+    found = {}
     for before, after in pairwise(there):
         moved = change(results, f"slip_step_{after}", cells[before], cells[after])
-        if unchanged(cells[before], cells[after], moved, noise) == FAILS:
-            steps.append((before, after))
-    outcome = HOLDS if len(steps) == 1 else FAILS
+        found[before, after] = unchanged(cells[before], cells[after], moved, noise)
+    steps = [step for step, outcome in found.items() if outcome == FAILS]
+    outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in there), noise)
+    if open_steps := [step for step in found.values() if step.name == "unknown"]:
+        outcome = open_steps[0]
     if len(there) < 3:
         outcome = Outcome("unknown", "no release between was measured")
-    return Claim("in_one_step", outcome, {"steps": steps})
+    return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
 
 
-def _claims_stand(results: Results, turned: Sequence, releases: Sequence[str]) -> Claim:
-    count = results.value("turned_count", "claims whose outcome is not the same in all releases", lambda: len(turned))
-    outcome = FAILS if turned else HOLDS
+def _claims_stand(results: Results, turned: Sequence[Turn], releases: Sequence[str]) -> Claim:
+    flips = [turn for turn in turned if turn.is_decided]
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: len(flips))
+    open_count = results.value(
+        "undecided_count", "other claims that one release can tell and another can't", lambda: len(turned) - len(flips)
+    )
+    outcome = decided(not flips)
     if len(releases) < 2:
         outcome = Outcome("unknown", f"only Newton {releases[0]} has results")
-    return Claim("claims_stand", outcome, {"count": count})
+    return Claim("claims_stand", outcome, {"count": count, "open": open_count})
 
 
-def _same_speed(results: Results, ends: Ends) -> Claim:
-    """Only what was measured on one machine is compared."""
-    headline = SPEEDS[0]
+def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Headline) -> Claim:
+    """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
     edges = [cell(ends.releases, release, edge(headline, end)) for release in (ends.old, ends.new) for end in EDGES]
     spread = results.value(
-        "frame_spread",
+        f"{name}_spread",
         "larger of the ranges from the 5th to the 95th percentile of a frame's time",
         lambda a, b, c, d: max(b - a, d - c),
         *edges,
         unit="ms",
         across=True,
     )
-    moved = change(results, "frame_change", old, new)
+    moved = change(results, f"{name}_change", old, new)
     return Claim(
-        "same_speed",
+        claim,
         ends.one or machines_differ(ends.releases, headline.section) or unchanged(old, new, moved, spread),
-        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "spread": spread},
+        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "spread": spread, "grows": _grows(moved)},
     )

@@ -1,21 +1,28 @@
 """What is new in the live contacts of a release, and whether the old number comes back without it."""
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most
+from report.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
 from report.deriving.releases import Ends
 from report.quantities import Quantity, Value
 from report.results import Results
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
 
-def cause_claims(results: Results, ends: Ends) -> list[Claim]:
+def nothing_to_explain(same: Outcome) -> Outcome | None:
+    """Why nothing can be told of a change in slip: there is none, or none that can be told."""
+    if same == HOLDS:
+        return Outcome("unknown", "the slip is the same in both", reads=same.reads)
+    return same if same.name == "unknown" else None
+
+
+def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     """What is new in the live contacts, and whether the old number comes back without it."""
-    own = ends.live(SHIPPED, "friction_timeconst_s", "s")
-    normal = ends.live(SHIPPED, "timeconst_s", "s")
-    is_new = ends.one or _is_new(*own)
+    was, own = ends.live(SHIPPED, "friction_timeconst_s", "s")
+    is_new = ends.one or _is_new(was, own)
     old, new = ends.live(SHIPPED, "slip_mm", "mm")
     taken, given = ends.live(TAKEN, "slip_mm", "mm")[1], ends.live(GIVEN, "slip_mm", "mm")[0]
     off = ends.live(SWITCHED, "slip_mm", "mm")[1]
     bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, unit="%")
+    tolerance = results.value("recovery_tolerance", "what that leaves, either way", lambda a: 100 - a, bound, unit="%")
     shares = {
         name: _share(results, name, start, end, goal)
         for name, start, end, goal in (
@@ -35,15 +42,13 @@ def cause_claims(results: Results, ends: Ends) -> list[Claim]:
         across=True,
     )
     same = results.chosen("elsewhere_bound", "the same slip", 2.0, unit="%")
-    brings_back, ends_it, switches = (ends.one or at_least(share, bound) for share in shares.values())
-    numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new}
-    numbers |= {"taken": taken, "given": given, "off": off}
+    brings_back, ends_it, switches = (
+        nothing_to_explain(same_slip) or at_most(_miss(results, name, share), tolerance)
+        for name, share in shares.items()
+    )
+    numbers = {"a": ends.old, "b": ends.new, "before": old, "taken": taken, "given": given, "off": off}
     return [
-        Claim(
-            "friction_timeconst_is_new",
-            is_new,
-            numbers=numbers | {"own": own[1], "was": own[0], "normal": normal[0]},
-        ),
+        Claim("friction_timeconst_is_new", is_new, numbers=numbers | {"own": own}),
         Claim("taking_it_away_brings_it_back", brings_back, numbers),
         Claim("giving_it_does_the_same", ends_it, numbers),
         Claim("release_has_a_switch", switches, numbers),
@@ -71,15 +76,17 @@ def _pyramid_as_before(results: Results, ends: Ends, same: Value) -> Claim:
     return Claim(
         "pyramid_as_before",
         ends.one or at_most(change, same),
-        numbers={"before": before, "after": after, "b": ends.new},
+        numbers={"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": change},
     )
 
 
 def _is_new(before: Quantity, after: Quantity) -> Outcome:
-    for quantity in (before, after):
-        if quantity.value is None:
-            return Outcome("unknown", quantity.reason)
-    return HOLDS if not before.value and after.value else FAILS
+    is_there = after.value is not None and after.value > 0
+    return all_of(decided(not before.value, before), decided(is_there, after))
+
+
+def _miss(results: Results, name: str, share: Value) -> Value:
+    return results.value(f"{name}_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%")
 
 
 def _share(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

@@ -1,6 +1,7 @@
 """The tables and the figure of what releases have side by side."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import pandas as pd
 from markupsafe import Markup
@@ -43,7 +44,10 @@ SPEEDS = (
     Headline("a frame as shipped", "speed", SHIPPED, "frame_ms", "ms"),
     Headline("a frame of the fixed scene", "speed", "fixed", "frame_ms", "ms"),
     Headline("a frame of the most worlds", "scaling", "worlds-16384", "frame_ms", "ms"),
+    Headline("on the CPU, a frame exactly as shipped", "leave_out", "untrimmed", "frame_ms", "ms", "cpu"),
+    Headline("on the CPU, a frame without all that is unneeded", "leave_out", "without-all", "frame_ms", "ms", "cpu"),
 )
+ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
 EDGES = ("_p5", "_p95")
 """Ends of the columns that say how far the time of a frame spreads."""
 FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
@@ -101,7 +105,8 @@ def headline_table(results: Results, releases: Releases, floors: Mapping[str, Va
 
 
 def _name(headline: Headline) -> str:
-    return f"{headline.section}_{headline.case}_{headline.column}"
+    place = f"_{headline.device}_{headline.worlds}" if headline.device else ""
+    return f"{headline.section}_{headline.case}_{headline.column}{place}"
 
 
 def speed_table(results: Results, releases: Releases) -> Table:
@@ -122,7 +127,7 @@ def speed_table(results: Results, releases: Releases) -> Table:
 
 
 def edge(headline: Headline, end: str) -> Headline:
-    return Headline(headline.label, headline.section, headline.case, headline.column + end, headline.unit)
+    return replace(headline, column=headline.column + end)
 
 
 def live_table(releases: Releases) -> Table:

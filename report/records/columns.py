@@ -1,0 +1,93 @@
+"""Columns: what a column's name says of the numbers in it: their unit, and the range that they can lie in."""
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any, TypeGuard
+
+UNITS = {
+    "mm_per_cycle": "mm/cycle",
+    "kg_m3": "kg/m³",
+    "ms_per_s": "ms/s",
+    "mrad_s": "mrad/s",
+    "mm_s": "mm/s",
+    "n_m": "N/m",
+    "per_s": "1/s",
+    "m_s2": "m/s²",
+    "bytes_per_world": "B",
+    "bytes": "B",
+    "mm": "mm",
+    "m": "m",
+    "n": "N",
+    "s": "s",
+    "ms": "ms",
+    "hz": "Hz",
+    "kg": "kg",
+    "count": "1",
+}
+"""Unit by the end of a column's name; the longest end that fits counts."""
+
+PLAIN = "1"
+"""The unit of a number whose column names none."""
+LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
+"""The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
+LARGEST_OF_OTHERS = 1e18
+NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
+"""Units of numbers that have no sign."""
+MAGNITUDE = re.compile(
+    r"(.*_)?(slip|wander|oscillation|penetration|pose_difference|numerical_error|c_difference|edge)_mm"
+    r"|.*excess_speed_mm_s|.*_floor_mm(_s)?|(normal|tangential|grip)_force_n|stiffness_n_m|(.*_)?count|substeps|worlds"
+)
+"""Columns of other units whose numbers have no sign either: a slip is a distance."""
+SIGNED = re.compile(r"increment_.*|(used|authored)_.*")
+"""Columns whose numbers have one in spite of their unit: what is added a cycle, and what a model was given."""
+
+PERCENTILE = re.compile(r"_p[0-9]+$")
+COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
+REASON = "_reason"
+TEXT_LIMIT = 4096
+UNPRINTABLE = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ue000-\uf8ff\U000f0000-\U0010ffff]"
+)
+"""Characters that no text needs: control, text turned round, halves of others, and those that mean what one likes."""
+
+
+@cache
+def unit_of(column: str) -> str:
+    """The unit that a column's name says; ``1`` when it says none."""
+    words = PERCENTILE.sub("", column).split("_")
+    ends = ("_".join(words[start:]) for start in range(len(words)))
+    return next((UNITS[end] for end in ends if end in UNITS), PLAIN)
+
+
+def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+    """Units of the columns that hold numbers, missing ones included."""
+    columns = {column: None for row in rows for column, value in row.items() if is_number(value)}
+    columns |= {column.removesuffix(REASON): None for row in rows for column in row if column.endswith(REASON)}
+    return {column: unit_of(column) for column in columns}
+
+
+def is_number(value: Any) -> TypeGuard[int | float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def number_problem(column: str, value: int | float) -> str:
+    """What is wrong with a number in ``column``, in words; empty when nothing is."""
+    unit = unit_of(column)
+    largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
+    if isinstance(value, float) and not math.isfinite(value):
+        return f"is {value}; a number that does not exist is null, with its {column}{REASON}"
+    if not -largest <= value <= largest:
+        return f"is beyond {largest:g}{'' if unit == PLAIN else f' {unit}'}"
+    if value < 0 and (MAGNITUDE.fullmatch(column) or (unit in NEVER_NEGATIVE and not SIGNED.fullmatch(column))):
+        return f"is {value:g}, and can't be negative"
+    return ""
+
+
+def text_problem(text: str) -> str:
+    """What is wrong with a text, in words; empty when nothing is."""
+    if len(text) > TEXT_LIMIT:
+        return f"is a text of more than {TEXT_LIMIT} characters"
+    found = UNPRINTABLE.search(text)
+    return f"has the character U+{ord(found[0]):04X}, which is no text" if found else ""

@@ -1,0 +1,31 @@
+"""Devices: where it may be measured."""
+
+import shutil
+import subprocess
+
+from report import UsageError
+
+DEVICES = ("cuda", "cpu")
+NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
+
+
+def has_cuda() -> bool:
+    """Whether this machine has an NVIDIA GPU that works."""
+    if not shutil.which("nvidia-smi"):
+        return False
+    listing = subprocess.run(["nvidia-smi", "-L"], capture_output=True, text=True, check=False)
+    return listing.returncode == 0 and "GPU" in listing.stdout
+
+
+def measuring_device(asked: str | None, profile: str) -> str | None:
+    """The device to measure on; None when measuring here has to be asked for.
+
+    A CPU never takes the place of a GPU unasked: full measurements would take hours on it.
+    """
+    if asked == "cpu":
+        return asked
+    if has_cuda():
+        return "cuda"
+    if asked:
+        raise UsageError(f"DEVICE=cuda: {NO_CUDA}")
+    return "cpu" if profile == "quick" else None

@@ -1,0 +1,459 @@
+"""What is too slow for the tests: kills, full disks, damage, hostile words and odd places, on a copy of the project.
+
+``python -m tests.torture`` writes how it went into docs/reliability.md; ``--moments`` says how many kills there are of
+each kind, ``--only`` which trials are run.
+"""
+
+import argparse
+import itertools
+import os
+import platform
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from datetime import datetime, timezone
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+
+from damage import PLACES, RECORD_WAYS, TRACES, damage_record  # noqa: E402
+
+from report.check import check_site  # noqa: E402
+from report.placing import remove  # noqa: E402
+from report.records.files import RecordError, is_own_file  # noqa: E402
+from report.records.reading import load_record  # noqa: E402
+
+REPORT = ROOT / "docs" / "reliability.md"
+FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
+RELEASE = "1.5.0"
+"""The release with the fewest records: its page is built in seconds."""
+PROBE = {
+    "experiments/probe.py": """import time
+from experiments.measurement import Conditions, Measurement
+
+
+def measure(conditions: Conditions) -> Measurement:
+    time.sleep(1.0)
+    rows = [{"case": "probe", "slip_mm": 1.0}]
+    return Measurement(rows, {f"probe-{number}": {"time_s": [0.0, 1.0], "x_mm": [0.0, 1.0]} for number in range(20)})
+""",
+    "report/sections/probe.py": """from report.parts import Section
+
+order = 999
+
+
+def derive(results):
+    return Section()
+""",
+    "templates/sections/probe.md.j2": "# A probe\\n\\nIt slips {{ rows[0].slip_mm }}.\\n",
+}
+"""A section that takes a second to measure, with traces enough to be hit while they are put in place."""
+
+
+@dataclass
+class Trial:
+    """How often something was tried, and what went wrong."""
+
+    name: str
+    tried: int = 0
+    wrong: list[str] = field(default_factory=list)
+
+    def __call__(self, what: str, *problems: str) -> None:
+        self.tried += 1
+        found = ["; ".join(problem.split("\n")) for problem in problems if problem]
+        self.wrong += [f"{what}: {', '.join(found)}"] if found else []
+
+
+@dataclass(frozen=True)
+class World:
+    """A copy of the project."""
+
+    root: Path
+
+    @classmethod
+    def made(cls, root: Path) -> "World":
+        root.mkdir(parents=True)
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, root / name)
+        for path in ROOT.glob("[!.]*"):
+            if path.is_file():
+                shutil.copy(path, root / path.name)
+        shutil.copytree(ROOT / "results" / f"newton-{RELEASE}", root / "results" / f"newton-{RELEASE}")
+        (root / "site").mkdir()
+        for name, text in PROBE.items():
+            (root / name).write_text(text.replace("\\n", "\n"), encoding="utf-8")
+        return cls(root)
+
+    def command(self, *arguments: str) -> list[str]:
+        return [sys.executable, "build.py", *arguments]
+
+    def run(self, *arguments: str, **options) -> subprocess.CompletedProcess:
+        return subprocess.run(
+            self.command(*arguments),
+            **{"cwd": self.root, "capture_output": True, "text": True, "check": False, "timeout": 600} | options,
+        )
+
+    def start(self, *arguments: str) -> subprocess.Popen:
+        """Start it as a group of processes of its own."""
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        return subprocess.Popen(self.command(*arguments), cwd=self.root, start_new_session=True, **pipes)
+
+    def problems(self) -> list[str]:
+        """What is not whole: the site, and the records with their traces."""
+        found = check_site(self.root / "site") if (self.root / "site" / "index.html").exists() else ["there is no site"]
+        for path in self.root.glob("results/**/newton-*/*.json"):
+            try:
+                load_record(path)
+            except RecordError as error:
+                found.append(str(error))
+        # The page of the probe alone, which is quick, has no claims.
+        return [problem for problem in found if "no claim" not in problem][:2]
+
+    def leftovers(self) -> list[str]:
+        """Files and processes that a run has left behind."""
+        hidden = [*self.root.glob(".site-*"), *self.root.glob("results/**/.*")]
+        hidden += self.root.parent.glob(".www.versions/*-*")
+        found = [str(path.relative_to(self.root.parent)) for path in hidden]
+        return [f"left: {name}" for name in found] + [f"process {number} still runs" for number in self.processes()]
+
+    def processes(self) -> list[int]:
+        found = []
+        for place in Path("/proc").glob("[0-9]*/cwd"):
+            try:
+                if place.resolve() == self.root and int(place.parent.name) != os.getpid():
+                    state = (place.parent / "stat").read_text().rpartition(")")[2].split()[0]
+                    found += [int(place.parent.name)] * (state != "Z")
+            except OSError:
+                continue
+        return found
+
+
+PAGE = ("page", "--newton", RELEASE)
+RERUN = ("rerun", "--section", "probe", "--device", "cpu", "--profile", "quick")
+
+
+def one_line(done: subprocess.CompletedProcess, status: int | None = None) -> list[str]:
+    """What is wrong with how a program ended that had to refuse something."""
+    lines = [line for line in done.stderr.splitlines() if line.strip() and not line.startswith(("make: ", "waiting"))]
+    found = ["traceback"] if "Traceback" in done.stderr + (done.stdout or "") else []
+    found += [f"status {done.returncode}, not {status}"] if status is not None and done.returncode != status else []
+    return found + ([] if len(lines) == 1 else [f"{len(lines)} lines: {' / '.join(lines)[:200]}"])
+
+
+def kills(world: World, moments: int) -> Iterator[Trial]:
+    """Of build, measurement and publishing, at moments spread over the time that they take."""
+    place = world.root.parent / "www"
+    for name, arguments, after in (
+        ("page", PAGE, PAGE),
+        ("rerun", RERUN, PAGE),
+        ("publish", ("publish", "--target", f"dir:{place}"), ("publish", "--target", f"dir:{place}")),
+    ):
+        trial = Trial(f"{name}, killed (SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone)")
+        world.run(*PAGE)
+        start = time.monotonic()
+        world.run(*arguments)
+        world.run(*PAGE)
+        took = (time.monotonic() - start) * (0.5 if name == "page" else 0.7)
+        ways = itertools.cycle(itertools.product((signal.SIGKILL, signal.SIGTERM, signal.SIGINT), (True, False)))
+        for number, (sent, group) in zip(range(moments), ways, strict=False):
+            moment = took * (number + 0.5) / moments
+            running = world.start(*arguments)
+            time.sleep(moment)
+            stopped = time.monotonic()
+            os.killpg(running.pid, sent) if group else running.send_signal(sent)
+            said = running.communicate()[1]
+            slow = time.monotonic() - stopped
+            what = f"{name} {sent.name} at {moment:.1f} s{' (group)' if group else ''}"
+            found = ["traceback"] if "Traceback" in said else []
+            found += [f"Ctrl-C took {slow:.1f} s"] if sent == signal.SIGINT and slow > 2.0 else []
+            found += [f"half: {problem}" for problem in world.problems()] if name != "rerun" else []
+            finished = world.run(*after)
+            time.sleep(0.2)
+            found += [f"next run: {finished.stderr[-200:]}"] if finished.returncode else []
+            found += world.leftovers() + world.problems()
+            if name == "publish":
+                found += check_site(place)[:1]
+            trial(what, *found)
+        yield trial
+
+
+def writers(world: World, moments: int) -> Iterator[Trial]:
+    """Two at once."""
+    trial = Trial("two writers at once (the same, report beside rerun, publish beside report)")
+    publish = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
+    for pair in ((PAGE, PAGE), (RERUN, RERUN), (PAGE, RERUN), (PAGE, publish), (publish, publish)):
+        world.run(*PAGE)
+        both = [world.start(*one) for one in pair]
+        said = [one.communicate()[1] for one in both]
+        ended = zip(both, said, strict=True)
+        found = [f"status {one.returncode}: {text[-200:]}" for one, text in ended if one.returncode]
+        trial(" beside ".join(one[0] for one in pair), *found, *world.leftovers(), *world.problems())
+    world.run(*PAGE)
+    yield trial
+
+
+MOUNTS = {
+    # A file of its own that leaves no room, found by whoever writes below the place.
+    "full": "mount -t tmpfs -o size=256k none /mnt && mkdir /mnt/u /mnt/w && "
+    "mount -t overlay none -o lowerdir={0},upperdir=/mnt/u,workdir=/mnt/w {0} && cd $PWD",
+    "read-only": "mount --bind {0} {0} && mount -o remount,ro,bind {0} && cd $PWD",
+}
+"""How a place is made so, in a shell that has its own mounts."""
+
+
+def disks(world: World, moments: int) -> Iterator[Trial]:
+    """Full and read-only places, each a file system of its own in a namespace of mounts."""
+    trial = Trial("disk full, and read-only (results, site, publishing target, TMPDIR)")
+    if subprocess.run(["unshare", "-m", "true"], check=False, capture_output=True).returncode:
+        trial.name += ": not tried, for that takes the right to mount"
+        yield trial
+        return
+    target = world.root.parent / "full"
+    target.mkdir(exist_ok=True)
+    publish = ("publish", "--target", f"dir:{target}/www")
+    temporary = world.root.parent / "tmp"
+    temporary.mkdir(exist_ok=True)
+    world.run(*PAGE)
+    results, site = world.root / "results/quick", world.root / "site"
+    results.mkdir(exist_ok=True)
+    for (kind, mount), (place, arguments) in itertools.product(
+        MOUNTS.items(), ((results, RERUN), (world.root, PAGE), (target, publish), (temporary, publish))
+    ):
+        before = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
+        script = f'{mount.format(place)}; exec "$@"'
+        done = subprocess.run(
+            ["unshare", "-m", "sh", "-c", script, "sh", *world.command(*arguments)],
+            cwd=world.root,
+            capture_output=True,
+            text=True,
+            check=False,
+            env={**os.environ, "TMPDIR": str(temporary)},
+            timeout=600,
+        )
+        after = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
+        found = [*one_line(done), "" if done.returncode else "status 0", "" if before == after else "another site"]
+        if place == temporary and not done.returncode:
+            found = []  # Python has found another folder for what is temporary
+        trial(f"{kind} {place.name}, {arguments[0]}", *found, *world.problems(), *world.leftovers())
+    yield trial
+
+
+WORDS = (
+    "'", '"', "$(touch {0})", "`touch {0}`", "$$(touch {0})", "$(shell touch {0})", "; touch {0}", "&& touch {0}",
+    "| touch {0}", "\n touch {0}", "../../etc/passwd", "--help", "-x", "\u202etext", "x" * 5000,
+)  # fmt: skip
+VARIABLES = {
+    "SECTION": ("rerun", "DEVICE=cpu"),
+    "NEWTON": ("status",),
+    "DEVICE": ("report",),
+    "PROFILE": ("status",),
+    "A": ("diff", "B=1.5.0"),
+    "B": ("diff", "A=1.5.0"),
+    "TARGET": ("publish",),
+    "PORT": ("serve",),
+}
+
+
+def inputs(world: World, moments: int) -> Iterator[Trial]:
+    """Words that no variable of make should be."""
+    trial = Trial("bad words for make's variables: status 2, one line, nothing executed")
+    canary = world.root.parent / "canary"
+    for (variable, (target, *others)), word in itertools.product(VARIABLES.items(), WORDS):
+        given = f"{variable}={word.format(canary)}"
+        done = subprocess.run(
+            ["make", "--silent", target, f"PYTHON={sys.executable}", given, *others],
+            cwd=world.root, capture_output=True, text=True, check=False, timeout=120,
+        )  # fmt: skip
+        executed = ["executed"] if canary.exists() else []
+        canary.unlink(missing_ok=True)
+        trial(given[:60].replace("\n", " "), *one_line(done, 2), *executed)
+    yield trial
+
+
+def damages(world: World, moments: int) -> Iterator[Trial]:
+    """Every way to damage a record, on records that were measured, and some of them shown."""
+    trial = Trial("damaged records and traces: named with release and file, in one line")
+    chance = random.Random(0)
+    folder = world.root / "results" / f"newton-{RELEASE}"
+    # A record that was measured before traces were sealed has no seals; and what others lack, it may have.
+    left = (
+        "field: traces",
+        "field: seal",
+        "field: digest",
+        "field: row count",
+        "field: unit of no",
+        "field: number without",
+    )
+    sealed = [way for way in RECORD_WAYS if not way.startswith(left)]
+    for way in sealed:
+        path = chance.choice(sorted(path for path in folder.glob("*.json") if "slip_mm" in path.read_text()))
+        content = path.read_bytes()
+        try:
+            damage_record(path, way)
+            if is_own_file(path) and path.stat().st_size == len(content) and path.read_bytes() == content:
+                continue  # there is nothing in it to damage in this way
+            load_record(path)
+            trial(f"{path.name}, {way}", "taken for whole")
+        except RecordError as error:
+            said = str(error)
+            trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
+        except (KeyError, TypeError):  # this record has no such field to damage
+            pass
+        remove(path)
+        path.write_bytes(content)
+    yield trial
+    shown = Trial("pages with damaged records and traces: the rest stands, status 1")
+    names = [path for path in sorted(folder.glob("*.json")) if path.name != "noise.json"]
+    for number, (way, path) in enumerate(zip(chance.sample(sealed, 6), itertools.cycle(names), strict=False)):
+        content = path.read_bytes()
+        try:
+            damage_record(path, way)
+        except (KeyError, TypeError):
+            continue
+        done = world.run(*PAGE)
+        found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
+        shown(f"{number} {path.name}, {way}", *found, "" if done.returncode == 1 else f"status {done.returncode}")
+        remove(path)
+        path.write_bytes(content)
+    trace = next(folder.glob("reproduction.*.gz"))
+    content = trace.read_bytes()
+    for name, way in {**TRACES, **PLACES}.items():
+        if name in ("half", "not packed", "a pipe", "a link to a password file"):
+            trace.write_bytes(way(content)) if name in TRACES else way(trace)
+            done = world.run(*PAGE)
+            found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
+            shown(f"{trace.name}, {name}", *found, "" if done.returncode == 1 else f"status {done.returncode}")
+            trace.unlink()
+            trace.write_bytes(content)
+    yield shown
+
+
+def places(world: World, moments: int) -> Iterator[Trial]:
+    """Odd ones."""
+    trial = Trial("odd places and settings: the page is built")
+    odd = World(world.root.parent / "a b é ´' $x" / "project")
+    odd.root.parent.mkdir()
+    shutil.copytree(world.root, odd.root)
+    settings = {
+        "spaces, quotes and non-ASCII in the path": (odd, {}),
+        "LC_ALL=C, output in ASCII": (odd, {"LC_ALL": "C", "PYTHONIOENCODING": "ascii"}),
+        "no git, no PATH": (world, {"PATH": "/nowhere"}),
+        "PYTHONSAFEPATH": (world, {"PYTHONSAFEPATH": "1"}),
+        "another time zone": (world, {"TZ": "Pacific/Kiritimati"}),
+        "another hash seed": (world, {"PYTHONHASHSEED": "7"}),
+        "no HOME": (world, {"HOME": "/proc/nowhere"}),
+    }
+    rc = world.root / "matplotlibrc"
+    pages = set()
+    for name, (place, changed) in settings.items():
+        done = place.run(*PAGE, env={**os.environ, **changed})
+        pages.add((place.root / "site/index.html").read_bytes())
+        trial(name, "" if not done.returncode else done.stderr[-200:])
+    rc.write_text("text.usetex: True\nfont.size: 40\n")
+    (world.root / "site/index.html").unlink()
+    done = world.run(*PAGE)
+    rc.unlink()
+    pages.add((world.root / "site/index.html").read_bytes())
+    trial("a matplotlibrc with usetex", "" if not done.returncode else done.stderr[-200:])
+    trial("all these pages are the same bytes", "" if len(pages) == 1 else f"{len(pages)} different ones")
+    for name, script in {
+        "site/ is a mount point": 'mount -t tmpfs none site; exec "$@"',
+        "the output is closed": 'exec "$@" >&-',
+        "umask 077": 'umask 077; exec "$@"',
+    }.items():
+        command = ["unshare", "-m", "sh", "-c", script, "sh", *world.command(*PAGE)]
+        done = subprocess.run(command, cwd=world.root, capture_output=True, text=True, check=False, timeout=600)
+        trial(name, "" if not done.returncode else done.stderr[-200:])
+    with open("/dev/full", "w") as full:  # noqa: PTH123
+        done = world.run("status", capture_output=False, stdout=full, stderr=subprocess.PIPE)
+    trial("the output is full", *one_line(done, 1))
+    yield trial
+
+
+def setups(world: World, moments: int) -> Iterator[Trial]:
+    """The first set-up, killed."""
+    trial = Trial("the first set-up, killed (SIGKILL, SIGTERM, SIGINT of the whole group): the next make finishes it")
+    place = World(world.root.parent / "setup")
+    shutil.copytree(world.root, place.root)
+    command = ["make", "--silent", "status"]
+    start = time.monotonic()
+    subprocess.run(command, cwd=place.root, check=True, capture_output=True)
+    took = time.monotonic() - start
+    count = max(moments // 5, 3)
+    sent_in_turn = itertools.cycle((signal.SIGKILL, signal.SIGTERM, signal.SIGINT))
+    for number, sent in zip(range(count), sent_in_turn, strict=False):
+        shutil.rmtree(place.root / ".venv")
+        running = subprocess.Popen(
+            command, cwd=place.root, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        time.sleep(took * (number + 0.5) / count)
+        os.killpg(running.pid, sent)
+        running.wait()
+        done = subprocess.run(command, cwd=place.root, check=False, capture_output=True, text=True)
+        left = [path.name for path in place.root.glob(".venv.*")]
+        imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
+        works = subprocess.run(imported, check=False, cwd=place.root).returncode == 0
+        trial(sent.name, done.stderr[-200:] if done.returncode else "", *left, "" if works else "ImportError")
+    yield trial
+
+
+TRIALS: dict[str, Callable[[World, int], Iterator[Trial]]] = {
+    "kills": kills,
+    "writers": writers,
+    "disks": disks,
+    "inputs": inputs,
+    "damages": damages,
+    "places": places,
+    "setups": setups,
+}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m tests.torture", description=__doc__)
+    parser.add_argument("--moments", type=int, default=50, help="kills of each kind")
+    parser.add_argument("--only", nargs="*", choices=TRIALS, default=list(TRIALS), help="trials to run")
+    arguments = parser.parse_args()
+    found: list[Trial] = []
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="torture-") as folder:
+        world = World.made(Path(folder).resolve() / "project")
+        for name in arguments.only:
+            for trial in TRIALS[name](world, arguments.moments):
+                found.append(trial)
+                print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
+                for wrong in trial.wrong:
+                    print(f"      {wrong}", flush=True)
+    REPORT.write_text(_report(found, time.monotonic() - start), encoding="utf-8")
+    print(f"wrote {REPORT.relative_to(ROOT)}")
+    return int(any(trial.wrong for trial in found))
+
+
+def _report(trials: list[Trial], seconds: float) -> str:
+    describe = ["git", "describe", "--always", "--dirty"]
+    described = subprocess.run(describe, cwd=ROOT, capture_output=True, text=True, check=False)
+    head = [
+        "# Reliability",
+        "",
+        "What was tried against the project from outside, and how often it held. `make torture` writes this page.",
+        "",
+        f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {described.stdout.strip() or 'unknown'}, "
+        f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
+        f"{seconds / 60:.0f} min.",
+        "",
+        "| tried | times | wrong |",
+        "|---|---|---|",
+    ]
+    rows = [f"| {trial.name} | {trial.tried} | {len(trial.wrong)} |" for trial in trials]
+    wrong = [f"- {problem}" for trial in trials for problem in trial.wrong]
+    return "\n".join([*head, *rows, *(["", "What went wrong:", "", *wrong] if wrong else []), ""])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
