@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 from report import ROOT
 from report.claims import Claim, all_of, at_most, greater
 from report.deriving.arithmetic import departure, extreme, size_share
-from report.figures import INK, SERIES, new_figure
+from report.figures import INK, SERIES, is_narrow, new_figure
 from report.names import case_html, name_of
 from report.parts import Download, Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -154,7 +154,7 @@ def _table(rows: Mapping[str, Row], measured: Mapping[str, Value], law: Mapping[
 
 
 def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
-    drawing, axes = new_figure(7.2, 0.9 + 0.27 * len(VARIANTS))
+    drawing, axes = new_figure(7.2, 0.9 + (0.36 if is_narrow() else 0.27) * len(VARIANTS))
     marks = {"warp": {"marker": "o", "markersize": 9, "markerfacecolor": "none"}, "c": {"marker": "x", "markersize": 6}}
     for number, (engine, label) in enumerate(ENGINES.items()):
         _mark(axes, [measured[f"{variant}-{engine}"] for variant in VARIANTS], label, SERIES[number], **marks[engine])
