@@ -10,7 +10,6 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
 from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 from PIL import Image
@@ -20,8 +19,10 @@ from report.records.kept import TCP, KeptRun
 
 FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720
-PANEL = (640, 480)
-"""Width and height of the picture of one run [pixels]."""
+HEAD = 92
+"""Height of the line above all that has the names and the numbers [pixels]."""
+PANEL_HEIGHT = 448
+"""Of the picture of a run; both stand at the bottom, where the controls of a player cover nothing but ground."""
 GAP = 2
 """Half the space between the two [pixels]."""
 LEAD_S = 2.5
@@ -41,14 +42,14 @@ COLOURS = ("#f59a5f", "#6db3f2")
 CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))
 """Of their cubes."""
 
-WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.30), 30.0)
+WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
 """Eye, target and vertical field of view [°] of the view of the whole arm, in the world."""
-CLOSE = ((0.19, -0.30, 0.07), (0.0, 0.0, -0.009), 20.0)
+CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
 """The same of the view of the grasp, against the TCP: it rides with the hand."""
 
 STILL = (1200, 630)
 """Size of the long exposure [pixels]: what pages that show links ask for."""
-STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, -0.004), 16.0)
+STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, 0.004), 14.5)
 """Its view, against the TCP."""
 MAGNIFIED = 5
 
@@ -110,7 +111,7 @@ def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
     for number, frame in enumerate(clip.frames):
         if number == 0 or frame != clip.frames[number - 1]:
             stage.place([bodies(run, frame) for run in clip.runs])
-            panels = display(stage.picture(clip.camera(frame), *PANEL))
+            panels = display(stage.picture(clip.camera(frame), WIDTH // 2, PANEL_HEIGHT))
             picture = overlay.on(panels, number)
         yield picture
 
@@ -140,12 +141,12 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
 
 
 class Overlay:
-    """Names and numbers on the panels of a clip, and below them the plot that grows."""
+    """Names and numbers of a clip, the plot that grows, and below them the panels."""
 
     def __init__(self, clip: Clip):
         self.readout = clip.readout()
         self.names = clip.names
-        self.sheet = Sheet(WIDTH, HEIGHT)
+        self.sheet = Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
         axes = self._axes()
         self.labels, self.curves = [], []
         for number, (name, colour) in enumerate(zip(clip.names, COLOURS, strict=True)):
@@ -163,8 +164,8 @@ class Overlay:
         return self.sheet.on(panels)
 
     def _axes(self) -> Axes:
-        height = 1.0 - PANEL[1] / HEIGHT
-        axes = self.sheet.figure.add_axes((0.1, 0.085, 0.875, height - 0.125), facecolor="none")
+        bottom, height = (PANEL_HEIGHT + 46) / HEIGHT, (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT
+        axes = self.sheet.figure.add_axes((0.1, bottom, 0.875, height), facecolor="none")
         top = max(np.nanmax(self.readout[f"{name}_mm"]) for name in self.names)
         axes.set_xlim(0.0, self.readout["time_s"][-1] * 1.015)
         axes.set_ylim(0.0, 1.2 * top)
@@ -173,7 +174,7 @@ class Overlay:
         axes.xaxis.set_major_formatter(lambda value, _: f"{value:g} s" if value else "")
         axes.yaxis.set_major_formatter(lambda value, _: f"{value:g} mm" if value else "0")
         axes.text(0.01, 0.94, "displacement in the grasp", transform=axes.transAxes, color=SOFT, fontsize=19, va="top")
-        axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=7)
+        axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=6)
         axes.grid(color=GRID, linewidth=1)
         for side, spine in axes.spines.items():
             spine.set(visible=side == "bottom", color=SOFT)
@@ -181,43 +182,44 @@ class Overlay:
 
 
 class Sheet:
-    """Two panels beside each other with a strip below them, and what is written and drawn over them."""
+    """Two panels beside each other, what is written over each in a line above all, and what is drawn and written
+    elsewhere."""
 
-    def __init__(self, width: int, height: int):
-        self.width, self.height = width, height
+    def __init__(self, width: int, height: int, top: int):
+        self.width, self.height, self.top = width, height, top
         self.figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="none")
         self.canvas = FigureCanvasAgg(self.figure)
 
     def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
         """Text of ``size`` whose baseline begins at a place [pixels]."""
-        stroke = [withStroke(linewidth=5, foreground=STRIP)]
         place = left / self.width, 1.0 - top / self.height
-        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, path_effects=stroke, **style)
+        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
-        """Write the name of a run on its panel, and above it what is returned: the place of its number."""
-        left, bottom = number * self.width / 2 + 26, PANEL[1]
-        self.write(left, bottom - 24, name.replace("-", " "), 34, INK)
-        return self.write(left, bottom - 72, "", 54, colour, weight="bold")
+        """Write the name of a run above its panel, and return the place of its number, behind it."""
+        left = number * self.width / 2 + 26
+        self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
+        return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
 
     def on(self, panels: np.ndarray) -> np.ndarray:
         """The whole picture, shape [height, width, 3], 8 bits.
 
         Args:
-            panels: The two panels, shape [2, PANEL height, width / 2, 3], from 0 to 1.
+            panels: The two panels, shape [2, PANEL_HEIGHT, width / 2, 3], from 0 to 1.
         """
         self.canvas.draw()
         drawn = np.asarray(self.canvas.buffer_rgba()) / 255.0
         below = np.tile(np.array(to_rgb(STRIP)), (self.height, self.width, 1))
-        below[: PANEL[1]] = np.concatenate(list(panels), axis=1)
-        below[: PANEL[1], self.width // 2 - GAP : self.width // 2 + GAP] = to_rgb(STRIP)
+        rows = slice(self.top, self.top + PANEL_HEIGHT)
+        below[rows] = np.concatenate(list(panels), axis=1)
+        below[rows, self.width // 2 - GAP : self.width // 2 + GAP] = to_rgb(STRIP)
         opacity = drawn[..., 3:]
         return (255 * (opacity * drawn[..., :3] + (1.0 - opacity) * below) + 0.5).astype(np.uint8)
 
 
 def reading(slip_mm: float) -> str:
     """The displacement as it is read out."""
-    return "out of the grasp" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
+    return "fell out" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
 
 
 def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
@@ -235,14 +237,14 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     exposures = []
     for frame in np.searchsorted(first.time_s, times - 1e-9):
         stage.place([_magnified(run, start, frame) for run in clip.runs])
-        exposures.append(stage.picture(camera, STILL[0] // 2, PANEL[1]))
+        exposures.append(stage.picture(camera, STILL[0] // 2, PANEL_HEIGHT))
     # A mean alone would leave little of the edges of each.
     picture = 0.5 * np.mean(exposures, axis=0) + 0.5 * np.max(exposures, axis=0)
-    sheet = Sheet(*STILL)
+    sheet = Sheet(*STILL, HEAD)
     for number, (name, run, colour) in enumerate(zip(clip.names, clip.runs, COLOURS, strict=True)):
         sheet.name_panel(number, name, colour).set_text(reading(run.slip_mm[-1]))
-    sheet.write(26, PANEL[1] + 62, "The cube in the hand, every second cycle of the shake;", 35, INK)
-    sheet.write(26, PANEL[1] + 112, f"its displacement is drawn {MAGNIFIED} times as large.", 35, SOFT)
+    words = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
+    sheet.write(26, STILL[1] - 32, words, 34, SOFT)
     return sheet.on(display(picture))
 
 

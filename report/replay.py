@@ -23,7 +23,7 @@ from report.results import Results
 
 PAGE = "replay.html"
 SCRIPT = "assets/replay/replay.js"
-STYLES = ("assets/style.css", "assets/replay/replay.css")
+STYLE = "assets/replay/replay.css"
 SHAKES = {
     "3 cm": {"as-shipped": "as shipped", "stiff-pads": "stiff pads"},
     "10 cm": {"as-shipped-10cm": "as shipped", "stiff-pads-10cm": "stiff pads"},
@@ -72,7 +72,7 @@ def replay_page(project: Project, chapter: Chapter, clips: Clips | None, templat
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
         "runs": json.dumps(packed_runs(results), separators=(",", ":")),
-        "style": Markup("\n".join((project.root / name).read_text(encoding="utf-8") for name in STYLES)),
+        "style": Markup((project.root / STYLE).read_text(encoding="utf-8")),
         "script": Markup(script(project.root)),
         "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),
     }

@@ -181,7 +181,8 @@ def _whole(record: Record) -> list[bool]:
     A row lacks it where one of these is null for a reason, or a text is there in all other rows.
     """
     cells = Counter(column for row in record.rows for column in row)
-    texts = {column for column in cells if column not in record.units}
+    # Not the reasons, which say of a number that it is not there: of most rows it may not be.
+    texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
     telling = texts | (case_settings() & set(cells))
     common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
     return [

@@ -19,10 +19,21 @@ let playing = false;
 let before = 0;
 let due = false;
 
-document.documentElement.classList.add("moving"); // before anything asks for its size
-const stage = new Stage(find("#stage canvas"), scene, () => draw());
+const stage = begun();
 const curve = new Curve(find("#curve"), (seconds) => seek(seconds));
 const sections = all(".run svg").map((svg, number) => new Section(svg, scene.edge_m, `var(--run-${number})`));
+
+// The stage in the place of what rests; where there is no WebGL, that stays.
+function begun() {
+  const { classList } = document.documentElement;
+  classList.add("moving"); // first: what is not shown has no size
+  try {
+    return new Stage(find("#stage canvas"), scene, () => draw());
+  } catch (error) {
+    classList.remove("moving");
+    throw error;
+  }
+}
 
 function draw() {
   if (!due) requestAnimationFrame(show);
@@ -45,7 +56,7 @@ function show(now) {
   shake.runs.forEach((run, number) => {
     const out = !run.inGrasp(time);
     const { slip_mm, normal_n, tangential_n, penetration_mm } = states[number];
-    const said = slip_mm === null ? "before the shake" : out ? "out of the grasp" : `${slip_mm.toFixed(2)} mm`;
+    const said = slip_mm === null ? "–" : out ? "out of the grasp" : `${slip_mm.toFixed(2)} mm`;
     for (const place of all(`[data-slip="${number}"]`)) place.textContent = said;
     find(`[data-force="${number}"]`).textContent = out ? "nothing holds it" : `${penetration_mm.toFixed(2)} mm deep, normal force ${normal_n.toFixed(1)} N, friction ${tangential_n.toFixed(2)} N`;
     sections[number].draw(states[number]);
@@ -54,7 +65,7 @@ function show(now) {
   find("#magnified").textContent = `displacement drawn ${magnified} times as large`;
   find("#time").value = time;
   find("#time").setAttribute("aria-valuetext", clock(time));
-  find("#clock").textContent = clock(time);
+  find("#clock").textContent = `${time.toFixed(2).replace("-", "−")} s`;
   if (playing) draw();
 }
 
