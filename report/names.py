@@ -205,6 +205,7 @@ def cases_html(cases: Iterable[str]) -> Markup:
 
 SECTIONS = {
     "reproduction": "the shake test",
+    "poses": "see it move",
     "noise": "the same again",
     "contact_source": "contact points",
     "friction": "friction coefficient",
