@@ -111,11 +111,12 @@ def _rk4(results: Results, extra: Times) -> Claim:
 
 
 def _table(counts: Sequence[int], times: Times, extra: Times) -> Table:
-    columns = {}
+    cells: dict[tuple[str, int], Any] = dict(extra)
+    columns: dict[str, list[Any]] = {}
     for count in counts:
         worlds = f"{format_number(count)} {'world' if count == 1 else 'worlds'}"
         columns[worlds] = [times[case, count] for case in CASES]
-        columns[f"more, {worlds}"] = [extra.get((case, count), "") for case in CASES]
+        columns[f"more, {worlds}"] = [cells.get((case, count), "") for case in CASES]
     return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, CASES), name="case")))
 
 

@@ -1,6 +1,7 @@
 """The figure of section cure."""
 
 from collections.abc import Mapping
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
@@ -43,10 +44,10 @@ def _stack(axes: Axes, parts: Mapping[str, Mapping[str, Value]]) -> None:
             sizes.append(size)
             starts.append(ends[way.name, size > 0.0])
             ends[way.name, size > 0.0] += size
-        style = {"color": SERIES[number], "hatch": HATCHES[number], "linewidth": 0}
-        axes.barh(range(len(WAYS)), sizes, 0.6, left=starts, label=label, **style)
+        fill: dict[str, Any] = {"color": SERIES[number], "hatch": HATCHES[number], "linewidth": 0}
+        axes.barh(range(len(WAYS)), sizes, 0.6, left=starts, label=label, **fill)
     for name, label, marker, size in (("sum", "sum of the parts", "|", 15), ("slip", "measured", "o", 5)):
-        there = [(place, parts[way.name][name].value) for place, way in enumerate(WAYS)]
-        there = [(value, place) for place, value in there if value is not None]
-        style = {"marker": marker, "markersize": size, "markevery": 1, "linestyle": "", "color": INK}
+        found = [(place, parts[way.name][name].value) for place, way in enumerate(WAYS)]
+        there = [(value, place) for place, value in found if value is not None]
+        style: dict[str, Any] = {"marker": marker, "markersize": size, "markevery": 1, "linestyle": "", "color": INK}
         axes.plot(*zip(*there, strict=True), label=label, **style)
