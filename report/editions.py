@@ -206,7 +206,7 @@ def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bo
             return False
         claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
         if claim not in claims and claim not in sections[section].unmeasured:
-            raise ResultsError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+            raise ReportError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
         return claims.get(claim, False)
 
     return holds
