@@ -24,12 +24,12 @@ import { Robot } from "./robot.js";
 
 const TCP = "fr3_hand_tcp";
 const DEG = Math.PI / 180;
-export const CUBE_RGB = [
+const CUBE_RGB = [
   [0.87, 0.37, 0.08],
   [0.1, 0.45, 0.82],
 ];
 // Where the camera looks [m], from how far [m] and from which side [°]; it rides with the hand, or stands still.
-export const VIEWS = {
+const VIEWS = {
   arm: { rides: false, target: [-0.22, -0.45, 0.32], distance: 1.8, azimuth: -45, elevation: 16 },
   pads: { rides: true, target: [0, 0, -0.006], distance: 0.22, azimuth: -58, elevation: 12 },
   along: { rides: true, target: [0, 0, 0], distance: 0.26, azimuth: 180, elevation: 4 },
