@@ -39,6 +39,7 @@ const NEAREST_M = 0.12;
 const FARTHEST_M = 4;
 const AT_REST = 2; // pixels of the canvas for one of the page, across, while nothing moves
 const SLOW_MS = 30; // while it plays and frames take longer than this in the mean, there are fewer
+const FAST_MS = 18; // and where they take less than this, more again
 const FEWEST = 0.6;
 const FRAME_COUNT = 8;
 
@@ -157,6 +158,7 @@ export class Stage {
     if (this.frames_ms.length < FRAME_COUNT) return;
     const mean = this.frames_ms.reduce((sum, value) => sum + value) / FRAME_COUNT;
     if (mean > SLOW_MS) this.pixels = Math.max(0.8 * this.pixels, FEWEST);
+    if (mean < FAST_MS) this.pixels = Math.min(1.25 * this.pixels, window.devicePixelRatio, AT_REST);
     this.frames_ms = [];
   }
 
