@@ -4,7 +4,7 @@ import io
 import math
 import re
 import textwrap
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any
@@ -209,11 +209,18 @@ def _folded(text: str) -> str:
     return "\n".join(textwrap.fill(line, LONGEST_LINE) for line in text.split("\n"))
 
 
+@contextmanager
+def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
+    """The project's style, and ``settings``; the user's own count for nothing."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update({**STYLE, **settings})
+        yield
+
+
 def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
     """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()  # the user's own settings count for nothing
-        matplotlib.rcParams.update({**STYLE, "svg.hashsalt": name})
+    with own_style({"svg.hashsalt": name}):
         buffer = io.StringIO()
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
         drawing = draw()

@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
 from report.compare import flips
 from report.editions import Edition
-from report.figures import INK, SERIES, STYLE
+from report.figures import INK, SERIES, own_style
 from report.format import format_number
 from report.overview import BASELINE
 from report.page import Templates
@@ -103,7 +102,7 @@ def _date(text: str) -> str:
 def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
     """The picture that others show with a link: the slip of every release, as shipped and fixed."""
     slips = {release: _slips(edition) for release, edition in editions.items()}
-    with matplotlib.rc_context({**STYLE, "figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
+    with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()
         for place, pair in enumerate(slips.values()):

@@ -7,7 +7,7 @@ import pytest
 from report.names import SECTIONS, case_html, cases_html, name_of, number_of
 from report.records.identity import sections
 from report.records.project import Project, own_release
-from report.records.record import load_record
+from report.records.reading import load_record
 
 CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
 """What gives away a name that was made for programs."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from experiments.run import believable
-from report.records.columns import unit_of, units_of
+from report.records.columns import number_problem, unit_of, units_of
 from report.records.files import RecordError
 from report.records.reading import load_record
 from report.records.record import record_path, write_record
@@ -150,3 +150,8 @@ def test_a_number_that_is_not_finite_is_kept_as_missing_with_its_reason():
             "passes": True,
         }
     ]
+
+
+def test_a_growth_and_parts_of_vectors_have_a_sign():
+    assert number_problem("growth_per_s", -0.003) == number_problem("left_out_z_m_s", -0.1) == ""
+    assert "negative" in number_problem("cycles_per_s", -1.0)

@@ -2,14 +2,16 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 
+import matplotlib
 import pytest
-from conftest import ROWS, TEMPLATE
+from conftest import MODULE, ROWS, TEMPLATE
 from damage import FIELDS, PLACES, RECORD_WAYS, TRACES, damage_record
 from markupsafe import Markup
 
@@ -23,6 +25,7 @@ from report.records.files import RecordError, locked, settle
 from report.records.reading import load_record
 from report.records.record import write_record
 from report.records.traces import load_trace, packed, trace_path
+from report.surroundings import CARD
 
 
 def refusal(path: Path, trace: Path | None = None) -> str:
@@ -248,6 +251,18 @@ def test_the_check_refuses_elements_that_do_something(toy, element):
     toy.build()
     (toy.project.site / "evidence.html").write_text(toy.page.replace("</main>", element + "</main>"), encoding="utf-8")
     assert any("runs a script" in problem for problem in check_site(toy.project.site))
+
+
+def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeypatch):
+    toy.write("report/sections/toy.py", MODULE.replace('label="x"', r'label="$\\frac{1}{2}$"'))
+    toy.build()
+    before = toy.page, (toy.project.site / CARD).read_bytes()
+    assert "frac{1}{2}$</text>" in toy.page
+    for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
+        monkeypatch.setitem(matplotlib.rcParams, name, value)
+    shutil.rmtree(toy.project.site)
+    toy.build()
+    assert (toy.page, (toy.project.site / CARD).read_bytes()) == before
 
 
 @pytest.mark.parametrize("name", [way for way in FIELDS if way.startswith(("newton ", "package "))])

@@ -202,7 +202,8 @@ def writers(world: World, moments: int) -> Iterator[Trial]:
 MOUNTS = {
     # A file of its own that leaves no room, found by whoever writes below the place.
     "full": "mount -t tmpfs -o size=256k none /mnt && mkdir /mnt/u /mnt/w && "
-    "mount -t overlay none -o lowerdir={0},upperdir=/mnt/u,workdir=/mnt/w {0} && cd $PWD",
+    "mount -t overlay none -o lowerdir={0},upperdir=/mnt/u,workdir=/mnt/w {0} && "
+    "{{ dd if=/dev/zero of=/mnt/fill bs=1k 2>/dev/null; cd $PWD; }}",
     "read-only": "mount --bind {0} {0} && mount -o remount,ro,bind {0} && cd $PWD",
 }
 """How a place is made so, in a shell that has its own mounts."""

@@ -9,6 +9,7 @@ from markupsafe import Markup, escape
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS, Claim, Outcome, beyond
 from report.deriving.arithmetic import cell_or_absent
+from report.names import section_name
 from report.noise import is_beyond, verdict
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -129,9 +130,11 @@ class TurnList:
     """Sections of the page, to link to."""
 
     def __html__(self) -> Markup:
+        # One link to a section is enough for whoever goes from link to link.
+        first = {turn.section: turn for turn in reversed(self.turns)}
         items = Markup("\n").join(
             Markup("<dt>{}</dt>\n{}").format(
-                self._heading(turn),
+                self._heading(turn, is_link=turn is first[turn.section]),
                 Markup("\n").join(
                     Markup('<dd><b>{}</b> <span class="outcome">{}</span> {}</dd>').format(
                         ", ".join(names), claim.outcome.name, claim.sentence
@@ -143,9 +146,10 @@ class TurnList:
         )
         return Markup('<figure class="turns"><dl>\n{}\n</dl></figure>').format(items)
 
-    def _heading(self, turn: Turn) -> Markup:
-        name = f"{turn.section}: {turn.name.replace('_', ' ')}"
-        return Markup('<a href="#{}">{}</a>').format(turn.section, name) if turn.section in self.shown else escape(name)
+    def _heading(self, turn: Turn, *, is_link: bool) -> Markup:
+        name = f"{section_name(turn.section)}: {turn.name.replace('_', ' ')}"
+        linked = is_link and turn.section in self.shown
+        return Markup('<a href="#{}">{}</a>').format(turn.section, name) if linked else escape(name)
 
 
 @dataclass(frozen=True)

@@ -40,8 +40,9 @@ MAGNITUDE = re.compile(
     r"|.*excess_speed_mm_s|.*_floor_mm(_s)?|(normal|tangential|grip)_force_n|stiffness_n_m|(.*_)?count|substeps|worlds"
 )
 """Columns of other units whose numbers have no sign either: a slip is a distance."""
-SIGNED = re.compile(r"increment_.*|(used|authored)_.*")
-"""Columns whose numbers have one in spite of their unit: what is added a cycle, and what a model was given."""
+SIGNED = re.compile(r"increment_.*|(used|authored)_.*|(.*_)?growth_per_s|.*_[xyz]_m_s")
+"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, a growth, and
+parts of a vector."""
 
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")

@@ -186,7 +186,7 @@ def _others_table(results: Results) -> Table:
         "depth": [row.penetration_mm for row in rows],
         "hand sinks": [row.hand_sink_mm for row in rows],
         "friction used": [_friction_used(row) for row in rows],
-        "passes": [bool(passes) for members in families for passes in passing(members)],
+        "as expected": [bool(passes) for members in families for passes in passing(members)],
     }
     return by_case(rows, columns)
 

@@ -1,0 +1,151 @@
+"""The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
+
+from collections.abc import Sequence
+
+from report.claims import Claim, all_of, at_least, at_most, decreases, greater
+from report.deriving.arithmetic import noise_floor, share
+from report.parts import Figure, Section
+from report.quantities import Quantity, Value
+from report.results import Results
+from report.sections.cure.budget import (
+    GRASP_MM,
+    budget_table,
+    closed_count,
+    closing_table,
+    kept_runs,
+    parts_of,
+    run_count,
+)
+from report.sections.cure.figures import draw_budget
+from report.sections.cure.ways import BEST, STEPS, WAYS, Way, use_table
+
+order = 144
+page = "fix"
+
+OTHER_CONTACTS = {
+    "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
+    "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
+}
+"""All remedies with contacts that MuJoCo finds, and with a pyramidal cone."""
+
+
+def derive(results: Results) -> Section:
+    least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
+    most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
+    parts = {way.name: parts_of(results, way) for way in WAYS}
+    budget = Figure(
+        draw=lambda: draw_budget(results, parts),
+        sources=[way.row(results, "3cm").slip_mm for way in WAYS],
+        numbers={name: way.row(results, "3cm").slip_mm for name, way in _named().items()},
+    )
+    return Section(
+        tables={
+            "use": use_table(results),
+            "budget": budget_table(results, parts),
+            "closing": closing_table(results, least, most),
+        },
+        figures={"budget": budget},
+        claims=[
+            _budget_closes(results, least, most),
+            _term_alone(results),
+            _each_takes_its_part(results),
+            _best_holds(results),
+            _best_holds_farther(results),
+            _stiff_pads_hold_better(results),
+            _term_uncovers_step(results, parts["the term"]),
+            _stiff_pads_with_term(results),
+            _with_other_contacts(results),
+        ],
+    )
+
+
+def _named() -> dict[str, Way]:
+    return {"shipped": _way("as shipped"), "term": _way("the term"), "best": BEST}
+
+
+def _way(name: str) -> Way:
+    return next(way for way in WAYS if way.name == name)
+
+
+def _budget_closes(results: Results, least: Value, most: Value) -> Claim:
+    kept = kept_runs(results)
+    closed = closed_count(results, "closed_count", kept, least, most)
+    count = run_count(results, "kept_count", kept)
+    bound = results.chosen("closed_bound", "not by chance", 8.0)
+    numbers = {"closed": closed, "count": count, "least": least, "most": most}
+    return Claim("budget_closes", at_least(closed, bound), numbers=numbers)
+
+
+def _term_alone(results: Results) -> Claim:
+    shipped, term = (_way(name).row(results, "3cm").slip_mm for name in ("as shipped", "the term"))
+    bound = results.chosen("term_alone_bound", "a tenth of the slip as shipped", 0.6, unit="mm")
+    return Claim("term_alone", at_most(term, bound), numbers={"shipped": shipped, "term": term})
+
+
+def _each_takes_its_part(results: Results) -> Claim:
+    """One remedy after the other."""
+    slips = [_way(name).row(results, "3cm").slip_mm for name in STEPS]
+    outcome = decreases(slips, noise=noise_floor(results, "slip_floor"))
+    numbers = dict(zip(("shipped", "term", "centred", "impratio", "kept"), slips, strict=True))
+    return Claim("each_takes_its_part", outcome, numbers=numbers)
+
+
+def _best_holds(results: Results) -> Claim:
+    best = BEST.row(results, "3cm")
+    bound = results.chosen("best_bound", "what a grasp of this kind does not show", 0.03, unit="mm")
+    shipped = _way("as shipped").row(results, "3cm").slip_mm
+    return Claim("best_holds", at_most(best.slip_mm, bound), numbers={"best": best.slip_mm, "shipped": shipped})
+
+
+def _best_holds_farther(results: Results) -> Claim:
+    best, shipped = (way.row(results, "10cm") for way in (BEST, _way("as shipped")))
+    bound = results.chosen("best_far_bound", "a tenth of a millimetre at a shake three times as wide", 0.1, unit="mm")
+    grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
+    outcome = all_of(at_most(best.slip_mm, bound), at_least(shipped.slip_mm, grasp))
+    return Claim("best_holds_farther", outcome, numbers={"best": best.slip_mm, "amplitude": best.shake_amplitude_m})
+
+
+def _stiff_pads_hold_better(results: Results) -> Claim:
+    term, stiff = (_way(name).row(results, "3cm").slip_mm for name in ("the term", "stiff pads"))
+    outcome = greater(term, stiff, noise=noise_floor(results, "slip_floor"))
+    return Claim("stiff_pads_hold_better", outcome, numbers={"term": term, "stiff": stiff})
+
+
+def _term_uncovers_step(results: Results, parts: dict[str, Value]) -> Claim:
+    """The error of the step goes against what the term would have added, so that it shows once that is gone."""
+    plain, term = (_way(name).row(results, "3cm") for name in ("as shipped", "the term"))
+    turned = results.value(
+        "turned",
+        "cosine of the angle between the slip with the term put back and that as shipped, along the pads",
+        lambda ax, az, bx, bz: (ax * bx + az * bz) / ((ax**2 + az**2) * (bx**2 + bz**2)) ** 0.5,
+        *_along_pads(plain),
+        *_along_pads(term),
+    )
+    part = share(
+        results,
+        "step_share",
+        "predicted error of the step, along the way that the cube went with the term put back, of the slip then",
+        parts["step"],
+        term.slip_mm,
+    )
+    against = results.chosen("turned_bound", "about the other way", -0.5)
+    most = results.chosen("step_share_bound", "most of it", 50.0, unit="%")
+    outcome = all_of(at_most(turned, against), at_least(part, most))
+    return Claim("term_uncovers_step", outcome, numbers={"term": term.slip_mm, "step": parts["step"], "share": part})
+
+
+def _along_pads(row) -> Sequence[Quantity]:
+    return row.slip_x_mm, row.slip_z_mm
+
+
+def _stiff_pads_with_term(results: Results) -> Claim:
+    plain, term = (_way(name).row(results, "3cm").slip_mm for name in ("stiff pads", "stiff pads, the term"))
+    outcome = greater(term, plain, noise=noise_floor(results, "slip_floor"))
+    return Claim("stiff_pads_with_term", outcome, numbers={"plain": plain, "term": term})
+
+
+def _with_other_contacts(results: Results) -> Claim:
+    slips = {name: results.row[case].slip_mm for name, case in OTHER_CONTACTS.items()}
+    largest = results.value("other_slip", "larger of both", max, *slips.values(), unit="mm")
+    bound = results.chosen("other_bound", "as good as with Newton's contacts, or nearly", 0.1, unit="mm")
+    return Claim("with_other_contacts", at_most(largest, bound), numbers=slips)

@@ -1,0 +1,98 @@
+"""The budget of the slip: parts that are predicted from the arm's motion, beside what is measured."""
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+
+import pandas as pd
+
+from report.deriving.arithmetic import extreme
+from report.parts import Table
+from report.quantities import Value
+from report.results import Results, Row
+from report.sections.cure.ways import WAYS, Way
+
+PARTS = {
+    "left_out": "the term",
+    "step": "step",
+    "damping": "damping",
+    "creep": "load",
+    "rounding": "rounding",
+}
+"""Columns of the parts, and what they are called."""
+PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
+SHAKES = {"held": "held still", "3cm": "3 cm", "10cm": "10 cm"}
+GRASP_MM = 80.0
+"""Farther from where it was, a cube is out of the grasp."""
+
+
+def kept_runs(results: Results) -> list[Row]:
+    """The combinations that have a slip to show and keep the cube."""
+    runs = [row for row in results.rows if row.kind == "run" and row.slip_mm.value is not None]
+    return [row for row in runs if row.slip_mm.value < GRASP_MM]
+
+
+def closed_count(results: Results, name: str, runs: Sequence[Row], least: Value, most: Value) -> Value:
+    """Of how many runs what is left over is below ``least`` [mm], or below ``most`` of the slip [%]."""
+    return results.value(
+        name,
+        "runs whose remainder is below either bound",
+        lambda absolute, relative, *found: sum(
+            remainder <= max(absolute, 0.01 * relative * slip)
+            for remainder, slip in zip(found[::2], found[1::2], strict=True)
+        ),
+        least,
+        most,
+        *(cell for row in runs for cell in (row.remainder_mm, row.slip_mm)),
+    )
+
+
+def run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
+    return results.value(name, "runs that keep the cube", lambda *slips: len(slips), *(row.slip_mm for row in runs))
+
+
+def parts_of(results: Results, way: Way) -> dict[str, Value]:
+    """The parts of a way at 3 cm along the direction in which its cube went, their sum, and how far it went."""
+    row = way.row(results, "3cm")
+    names = {**{name: name for name in PARTS}, "sum": "predicted", "slip": "slip"}
+    return {name: _along(results, way, row, name, column) for name, column in names.items()}
+
+
+def _along(results: Results, way: Way, row: Row, name: str, column: str) -> Value:
+    formula = f"{column} of {row.case} along the pads, in the direction in which the cube went there"
+    return results.value(
+        f"{row.case}_{name}",
+        formula,
+        lambda x, z, slip_x, slip_z: (
+            (x * slip_x + z * slip_z) / (slip_x**2 + slip_z**2) ** 0.5 + 0.0
+        ),  # no negative zero
+        row[f"{column}_x_mm"],
+        row[f"{column}_z_mm"],
+        row.slip_x_mm,
+        row.slip_z_mm,
+        unit="mm",
+    )
+
+
+def budget_table(results: Results, parts: Mapping[str, Mapping[str, Value]]) -> Table:
+    columns = {label: [parts[way.name][name] for way in WAYS] for name, label in PARTS.items()}
+    columns["sum"] = [parts[way.name]["sum"] for way in WAYS]
+    columns["measured"] = [parts[way.name]["slip"] for way in WAYS]
+    columns["remainder"] = [way.row(results, "3cm").remainder_mm for way in WAYS]
+    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
+
+
+def closing_table(results: Results, least: Value, most: Value) -> Table:
+    """For each kind of run how many keep the cube, and of how many of these the budget closes."""
+    kept, lines = kept_runs(results), {}
+    for pads, shake in product(PADS, SHAKES):
+        runs = [row for row in kept if (row.pads, row.shake) == (pads, shake)]
+        name = f"{pads}_{shake}"
+        lines[f"{PADS[pads]}, {SHAKES[shake]}"] = {
+            "keep the cube": run_count(results, f"kept_{name}", runs),
+            "budget closes": closed_count(results, f"closed_{name}", runs, least, most),
+            "largest remainder": extreme(
+                results, f"remainder_{name}", "largest remainder", max, [row.remainder_mm for row in runs]
+            ),
+            "largest slip": extreme(results, f"slip_{name}", "largest slip", max, [row.slip_mm for row in runs]),
+        }
+    return Table(pd.DataFrame(lines).T.rename_axis("runs"))
