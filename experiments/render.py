@@ -82,8 +82,8 @@ def make_clips(project: Project, device: wp.Device) -> None:
         rows=rows,
     )
     path = project.record_path(shown.CLIPS)
-    tables = {case: pd.DataFrame(clip.readout()).round(5) for case, clip in clips.items()}
-    write_record(path, record, {case: packed(path, case, table) for case, table in tables.items()})
+    traces = {case: packed(path, case, readout_table(clip)) for case, clip in clips.items()}
+    write_record(path, record, traces)
     print(f"{len(rows)} files in {record.measured['seconds']:.0f} s → {path}")
 
 
@@ -92,6 +92,12 @@ def kept_clip(project: Project, poses: Record, case: str) -> Clip:
     path = project.record_path("poses")
     left, right = (kept_run(row_of(poses, run), load_trace(trace_path(path, run))) for run in shown.RUNS[case])
     return Clip((left, right), shown.RUNS[shown.FIRST])
+
+
+def readout_table(clip: Clip) -> pd.DataFrame:
+    """What is read out in each frame, over the clip's own time."""
+    table = pd.DataFrame(clip.readout()).round(5)
+    return table.assign(time_s=np.arange(len(table)) / FRAME_RATE)
 
 
 def row_of(poses: Record, run: str) -> dict:
@@ -106,11 +112,11 @@ def make_clip(project: Project, case: str, clip: Clip, device: str) -> dict[str,
         last = write_video(temporary, frames)
     with atomic_file(poster) as temporary:
         write_image(temporary, last)
-    readout = {name: float(values[-1]) for name, values in clip.readout().items()}
+    ends = {name: float(values[-1]) for name, values in clip.readout().items()}
     row = {"case": case, **_described("file", video), **_described("poster", poster)}
     row |= {"width_px": WIDTH, "height_px": HEIGHT, "frame_rate_hz": FRAME_RATE, "frame_count": len(clip.frames)}
-    row |= {"duration_s": len(clip.frames) / FRAME_RATE}
-    for name, value in readout.items():
+    row |= {"duration_s": len(clip.frames) / FRAME_RATE, "shake_duration_s": ends.pop("time_s")}
+    for name, value in ends.items():
         column = name.replace("-", "_")
         row[column] = None if np.isnan(value) else value
         row |= {f"{column}_reason": "the cube is out of the grasp"} if np.isnan(value) else {}

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from report import ROOT
+from report import ROOT, ReportError
 from report.chapters import Chapter
 from report.clips import Clips, clips_of
 from report.editions import Edition
@@ -50,17 +50,30 @@ def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
         place = folder / "data" / edition.project.results.name
         place.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, place / file.name)
-    if "poses" in edition.chapters:
-        page = replay_page(edition.project, edition.chapters["poses"], clips, templates)
+    if runs := replayed_runs(edition):
+        page = replay_page(edition.project, edition.chapters["poses"], runs, clips, templates)
         (folder / PAGE).write_text(page, encoding="utf-8")
 
 
-def replay_page(project: Project, chapter: Chapter, clips: Clips | None, templates: Templates) -> str:
+def replayed_runs(edition: Edition) -> dict[str, Any] | None:
+    """The runs of a release's replay, packed; None where not all of them are kept and whole."""
+    if "poses" not in edition.chapters:
+        return None
+    try:
+        return packed_runs(edition.chapters["poses"].results)
+    except (ReportError, LookupError, TypeError, ValueError):
+        return None
+
+
+def replay_page(
+    project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates
+) -> str:
     """The page of one release.
 
     Args:
         project: The release.
         chapter: Its section poses.
+        runs: What ``packed_runs`` makes of its results.
         clips: Where the still is, which is shown where nothing moves; None when there is none.
         templates: The templates of the project.
     """
@@ -71,7 +84,7 @@ def replay_page(project: Project, chapter: Chapter, clips: Clips | None, templat
         "claims": [claim.html(chapter.name) for claim in chapter.section.claims],
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
-        "runs": json.dumps(packed_runs(results), separators=(",", ":")),
+        "runs": json.dumps(runs, separators=(",", ":")),
         "style": Markup((project.root / STYLE).read_text(encoding="utf-8")),
         "script": Markup(script(project.root)),
         "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),

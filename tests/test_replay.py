@@ -14,7 +14,8 @@ from report.editions import derive_edition
 from report.page import Templates
 from report.records.project import Project
 from report.records.reading import load_record
-from report.replay import SHAKES, packed_runs, replay_page, script
+from report.records.traces import trace_path
+from report.replay import PAGE, SHAKES, packed_runs, replay_page, replayed_runs, script, write_replay
 from report.results import Results
 
 REPLAY = ROOT / "assets/replay"
@@ -32,7 +33,8 @@ def project(poses_path) -> Project:
 @pytest.fixture(scope="module")
 def page(project) -> str:
     templates = Templates(project.templates)
-    return replay_page(project, derive_edition(project, templates).chapters["poses"], None, templates)
+    edition = derive_edition(project, templates)
+    return replay_page(project, edition.chapters["poses"], replayed_runs(edition), None, templates)
 
 
 def test_the_page_runs_its_one_script_and_fetches_nothing(page):
@@ -49,6 +51,20 @@ def test_without_its_script_the_page_says_what_was_measured(page, poses_path):
     still = page.partition("<script>")[0]
     for row in load_record(poses_path).rows:
         assert f'value="{json.dumps(row["slip_mm"])}"' in still
+
+
+def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project, tmp_path):
+    templates = Templates(project.templates)
+    edition = derive_edition(project, templates)
+    write_replay(tmp_path, edition, templates)
+    assert (tmp_path / PAGE).is_file()
+    trace = trace_path(project.record_path("poses"), "hold-60s")
+    whole = trace.read_bytes()
+    try:
+        trace.write_bytes(whole[:1000])
+        assert replayed_runs(edition) is None
+    finally:
+        trace.write_bytes(whole)
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not there")

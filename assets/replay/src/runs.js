@@ -2,7 +2,7 @@
 
 const WIDEST = 65535;
 
-export class Run {
+class Run {
   constructor(packed, columns) {
     Object.assign(this, packed);
     this.columns = columns;

@@ -24,12 +24,12 @@ import { Robot } from "./robot.js";
 
 const TCP = "fr3_hand_tcp";
 const DEG = Math.PI / 180;
-export const CUBE_RGB = [
+const CUBE_RGB = [
   [0.87, 0.37, 0.08],
   [0.1, 0.45, 0.82],
 ];
 // Where the camera looks [m], from how far [m] and from which side [°]; it rides with the hand, or stands still.
-export const VIEWS = {
+const VIEWS = {
   arm: { rides: false, target: [-0.22, -0.45, 0.32], distance: 1.8, azimuth: -45, elevation: 16 },
   pads: { rides: true, target: [0, 0, -0.006], distance: 0.22, azimuth: -58, elevation: 12 },
   along: { rides: true, target: [0, 0, 0], distance: 0.26, azimuth: 180, elevation: 4 },
@@ -39,6 +39,7 @@ const NEAREST_M = 0.12;
 const FARTHEST_M = 4;
 const AT_REST = 2; // pixels of the canvas for one of the page, across, while nothing moves
 const SLOW_MS = 30; // while it plays and frames take longer than this in the mean, there are fewer
+const FAST_MS = 18; // and where they take less than this, more again
 const FEWEST = 0.6;
 const FRAME_COUNT = 8;
 
@@ -157,6 +158,7 @@ export class Stage {
     if (this.frames_ms.length < FRAME_COUNT) return;
     const mean = this.frames_ms.reduce((sum, value) => sum + value) / FRAME_COUNT;
     if (mean > SLOW_MS) this.pixels = Math.max(0.8 * this.pixels, FEWEST);
+    if (mean < FAST_MS) this.pixels = Math.min(1.25 * this.pixels, window.devicePixelRatio, AT_REST);
     this.frames_ms = [];
   }
 
