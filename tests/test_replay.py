@@ -42,7 +42,7 @@ def test_the_page_runs_its_one_script_and_fetches_nothing(page):
     assert page.count("<script") == 1 and f"<script>{script()}</script>" in page
     reading = Reading(page)
     assert set(reading.fetched) <= {"data:,", ""}
-    assert len(reading.claims) == 2
+    assert len(reading.claims) == 3
     policy = page.partition('http-equiv="Content-Security-Policy" content="')[2].partition('"')[0]
     assert "default-src 'none'" in policy and policy.count("sha256-") == 1
 
