@@ -70,5 +70,7 @@ def _no_launches(note: Callable) -> Iterator[None]:
 
     # The real names are of what a kernel finds out.
     names = mock.patch.object(recorder, "_geom_names", lambda scene, solver: ["cube"])
-    with names, mock.patch.object(Module, "load", note), mock.patch.object(wp, "capture_while", once):
+    # What a kernel would have filled is read on the host: the arm's pose, and with it the mass matrix.
+    filled = mock.patch.object(wp, "empty", wp.zeros)
+    with names, filled, mock.patch.object(Module, "load", note), mock.patch.object(wp, "capture_while", once):
         yield
