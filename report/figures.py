@@ -218,7 +218,7 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
+def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
     """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
     with own_style({"svg.hashsalt": name}):
         buffer = io.StringIO()
@@ -235,8 +235,8 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     kind = "narrow" if is_narrow() else "broad"
-    opening = Markup('<svg class="{}" viewBox="{}" role="img" aria-label="{}">')
-    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1], alt), svg, count=1).strip())
+    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
 
 
 def _lean(svg: str) -> str:

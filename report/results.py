@@ -7,9 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
+from typing import TYPE_CHECKING, Any
 
 from report import ReportError
 from report.quantities import VALUES_FILE, Quantity, Value, absent, mixed
@@ -17,6 +15,9 @@ from report.records.columns import REASON
 from report.records.record import Origin, Record
 from report.records.traces import load_trace, trace_path
 from report.settings import case_settings
+
+if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+    import pandas as pd
 
 
 class ResultsError(ReportError):
@@ -27,7 +28,7 @@ class ResultsError(ReportError):
 class Series:
     """A per-frame series, or the reason why there is none."""
 
-    value: pd.DataFrame | None
+    value: "pd.DataFrame | None"
     source: str
     reason: str = ""
     origins: frozenset[Origin] = frozenset()
