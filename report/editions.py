@@ -12,6 +12,7 @@ from typing import Any
 from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
+from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates, Text
 from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
 from report.pairs import refuse_contradictions
@@ -89,10 +90,11 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
     states = states_of(project)
     left_out = [state for state in states if not state.record]
     modules = [(state, _module(state.section)) for state in states if state.record]
+    floors = noise_floors(state.record for state, _ in modules if state.section == NOISE)
     found: dict[str, Chapter] = {}
     for state, module in sorted(modules, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
-        results = Results(state.record, project.record_path(state.section), others)
+        results = Results(state.record, project.record_path(state.section), others, floors=floors)
         try:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)

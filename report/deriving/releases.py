@@ -49,7 +49,7 @@ def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
     """The largest noise floor of that name that a release has."""
     floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
-    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True)
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:

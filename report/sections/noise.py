@@ -12,15 +12,13 @@ from report.claims import NEAR_NOISE, Claim, all_of, at_most, within
 from report.deriving.arithmetic import share, spread
 from report.figures import INK, SERIES, new_figure
 from report.names import name_of
+from report.noise import RESOLUTION
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 20
 page = "method"
-
-RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
-"""Least difference [mm, mm/s] that counts, however well a machine repeats itself."""
 
 
 @dataclass(frozen=True)
@@ -89,13 +87,14 @@ def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quant
     spreads = [
         _spread(results, f"{case.replace('-', '_')}_{metric}_spread", of_case, unit) for case, of_case in cells.items()
     ]
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[metric], unit=unit)
+    column = {"slip": "slip_mm", "drift": "drift_mm_s"}[metric]
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[column], unit=unit)
     formula = f"largest difference in {metric} between any two runs of one case, and at least the resolution"
-    return results.value(f"{metric}_floor", formula, max, *spreads, least, unit=unit)
+    return results.value(f"{metric}_floor", formula, max, *spreads, least, unit=unit, is_noise=True)
 
 
 def _spread(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
-    return spread(results, name, "largest minus smallest", cells, unit=unit)
+    return spread(results, name, "largest minus smallest", cells, unit=unit, is_noise=True)
 
 
 def _mean(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
@@ -111,6 +110,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
             floor,
             *_of_case(groups, groups[0].case, f"{metric}s"),
             unit="%",
+            is_noise=True,
         )
         for metric, floor in (("slip", slip_floor), ("drift", drift_floor))
     }
@@ -148,6 +148,7 @@ def _batch_or_alone(
         spreads[batch],
         spreads[alone],
         unit="mm",
+        is_noise=True,
     )
     bound = results.chosen("alone_share_bound", "far less than what is looked for", 1.0, unit="%")
     return Claim(

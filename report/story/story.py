@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pandas as pd
+from markupsafe import Markup
 
 from report.chapters import Chapters
 from report.claims import Claim, all_of
@@ -89,8 +90,9 @@ def _walk(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads", "hold")
     traces = {case: found.trace("reproduction", case) for case in cases}
     slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in cases]
+    moved = {case: found.value("reproduction", f"{case}_along", "mm") for case in cases}
     numbers = dict(zip(("shipped", "stiff", "hold"), slips, strict=True)) | {"walks": found.does_slip}
-    return Figure(draw=lambda: draw_walk(traces), sources=list(traces.values()), numbers=numbers)
+    return Figure(draw=lambda: draw_walk(traces, moved), sources=list(traces.values()), numbers=numbers)
 
 
 def _shares(found: Found) -> dict[str, Quantity]:
@@ -107,7 +109,7 @@ def _suspect_figure(found: Found) -> Figure:
         sources=list(shares.values()),
         numbers={
             "remedy": shares[REMEDY],
-            "shares": ", ".join(f"{name} {share}" for name, share in shares.items()),
+            "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
             "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
         },
     )
