@@ -145,6 +145,18 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     return 1 if comparison.flips or damaged else 0
 
 
+def trace(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the way of one value, from the page back to rows, cases and command."""
+    from report.editions import editions_of
+    from report.page import Templates
+    from report.way import Ways
+
+    _refuse_unmeasured(project)
+    templates = Templates(project.templates)
+    print(Ways(project, editions_of(project, templates), templates).text(arguments.value))
+    return 0
+
+
 def publish(project: Project, arguments: argparse.Namespace) -> int:
     """Put a checked copy of the site at the target."""
     from report.publish import publish as publish_site
@@ -249,6 +261,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
         "default": "full",
         "help": "quick: small grids and short runs, kept apart",
     },
+    "value": {"type": str, "default": "", "help": "value of the page, as stiffness.improvement"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
@@ -260,6 +273,7 @@ COMMANDS = {
     status: ("newton", "profile"),
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),
+    trace: ("value", "newton", "profile"),
     publish: ("target",),
     serve: ("port",),
     test: ("newton",),
