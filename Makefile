@@ -22,7 +22,7 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun check diff trace publish serve test torture lint help
+.PHONY: report page status rerun check diff trace verify publish serve test torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
@@ -45,6 +45,9 @@ diff: $(READY) ## Print what moved and which claims flipped between two releases
 
 trace: $(READY) ## Print where a number comes from: page, rows, case and command [VALUE NEWTON PROFILE]
 	$(RUN) trace
+
+verify: $(READY) ## Measure the headline again, in a minute or three, beside what is tracked [NEWTON DEVICE]
+	$(RUN) verify
 
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish

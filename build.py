@@ -18,11 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
 from report.records.columns import UNPRINTABLE
-from report.records.devices import DEVICES, NO_CUDA, measuring_device
+from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
 from report.records.environment import python_of, refuse_bad_release
 from report.records.files import settle
 from report.records.identity import sections
-from report.records.measure import measure
+from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
 from report.records.status import expected_packages, states_of, status_matrix, status_table
 
@@ -157,6 +157,21 @@ def trace(project: Project, arguments: argparse.Namespace) -> int:
     return 0
 
 
+def verify(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
+    from report.editions import derive_edition
+    from report.page import Templates
+    from report.verdict import compared, text_of
+
+    _refuse_unmeasured(project)
+    device = arguments.device or ("cuda" if has_cuda() else "cpu")
+    found = measure_headline(project, measuring_device(device, project.profile))
+    edition = derive_edition(project, Templates(project.templates))
+    comparisons = compared(edition, found)
+    print(text_of(edition, found, comparisons))
+    return int(not all(comparison.agrees for comparison in comparisons))
+
+
 def publish(project: Project, arguments: argparse.Namespace) -> int:
     """Put a checked copy of the site at the target."""
     from report.publish import publish as publish_site
@@ -274,6 +289,7 @@ COMMANDS = {
     check: ("newton", "profile"),
     diff: ("a", "b", "profile"),
     trace: ("value", "newton", "profile"),
+    verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port",),
     test: ("newton",),
