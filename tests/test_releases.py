@@ -14,7 +14,7 @@ from report.check import check_site
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from report.compare import Comparison, compare, is_flip
 from report.editions import derive_edition, editions_of
-from report.noise import Floor, is_beyond
+from report.noise import Floor, is_beyond, tolerance
 from report.page import Templates
 from report.quantities import Quantity, mixed
 from report.records.environment import requirements
@@ -169,6 +169,15 @@ def test_what_counts_as_moved():
     assert not is_beyond(0.0, 6.0, 6.005), "rounding"
     assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
     assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
+
+
+def test_the_noise_is_what_nearly_all_pairs_stay_within():
+    """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
+    runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
+    deviation = 0.001 * (40 / 39) ** 0.5
+    assert tolerance(runs) == pytest.approx(2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5, rel=1e-3)
+    assert tolerance([*runs, 7.36]) == pytest.approx(1.001), "never less than what was seen"
+    assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5
 
 
 def test_speed_is_compared_on_one_machine_only(toy, newer):
