@@ -79,7 +79,12 @@ def _still(found: Found) -> Figure:
     return Figure(
         draw=lambda: draw_still(traces, slips),
         sources=[*traces.values(), *slips.values()],
-        numbers={"shipped": slips["as-shipped"], "stiff": slips["stiff-pads"], "slips": found.does_slip},
+        numbers={
+            "shipped": slips["as-shipped"],
+            "stiff": slips["stiff-pads"],
+            "slips": found.does_slip,
+            "less": found.does_hold,
+        },
     )
 
 
