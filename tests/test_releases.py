@@ -38,8 +38,7 @@ def newer(toy) -> Toy:
 
 
 def compared(*sides: Toy) -> Comparison:
-    before, after = (derive_edition(side.project, Templates(side.project.templates)) for side in sides)
-    return compare((before.project.release, after.project.release), before.chapters, after.chapters)
+    return compare(*(derive_edition(side.project, Templates(side.project.templates)) for side in sides))
 
 
 def test_a_release_is_judged_without_being_installed(toy, newer):
@@ -121,12 +120,12 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
 
 
 def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
-    arguments = Namespace(a="1.4.0", b="1.8.0")
+    arguments = Namespace(a="1.4.0", b="1.8.0", format="text", values="all")
     assert build.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
-    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in said and "better" in said
-    assert "stiff" not in said.partition("claims that flipped")[0]
-    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in said
+    flips, _, moves = said.partition("toy: 1 values moved (1 better)")
+    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in flips
+    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
     assert build.diff(toy.project, arguments) == 0
 
@@ -189,7 +188,8 @@ def test_speed_is_compared_on_one_machine_only(toy, newer):
     write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
     found = compared(toy, newer)
     assert found.moves == []
-    assert found.notes == ["speed of toy: it was measured on A processor and on Another"]
+    cores = "an unknown number of cores"
+    assert found.notes == [f"speed and cost in toy: measured on A processor, {cores} and on Another, {cores}"]
 
 
 def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):
