@@ -79,6 +79,11 @@ class Figure:
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
         ).format(self.anchor, *self._drawings(), _caption(self), links, self.making.source, self.making.command)
 
+    @property
+    def undrawn(self) -> Markup:
+        """Its caption, for whoever only reads."""
+        return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
+
     def _drawings(self) -> tuple[Markup, Markup]:
         """For broad screens and for narrow ones; the stylesheet shows one of them."""
         assert self.wording, f"the figure {self.anchor} has no words yet"

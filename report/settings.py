@@ -1,7 +1,9 @@
 """Settings: what was chosen for a case and not measured of it."""
 
 import ast
+from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 from report import ROOT
 
@@ -23,14 +25,27 @@ def settings() -> frozenset[str]:
 
 @cache
 def case_settings() -> frozenset[str]:
-    """Columns that hold parameters of ``experiments.case.Case``, or the number of worlds.
+    """Columns that hold parameters of ``experiments.case.Case``, or the number of worlds."""
+    return frozenset(_parameters()) | WORLDS
+
+
+def from_shipped(row: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings of a row that differ from those of the scene as shipped."""
+    shipped = {name: ast.literal_eval(value) for name, value in _parameters().items() if value}
+    return {name: cell for name, cell in row.items() if name in shipped and cell != shipped[name]}
+
+
+@cache
+def _parameters() -> Mapping[str, ast.expr | None]:
+    """The parameters of a case and their defaults, one that has a name of its own by its value.
 
     The module is read and not imported, so that nothing here depends on the experiments.
     """
     tree = ast.parse(CASE.read_text(encoding="utf-8"))
+    named = {ast.unparse(node.targets[0]): node.value for node in tree.body if isinstance(node, ast.Assign)}
     case = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Case")
-    names = (node.target for node in case.body if isinstance(node, ast.AnnAssign))
-    return frozenset(name.id for name in names if isinstance(name, ast.Name)) | WORLDS
+    fields = {ast.unparse(node.target): node.value for node in case.body if isinstance(node, ast.AnnAssign)}
+    return {name: named[value.id] if isinstance(value, ast.Name) else value for name, value in fields.items()}
 
 
 def is_setting(pointer: str) -> bool:

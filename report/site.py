@@ -146,6 +146,15 @@ def _leaves(edition: Edition, templates: Templates, links: Sequence[Link]) -> li
     return [Leaf(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
 
 
+def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
+    """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
+    leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
+    parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
+    return {
+        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
+    }
+
+
 def _draw(leaves: Mapping[str, Sequence[Leaf]]) -> dict[str, dict[str, Markup]]:
     """The figures of each release by their ids; one that several pages show is drawn once."""
     placed = {
