@@ -100,7 +100,8 @@ def cards_of(chapters: Chapters) -> Cards:
         Card("pads sink in", depths, Markup("mean of the loaded contacts")),
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
     ]
-    return Cards([card for card in cards if card.values[0].value is not None])
+    there = [card for card in cards if card.values[0].value is not None]
+    return Cards([replace(card, note=card.note + found.stale_mark(card.values[0].reads)) for card in there])
 
 
 def _should_work(found: Found) -> Claim:
