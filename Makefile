@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON DEVICE PROFILE A B VALUE TARGET PORT ADDRESS PYTHON
+GIVEN := SECTION NEWTON DEVICE PROFILE A B FORMAT VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -37,10 +37,10 @@ status: $(READY) ## Say which sections are fresh, and what changed for the other
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
 
-check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
+check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE FORMAT STRICT]
 	$(RUN) check
 
-diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE]
+diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE FORMAT VALUES]
 	$(RUN) diff
 
 trace: $(READY) ## Print where a number comes from: page, rows, case and command [VALUE NEWTON PROFILE]
@@ -75,6 +75,9 @@ help: ## Print this
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
 	@echo 'VALUE=stiffness.improvement  a value of the page, as site/data/values.json names it'
+	@echo 'FORMAT=json|markdown    what diff and check print, for a program or a pull request'
+	@echo 'VALUES=all              let diff list every value that moved'
+	@echo 'STRICT=1                let check fail when anything cannot be trusted'
 	@echo 'TARGET=dir:PATH         where to publish: also rsync:HOST:PATH and git:REMOTE'
 	@echo 'PORT=8000               where to serve'
 	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'

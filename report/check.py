@@ -11,6 +11,7 @@ from urllib.parse import SplitResult, unquote, urlsplit
 from report import ROOT
 from report.format import format_code, format_number
 from report.quantities import VALUES_FILE
+from report.replay import script
 
 SCRIPT = "page.js"
 """The one script that pages run: the project's own, beside them."""
@@ -35,6 +36,7 @@ class Reading(HTMLParser):
         self.links: list[str] = []
         self.fetched: list[str] = []
         self.scripts: list[str] = []
+        self.inline: list[str] = []
         self.numbers: list[dict[str, str]] = []
         self.claims: list[dict[str, str]] = []
         self.styles = ""
@@ -45,11 +47,14 @@ class Reading(HTMLParser):
         attributes = {name: value or "" for name, value in attrs}
         self._open.append(tag)
         is_own = tag == "script" and attributes == {"src": SCRIPT}
-        if (tag in ACTIVE and not is_own) or any(name.startswith("on") or name == "srcdoc" for name in attributes):
+        is_inline = tag == "script" and not attributes  # judged by what it holds
+        self.inline += [""] if is_inline else []
+        is_active = tag in ACTIVE and not is_own and not is_inline
+        if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
             self.scripts.append(tag)
         if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
             self.scripts.append(tag)
-        if tag == "script":
+        if tag == "script" and not is_inline:
             self.fetched.append(attributes.get("src", ""))
         if "id" in attributes:
             self.ids.append(attributes["id"])
@@ -68,7 +73,9 @@ class Reading(HTMLParser):
             self.numbers[-1]["text"] += data
         if tag == "style":
             self.styles += data
-        if tag == "script" and data.strip():
+        if tag == "script" and self.inline:
+            self.inline[-1] += data
+        elif tag == "script" and data.strip():
             self.scripts.append(tag)
 
     def handle_endtag(self, tag):
@@ -101,6 +108,7 @@ def check_site(site: Path) -> list[str]:
 
 def _check_self_contained(reading: Reading) -> list[str]:
     problems = [f"<{tag}> runs a script" for tag in reading.scripts]
+    problems += ["a script runs that is not the project's own" for text in reading.inline if text != script()]
     problems += [f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)]
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
 

@@ -3,6 +3,7 @@
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from traceback import extract_tb
@@ -12,8 +13,10 @@ from typing import Any
 from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
+from report.clips import Clips, clips_of
+from report.packed import replayed_runs
 from report.page import Prose, Templates, Text
-from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
+from report.pages import DEFAULT, FRONT, PAGES, REPLAY, Page, page_named
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
@@ -48,6 +51,16 @@ class Edition:
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         return {page: found for page, found in shown.items() if found or page == FRONT}
 
+    @cached_property
+    def clips(self) -> Clips | None:
+        """Its clips; None when there are none that can be shown."""
+        return clips_of(self.project)
+
+    @cached_property
+    def replay(self) -> dict[str, Any] | None:
+        """The runs of its replay; None where they are not kept."""
+        return replayed_runs(self.chapters)
+
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
         return [self._text(templates.text(template), names) for template in page.texts]
@@ -67,6 +80,8 @@ class Edition:
             "does_slip": found.does_slip,
             "overview": "overview" in section.figures,
             "cards": cards_of(self.chapters),
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
             "value": found.value,
             "cell": found.cell,
             "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),

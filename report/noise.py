@@ -1,8 +1,9 @@
 """Noise: when two values differ at all, and which way is better."""
 
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from statistics import fmean
+from statistics import NormalDist, fmean, stdev
 from typing import Any
 
 from report.records.record import Record
@@ -11,6 +12,13 @@ NOISE = "noise"
 """The section whose rows are runs of one and the same case, as ``of`` says."""
 ROUNDING_SHARE = 1e-3
 """Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
+PAIRS = 0.999
+"""Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
+comparisons, and the largest difference that was seen among some tens of runs is less than the largest of those."""
+CONFIDENCE = 0.95
+"""Chosen: how sure that is, for a spread that was measured with as many runs."""
+LEAST_RUNS = 4
+"""With fewer their spread says too little."""
 LESS_IS_BETTER = (
     "slip_mm",
     "drift_mm_s",
@@ -41,9 +49,27 @@ def is_beyond(noise: float, before: float, after: float) -> bool:
     return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
 
 
+def tolerance(values: Sequence[float]) -> float:
+    """How far apart two runs of one case may come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
+
+    A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
+    standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
+    Wilson and Hilferty (1931). It is never less than the largest difference between the values themselves, in whose
+    unit it is.
+    """
+    seen = max(values) - min(values)
+    if len(values) < LEAST_RUNS or not seen:
+        return seen
+    normal, freedom = NormalDist(), len(values) - 1
+    part = 2 / (9 * freedom)
+    chi_squared = freedom * (1 - part + normal.inv_cdf(1 - CONFIDENCE) * math.sqrt(part)) ** 3
+    deviation = stdev(values) * math.sqrt(freedom / chi_squared)
+    return max(seen, math.sqrt(2) * normal.inv_cdf((1 + PAIRS) / 2) * deviation)
+
+
 @dataclass(frozen=True)
 class Floor:
-    """How far apart runs of one case come out in one column."""
+    """How far apart runs of one case may come out in one column."""
 
     spread: float
     magnitude: float
@@ -74,6 +100,6 @@ def _floors_of(record: Record) -> dict[str, Floor]:
         cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
         cells = [cell for cell in cells if len(cell) > 1]
         if cells:
-            spread = max(max(cell) - min(cell) for cell in cells)
+            spread = max(tolerance(cell) for cell in cells)
             floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
     return floors

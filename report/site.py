@@ -25,6 +25,7 @@ from report.records.files import locked
 from report.records.identity import files_digest, package_versions
 from report.records.project import Project
 from report.records.traces import BYTE_LIMIT, traces_of
+from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
@@ -125,6 +126,7 @@ def _write_site(
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
         _write_data(here / "data", release, editions)
+        write_replay(here, editions[release], templates)
         (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
     write_surroundings(folder, editions, places, templates, address)
     (folder / ".gitkeep").touch()

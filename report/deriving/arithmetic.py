@@ -57,7 +57,7 @@ def extreme(
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
-    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs come out."""
+    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
 
 

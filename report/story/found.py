@@ -19,7 +19,15 @@ class Found:
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        told = self.claim("reproduction", "slips")
+        return self._holds("reproduction", "slips")
+
+    @property
+    def does_hold(self) -> bool:
+        """Whether stiff pads hold it better."""
+        return self._holds("reproduction", "stiff_pads_hold")
+
+    def _holds(self, section: str, name: str) -> bool:
+        told = self.claim(section, name)
         return told is not None and told.outcome == HOLDS
 
     def claim(self, section: str, name: str) -> Claim | None:

@@ -79,7 +79,12 @@ def _still(found: Found) -> Figure:
     return Figure(
         draw=lambda: draw_still(traces, slips),
         sources=[*traces.values(), *slips.values()],
-        numbers={"shipped": slips["as-shipped"], "stiff": slips["stiff-pads"], "slips": found.does_slip},
+        numbers={
+            "shipped": slips["as-shipped"],
+            "stiff": slips["stiff-pads"],
+            "slips": found.does_slip,
+            "less": found.does_hold,
+        },
     )
 
 
@@ -92,7 +97,7 @@ def cards_of(chapters: Chapters) -> Cards:
     frames = [found.cell("speed", case, "frame_ms", "ms") for case in ("as-shipped", "stiff-pads-only")]
     noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
     cards = [
-        Card("slip in the shake", slips, Markup("runs differ by {}").format(noise)),
+        Card("slip in the shake", slips, Markup("runs may differ by {}").format(noise)),
         Card("grip used", grips, Markup("of the friction that there is")),
         Card("pads sink in", depths, Markup("mean of the loaded contacts")),
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
