@@ -1,4 +1,4 @@
-"""What stands around the pages: picture, feed, site map, and what tells who made it."""
+"""What stands around the pages: picture, feed, site map, all data in one file, and what tells who made it."""
 
 import re
 import shutil
@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
+from report.archive import ARCHIVE, write_archive
 from report.compare import flips
 from report.editions import Edition
 from report.figures import INK, SERIES, own_style
@@ -72,6 +73,7 @@ def write_surroundings(
     (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
     shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
     _draw_card(folder / CARD, editions)
+    write_archive(folder / ARCHIVE, editions, templates)
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:
