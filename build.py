@@ -17,12 +17,13 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
-from report.records.devices import DEVICES, NO_CUDA, measuring_device
-from report.records.environment import python_of, refuse_bad_release
+from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
+from report.records.environment import add_group, python_of, refuse_bad_release
 from report.records.files import settle
 from report.records.identity import sections, sources_kept
-from report.records.measure import measure
+from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
 from report.records.status import expected_packages, states_of, status_matrix, status_table
 
@@ -110,28 +111,36 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     _refuse_unmeasured(project)
     print(status_matrix(project))
     print(f"\nnewton {project.release}")
-    print(status_table(states_of(project), project.profile))
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
     return 0
 
 
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
+
+
 def check(project: Project, arguments: argparse.Namespace) -> int:
-    """Print every claim of the report with its outcome."""
+    """Print every claim of the report with its outcome, what can't be trusted first; STRICT=1 makes that status 1."""
+    from report.alarm import check, check_said
     from report.editions import editions_of
     from report.page import Templates
 
     _refuse_unmeasured(project)
     edition = editions_of(project, Templates(project.templates))[project.release]
-    for chapter in edition.chapters.values():
-        for claim in chapter.section.claims:
-            said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
-            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
-    for state in edition.left_out:
-        print(f"{'absent':8} {state.section}: {'; '.join(state.notes) or 'it was not measured'}")
-    return int(_say_damage([edition]))
+    found = check(edition)
+    print(check_said(found, arguments.format))
+    damaged = _say_damage([edition])
+    return int(damaged or (arguments.strict and found.is_alarm))
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
-    """Print what differs between two releases; 1 when a claim flipped."""
+    """Print what differs between two editions, worst first; 1 when one can't be trusted or a claim flipped."""
+    from report.alarm import diff_said
     from report.compare import compare
     from report.editions import derive_edition
     from report.page import Templates
@@ -140,11 +149,36 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     for side in sides:
         _refuse_unmeasured(side)
     templates = Templates(project.templates)
-    editions = [derive_edition(side, templates) for side in sides]
-    comparison = compare((arguments.a, arguments.b), *(edition.chapters for edition in editions))
-    print(comparison.text)
-    damaged = _say_damage(editions)
-    return 1 if comparison.flips or damaged else 0
+    comparison = compare(*(derive_edition(side, templates) for side in sides))
+    print(diff_said(comparison, arguments.format, all_values=arguments.values == "all"))
+    return int(comparison.is_alarm)
+
+
+def trace(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the way of one value, from the page back to rows, cases and command."""
+    from report.editions import editions_of
+    from report.page import Templates
+    from report.way import Ways
+
+    _refuse_unmeasured(project)
+    templates = Templates(project.templates)
+    print(Ways(project, editions_of(project, templates), templates).text(arguments.value))
+    return 0
+
+
+def verify(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
+    from report.editions import derive_edition
+    from report.page import Templates
+    from report.verdict import compared, text_of
+
+    _refuse_unmeasured(project)
+    device = arguments.device or ("cuda" if has_cuda() else "cpu")
+    found = measure_headline(project, measuring_device(device, project.profile))
+    edition = derive_edition(project, Templates(project.templates))
+    comparisons = compared(edition, found)
+    print(text_of(edition, found, comparisons))
+    return int(not all(comparison.agrees for comparison in comparisons))
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -238,6 +272,14 @@ def _address(address: str) -> str:
     return f"{address.rstrip('/')}/" if address else ""
 
 
+def _flag(value: str) -> str:
+    if value != "1":
+        raise UsageError(f"a switch is on as =1 or left out, not ={value}")
+    return value
+
+
+FORMATS = ("text", "markdown", "json")
+VALUES = ("sums", "all")
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
@@ -250,6 +292,14 @@ OPTIONS: dict[str, dict[str, Any]] = {
         "default": "full",
         "help": "quick: small grids and short runs, kept apart",
     },
+    "value": {"type": str, "default": "", "help": "value of the page, as stiffness.improvement"},
+    "format": {
+        "type": partial(_one_of, "FORMAT", FORMATS),
+        "default": "text",
+        "help": "text, markdown (a comment on a pull request) or json (docs/alarm.md)",
+    },
+    "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
+    "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
@@ -259,8 +309,11 @@ COMMANDS = {
     page: ("newton", "profile", "address"),
     rerun: ("section", "newton", "device", "profile", "address"),
     status: ("newton", "profile"),
-    check: ("newton", "profile"),
-    diff: ("a", "b", "profile"),
+    clips: ("newton", "device", "profile"),
+    check: ("newton", "profile", "format", "strict"),
+    diff: ("a", "b", "profile", "format", "values"),
+    trace: ("value", "newton", "profile"),
+    verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port",),
     test: ("newton",),
@@ -296,7 +349,7 @@ def _given_to_make() -> Mapping[str, str]:
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
-        OPTIONS[name]["type"](value)
+        OPTIONS[name].get("type", _flag)(value)
     return given
 
 

@@ -20,7 +20,7 @@ import warp as wp
 from experiments.kernels import compile_for
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
-from report.records.columns import is_number, number_problem, units_of
+from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from report.records.devices import NO_CUDA
 from report.records.files import refuse_unwritable
 from report.records.identity import identity_of, package_versions, sections
@@ -147,7 +147,7 @@ def now() -> str:
 def believable(row: dict[str, object]) -> dict[str, object]:
     """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
-    return row | dict.fromkeys(lost) | {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
+    return row | dict.fromkeys(lost) | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}
 
 
 def device_kind(device: wp.Device) -> str:

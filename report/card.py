@@ -7,23 +7,23 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
 from report.figures import INK, SERIES, own_style
-from report.format import format_number
+from report.quantities import Quantity
 
 
-def draw_card(slips: Mapping[str, Mapping[str, float | None]]) -> bytes:
+def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
     """The picture as PNG, of 1200 × 630 pixels.
 
     Args:
-        slips: By release, by what it is of: the slip [mm]; None where there is none.
+        slips: By release, by what it is of: the slip; None where there is none.
     """
     with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()
         for place, pair in enumerate(slips.values()):
             for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
-                if slip is not None:
-                    axes.barh(place + shift, slip, height=0.34, color=SERIES[1 - number], label=label)
-                    axes.text(slip, place + shift, f" {format_number(slip)} mm", va="center", fontsize=22, color=INK)
+                if slip is not None and slip.value is not None:
+                    axes.barh(place + shift, slip.value, height=0.34, color=SERIES[1 - number], label=label)
+                    axes.text(slip.value, place + shift, f" {slip}", va="center", fontsize=22, color=INK)
         axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
         axes.invert_yaxis()
         axes.margins(x=0.2)

@@ -1,7 +1,8 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from hashlib import sha256
 from importlib import import_module
 from typing import Any
@@ -9,10 +10,12 @@ from typing import Any
 from report import ROOT, ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
+from report.clips import Clips, clips_of
 from report.derived import LostError, Noted, Outline, Reads, derive_section, outline_of
 from report.keeping import Derivation, Keeper, Made
+from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates, Text
-from report.pages import FRONT, PAGES, Page
+from report.pages import FRONT, PAGES, REPLAY, Page
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
@@ -36,6 +39,7 @@ class Edition:
     chapters: Chapters
     left_out: Sequence[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
+    keeper: Keeper = field(default_factory=Keeper)
 
     @property
     def pages(self) -> dict[Page, list[Chapter]]:
@@ -44,15 +48,32 @@ class Edition:
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         return {page: found for page, found in shown.items() if found or page == FRONT}
 
-    def texts(
-        self, page: Page, templates: Templates, names: Mapping[str, Any], keeper: Keeper | None = None
-    ) -> list[Prose]:
-        """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
-        return [self._text(templates.text(template), names, keeper or Keeper()) for template in page.texts]
+    @cached_property
+    def clips(self) -> Clips | None:
+        """Its clips; None when there are none that can be shown."""
+        return clips_of(self.project)
 
-    def _text(self, text: Text, names: Mapping[str, Any], keeper: Keeper) -> Prose:
+    @cached_property
+    def replay(self) -> dict[str, Any] | None:
+        """The runs of its replay; None where they are not kept."""
+        if "poses" not in self.chapters:
+            return None
+        project, results = self.project, self.chapters["poses"].results
+        name, code = f"{project.profile}.{project.release}.replay", ROOT / "report" / "packed.py"
+        return self.keeper.value(name, code, [_results_digest(results)], lambda: _replayed(results))
+
+    def unmeasured(self, page: Page) -> list[State]:
+        """The sections of a page, or of all for the front page, that have not been measured."""
+        missing = [state for state in self.left_out if state.kind == "missing"]
+        return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
+
+    def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
+        """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
+        return [self._text(templates.text(template), names) for template in page.texts]
+
+    def _text(self, text: Text, names: Mapping[str, Any]) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
-        section = self._retold(anchor, keeper) if anchor in RETOLD else Section()
+        section = self._retold(anchor) if anchor in RETOLD else Section()
         if not section.claims:  # where the shake test was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
@@ -65,23 +86,25 @@ class Edition:
             "does_slip": found.does_slip,
             "overview": "overview" in section.figures,
             "cards": cards_of(self.chapters),
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
             "value": found.value,
             "cell": found.cell,
-            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
+            "claim": _finder(anchor, "claim", {claim.name: found.marked(claim, anchor) for claim in section.claims}),
             "holds": _asker({**sections, anchor: section}, anchor),
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),
         }
         return text.prose(anchor, {**known, **names})
 
-    def _retold(self, name: str, keeper: Keeper) -> Section:
+    def _retold(self, name: str) -> Section:
         def make(reads: Reads) -> Derivation:
             return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads)), {}
 
         project = self.project
         code = ROOT / "report" / "story" / f"{name}.py"
         reads = Reads({"": self.chapters}, {("", name): chapter.digest for name, chapter in self.chapters.items()})
-        return keeper.made((project.profile, project.release, name), code, (), reads, make).section
+        return self.keeper.made((project.profile, project.release, name), code, (), reads, make).section
 
 
 def editions_of(project: Project, templates: Templates, keeper: Keeper | None = None) -> dict[str, Edition]:
@@ -98,10 +121,11 @@ def derive_edition(project: Project, templates: Templates, keeper: Keeper | None
     states = states_of(project)
     left_out = [state for state in states if not state.record]
     outlines = [(state, outline_of(state.section)) for state in states if state.record]
+    floors = noise_floors(state.record for state, _ in outlines if state.section == NOISE)
     found: dict[str, Chapter] = {}
     for state, outline in sorted(outlines, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
-        results = Results(state.record, project.record_path(state.section), others)
+        results = Results(state.record, project.record_path(state.section), others, floors=floors)
         try:
             if outline.compares:
                 digest = _results_digest(results)
@@ -114,7 +138,7 @@ def derive_edition(project: Project, templates: Templates, keeper: Keeper | None
             left_out.append(_left_out(project, state, error))
         else:
             found[state.section] = chapter
-    return Edition(project, found, left_out)
+    return Edition(project, found, left_out, keeper)
 
 
 def _compared(edition: Edition, releases: Releases, templates: Templates, keeper: Keeper) -> Edition:
@@ -133,7 +157,7 @@ def _compared(edition: Edition, releases: Releases, templates: Templates, keeper
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
     refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
-    return Edition(edition.project, chapters, left_out)
+    return Edition(edition.project, chapters, left_out, keeper)
 
 
 def _made(
@@ -150,13 +174,20 @@ def _made(
     for release, chapters in releases.items():
         digests |= {(release, name): chapter.digest for name, chapter in chapters.items()}
     place = project.profile, project.release, results.record.section
-    return keeper.made(place, outline.file, [_results_digest(results)], Reads(places, digests), make)
+    given = [_results_digest(results), repr(sorted(results.floors.items()))]
+    return keeper.made(place, outline.file, given, Reads(places, digests), make)
 
 
 def _results_digest(results: Results) -> str:
     """Of a record and its traces."""
     folder = results.path.parent
     return files_digest([results.path, *traces_of(results.path, results.record)], folder) + folder.name
+
+
+def _replayed(results: Results) -> dict[str, Any] | None:
+    from report.packed import replayed_runs  # it takes NumPy, which takes long to import
+
+    return replayed_runs(results)
 
 
 def _chapter(
@@ -175,7 +206,7 @@ def _chapter(
     names = _names(results, section, before)
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
-    digest = sha256(repr((made.digest, outcomes)).encode()).hexdigest()
+    digest = sha256(repr((made.digest, outcomes, state.notes)).encode()).hexdigest()
     return Chapter(state, results, section, names, text.prose(name, names), outline.page, digest=digest)
 
 

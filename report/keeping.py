@@ -102,9 +102,9 @@ class Keeper:
         own = digest_of(*given, self._code(code))
         kept = Cache(self.root).get(name, own)
         if kept is None:
-            kept = make()
+            kept = (make(),)  # which may be None
             Cache(self.root).put(name, own, kept)
-        return kept
+        return kept[0]
 
     def _code(self, module: Path) -> str:
         if module not in self._codes:

@@ -23,6 +23,8 @@ Pictures = tuple[Markup, Markup]
 TAG = re.compile("<[^>]*>")
 ROLE = Markup('role="img"')
 """In a drawn figure: what it says to whoever can't see it comes behind."""
+SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
+"""Where a number is from that there is."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,7 @@ class Figure:
     def settled(self, pictures: Pictures | None) -> "Figure":
         """The same as it is kept once it is drawn: of its series no more than whether they are there."""
         sources = [
-            replace(source, value=source.value is not None or None) if isinstance(source, Series) else source
+            replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
             for source in self.sources
         ]
         return replace(self, draw=None, sources=sources, pictures=pictures)
@@ -118,12 +120,19 @@ class Figure:
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
         ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.making.source, self.making.command)
 
+    @property
+    def undrawn(self) -> Markup:
+        """Its caption, for whoever only reads."""
+        return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
+
     def _spoken(self, pictures: Pictures | None) -> Pictures:
-        """The pictures with what they say to whoever can't see them."""
+        """The pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
-        alt = Markup(TAG.sub("", self.wording("alt", self.numbers))).unescape().replace("\xa0", " ")
-        label = Markup('{} aria-label="{}"').format(ROLE, alt)
+        words = self.wording("alt", self.numbers)
+        alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
+        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
+        label = Markup('{} aria-label="{}"{}').format(ROLE, alt, links)
         broad, narrow = (picture.replace(ROLE, label, 1) for picture in pictures)
         return broad, narrow
 

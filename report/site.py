@@ -1,6 +1,5 @@
 """The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
-import csv
 import hashlib
 import json
 import re
@@ -15,6 +14,7 @@ from typing import Any
 from markupsafe import Markup
 
 from report import ROOT
+from report.archive import rows_csv
 from report.chapters import Chapter
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
@@ -30,6 +30,7 @@ from report.records.identity import files_digest, package_versions, sources_kept
 from report.records.project import Project
 from report.records.status import State
 from report.records.traces import BYTE_LIMIT, traces_of
+from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
@@ -138,7 +139,7 @@ def _write_site(
 ) -> None:
     places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
     links = {release: _links(editions, places, release) for release in editions}
-    leaves = {release: _leaves(editions[release], templates, links[release], keeper) for release in editions}
+    leaves = {release: _leaves(editions[release], templates, links[release]) for release in editions}
     drawn = _draw(leaves, keeper)
     for release in editions:
         here = folder / places[release]
@@ -157,6 +158,7 @@ def _write_site(
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
         _write_data(here / "data", release, editions)
+        write_replay(here, editions[release], templates)
     write_surroundings(folder, editions, places, templates, address, keeper)
     (folder / ".gitkeep").touch()
 
@@ -170,11 +172,18 @@ def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: st
     ]
 
 
-def _leaves(edition: Edition, templates: Templates, links: Sequence[Link], keeper: Keeper) -> list[Leaf]:
+def _leaves(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Leaf]:
     names = {"releases": links}
-    return [
-        Leaf(page, edition.texts(page, templates, names, keeper), chapters) for page, chapters in edition.pages.items()
-    ]
+    return [Leaf(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+
+
+def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
+    """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
+    leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
+    parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
+    return {
+        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
+    }
 
 
 def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dict[str, Markup]]:
@@ -251,7 +260,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
-            _write_rows(there / f"{path.stem}.csv", chapter.results.record.rows)
+            (there / f"{path.stem}.csv").write_bytes(rows_csv(chapter.results.record.rows))
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
         values = {chapter.name: chapter.values for chapter in chapters}
@@ -259,15 +268,6 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
         place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(_local(text, shown) + "\n", encoding="utf-8")
-
-
-def _write_rows(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Rows as a table; what a row lacks is empty."""
-    columns = dict.fromkeys(column for row in rows for column in row)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def _local(text: str, release: str) -> str:

@@ -1,4 +1,4 @@
-"""What stands around the pages: picture, feed, site map, and what tells who made it."""
+"""What stands around the pages: picture, feed, site map, all data in one file, and what tells who made it."""
 
 import re
 import shutil
@@ -9,10 +9,12 @@ from datetime import datetime
 from pathlib import Path
 
 from report import ROOT
+from report.archive import ARCHIVE, write_archive
 from report.compare import flips
 from report.editions import Edition
 from report.keeping import Keeper
 from report.page import Templates
+from report.quantities import Quantity
 
 ASSETS = ("style.css", "page.js", "favicon.svg")
 """Files of ``assets/`` that lie beside the pages of each release."""
@@ -73,8 +75,10 @@ def write_surroundings(
     (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
     shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
     slips = {release: _slips(edition) for release, edition in editions.items()}
-    card = keeper.value("card", ROOT / "report" / "card.py", [repr(slips)], lambda: _card(slips))
+    given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
+    card = keeper.value("card", ROOT / "report" / "card.py", given, lambda: _card(slips))
     (folder / CARD).write_bytes(card)
+    write_archive(folder / ARCHIVE, editions, templates)
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:
@@ -91,7 +95,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list
         for flip in flips(before.chapters, edition.chapters) if before else ():
             chapter = edition.chapters[flip.section]
             name = f"{flip.section}.{flip.before.name}"
-            title = f"Newton {release}: {name}, {flip.before.outcome.name} → {flip.after.outcome.name}"
+            title = f"Newton {release}: {name}, {flip.before.outcome.answer} → {flip.after.outcome.answer}"
             where = f"{place}{chapter.page.file}#{flip.section}"
             found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
         before = edition
@@ -102,16 +106,16 @@ def _date(text: str) -> str:
     return datetime.fromisoformat(text).isoformat(timespec="seconds")
 
 
-def _card(slips: Mapping[str, Mapping[str, float | None]]) -> bytes:
+def _card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
     from report.card import draw_card  # it takes Matplotlib, which takes long to import
 
     return draw_card(slips)
 
 
-def _slips(edition: Edition) -> dict[str, float | None]:
-    found: dict[str, float | None] = {}
+def _slips(edition: Edition) -> dict[str, Quantity | None]:
+    found: dict[str, Quantity | None] = {}
     for label, case in CARD_CASES.items():
         rows = (chapter.results.row for chapter in edition.chapters.values())
         there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
-        found[label] = next((row.slip_mm.value for row in there), None)
+        found[label] = next((row.slip_mm for row in there), None)
     return found

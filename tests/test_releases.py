@@ -14,7 +14,7 @@ from report.check import check_site
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from report.compare import Comparison, compare, is_flip
 from report.editions import derive_edition, editions_of
-from report.noise import Floor, is_beyond
+from report.noise import Floor, is_beyond, tolerance
 from report.page import Templates
 from report.quantities import Quantity, mixed
 from report.records.environment import requirements
@@ -38,8 +38,7 @@ def newer(toy) -> Toy:
 
 
 def compared(*sides: Toy) -> Comparison:
-    before, after = (derive_edition(side.project, Templates(side.project.templates)) for side in sides)
-    return compare((before.project.release, after.project.release), before.chapters, after.chapters)
+    return compare(*(derive_edition(side.project, Templates(side.project.templates)) for side in sides))
 
 
 def test_a_release_is_judged_without_being_installed(toy, newer):
@@ -121,12 +120,12 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
 
 
 def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
-    arguments = Namespace(a="1.4.0", b="1.8.0")
+    arguments = Namespace(a="1.4.0", b="1.8.0", format="text", values="all")
     assert build.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
-    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in said and "better" in said
-    assert "stiff" not in said.partition("claims that flipped")[0]
-    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in said
+    flips, _, moves = said.partition("toy: 1 values moved (1 better)")
+    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in flips
+    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
     assert build.diff(toy.project, arguments) == 0
 
@@ -171,6 +170,15 @@ def test_what_counts_as_moved():
     assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
 
 
+def test_the_noise_is_what_nearly_all_pairs_stay_within():
+    """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
+    runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
+    deviation = 0.001 * (40 / 39) ** 0.5
+    assert tolerance(runs) == pytest.approx(2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5, rel=1e-3)
+    assert tolerance([*runs, 7.36]) == pytest.approx(1.001), "never less than what was seen"
+    assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5
+
+
 def test_speed_is_compared_on_one_machine_only(toy, newer):
     rows = [{**SOFT, "frame_ms": 10.0}, {**STIFF, "frame_ms": 5.0}]
     toy.measure(rows)
@@ -180,7 +188,8 @@ def test_speed_is_compared_on_one_machine_only(toy, newer):
     write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
     found = compared(toy, newer)
     assert found.moves == []
-    assert found.notes == ["speed of toy: it was measured on A processor and on Another"]
+    cores = "an unknown number of cores"
+    assert found.notes == [f"speed and cost in toy: measured on A processor, {cores} and on Another, {cores}"]
 
 
 def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):
@@ -288,7 +297,8 @@ def test_claims_that_turned_are_said_in_both_ways(upgraded):
     upgraded.of("1.8.0").measure(BETTER)
     upgraded.build()
     turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
-    assert "toy: helps" in turned and "It helps" in turned and "It does not" in turned
+    assert "toy</a>: whether it helps" in turned
+    assert "True in 1.4.0:</b> It helps" in turned and "Not true in 1.8.0:</b> It does not" in turned
     assert 'data-src="values.json#/toy/gain"' in turned
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned
     assert check_site(upgraded.project.site) == []
@@ -303,7 +313,7 @@ def test_what_one_release_cannot_tell_is_listed_and_counted_by_itself(upgraded):
     write_record(newer.project.record_path("noise"), newer.record(rows, section="noise"))
     upgraded.build()
     turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
-    assert "toy: helps" in turned and "cannot be told (as a test)" in turned
+    assert "toy</a>: whether it helps" in turned and "Cannot be told in 1.8.0:</b> as a test" in turned
     values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
     assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
 

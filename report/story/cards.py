@@ -1,7 +1,7 @@
 """Cards: numbers before and after the change, side by side on the front page."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
@@ -46,9 +46,10 @@ def cards_of(chapters: Chapters) -> Cards:
     frames = [found.cell("speed", case, "frame_ms", "ms") for case in ("as-shipped", "stiff-pads-only")]
     noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
     cards = [
-        Card("slip in the shake", slips, Markup("runs differ by {}").format(noise)),
+        Card("slip in the shake", slips, Markup("runs may differ by {}").format(noise)),
         Card("grip used", grips, Markup("of the friction that there is")),
         Card("pads sink in", depths, Markup("mean of the loaded contacts")),
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
     ]
-    return Cards([card for card in cards if card.values[0].value is not None])
+    there = [card for card in cards if card.values[0].value is not None]
+    return Cards([replace(card, note=card.note + found.stale_mark(card.values[0].reads)) for card in there])
