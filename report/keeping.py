@@ -16,7 +16,7 @@ from typing import Any
 from report import ROOT
 from report.claims import Claim
 from report.derived import Reads
-from report.parts import Pictures, Section
+from report.parts import Figure, Pictures, Section
 from report.quantities import Value
 from report.records.cache import Cache
 from report.records.identity import import_closure
@@ -111,18 +111,27 @@ class Keeper:
             self._codes[module] = code_digest(module)
         return self._codes[module]
 
+    def figures(self, release: str, section: str) -> dict[str, Figure]:
+        """The figures of a section that is to be kept, by their ids, whether its page shows them or not."""
+        found = [made for made in self._derived if made.place[1:] == (release, section)]
+        named = ((_anchor(made, name), figure) for made in found for name, figure in made.section.figures.items())
+        return {anchor: replace(figure, anchor=anchor) for anchor, figure in named}
+
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
         """Keep what was derived and all of whose figures are among ``pictures``, by release and id of the figure."""
         if self.root is None:
             return
         names = {id(claim): name for name, claim in self._claims.items()}
         for made in self._derived:
-            _, release, section = made.place
-            drawn = {name: pictures.get((release, f"{section}-{name}")) for name in made.section.figures}
+            drawn = {name: pictures.get((made.place[1], _anchor(made, name))) for name in made.section.figures}
             if all(drawn[name] or not figure.is_there for name, figure in made.section.figures.items()):
                 kept = replace(made, section=made.section.settled(drawn))
                 Cache(self.root).put(".".join(made.place), made.own, kept, lambda thing: names.get(id(thing)))
         self._derived.clear()
+
+
+def _anchor(made: Made, figure: str) -> str:
+    return f"{made.place[2]}-{figure}"
 
 
 def digest_of(*texts: str) -> str:

@@ -196,7 +196,15 @@ def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dic
         for figure in prose.figures
     }
     pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
-    to_draw = {place: figure for place, figure in placed.items() if figure.is_there and not figure.pictures}
+    # A section is kept with all of its figures, those as well that are not shown as long as something else is.
+    others = {
+        (release, anchor): figure
+        for release, found in leaves.items()
+        for leaf in found
+        for prose in leaf.parts
+        for anchor, figure in keeper.figures(release, prose.anchor).items()
+    }
+    to_draw = {place: figure for place, figure in (others | placed).items() if figure.is_there and not figure.pictures}
     pictures |= zip(to_draw, draw_all(list(to_draw.values())), strict=True)
     keeper.keep(pictures)
     drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
