@@ -55,7 +55,7 @@ verify: $(READY) ## Measure the headline again, in a minute or three, beside wha
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish
 
-serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
+serve: $(READY) ## Serve site/ at http://127.0.0.1:8000, and build it again on every change [PORT NEWTON PROFILE]
 	$(RUN) serve
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]

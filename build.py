@@ -13,7 +13,6 @@ import os
 import subprocess
 from collections.abc import Iterable, Mapping
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
@@ -201,14 +200,15 @@ def torture(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def serve(project: Project, arguments: argparse.Namespace) -> int:
-    """Serve the site until Ctrl-C."""
-    handler = partial(SimpleHTTPRequestHandler, directory=project.site)
-    try:
-        server = ThreadingHTTPServer(("127.0.0.1", arguments.port), handler)
-    except OSError as error:
-        raise UsageError(f"PORT={arguments.port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
+    """Serve the site until Ctrl-C, and build it again whenever something changes."""
+    from report.serving import Server
+
+    _refuse_unmeasured(project)
+    server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
-    server.serve_forever()
+    # In a process of its own, since what changes may be the program.
+    command = [sys.executable, "build.py", "page", "--newton", project.release, "--profile", project.profile]
+    server.follow(project.inputs, lambda: subprocess.run(command, cwd=project.root, check=False))
     return 0
 
 
@@ -315,7 +315,7 @@ COMMANDS = {
     trace: ("value", "newton", "profile"),
     verify: ("newton", "device"),
     publish: ("target",),
-    serve: ("port",),
+    serve: ("port", "newton", "profile"),
     test: ("newton",),
     torture: (),
 }

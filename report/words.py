@@ -18,7 +18,7 @@ Each stands where it is printed. Its parts can name what Python hands over with 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, cast
+from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
 from jinja2.ext import Extension
@@ -103,27 +103,37 @@ def _has_part(blocks: list[nodes.Block], part: str) -> bool:
     return any(block.name.rpartition(SEPARATOR)[2] == part for block in blocks)
 
 
-def wordings(
-    environment: Environment, parsed: nodes.Template, place: str, render: Callable[[str, Mapping[str, Any]], Markup]
-) -> dict[tuple[str, str], Wording]:
+@dataclass(frozen=True)
+class Worded:
+    """What a template says of one claim, figure or table, before it is known how that is rendered."""
+
+    place: str
+    blocks: Mapping[str, str]
+    """Names of its blocks by part."""
+    names: frozenset[str]
+
+    def wording(self, render: Callable[[str, Mapping[str, Any]], Markup]) -> Wording:
+        """The same with its parts; ``render`` renders the block of the given name with the given names."""
+        return Wording(self.place, {part: partial(render, block) for part, block in self.blocks.items()}, self.names)
+
+
+def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Worded]:
     """What a parsed template says, by kind and name.
 
     Args:
         environment: What it was parsed with.
         parsed: The template.
         place: Its path, to name in errors.
-        render: Renders the block of the given name with the given names.
     """
-    found: dict[tuple[str, str], Wording] = {}
+    found: dict[tuple[str, str], Worded] = {}
     for kind, name, part, block in _blocks(parsed):
         body = nodes.Template(block.body)
         body.set_environment(environment)
         names = find_undeclared_variables(body)
-        known = found.get((kind, name), Wording(f"{place}:{block.lineno}", {}, frozenset()))
-        if part in known.parts:
+        known = found.get((kind, name), Worded(f"{place}:{block.lineno}", {}, frozenset()))
+        if part in known.blocks:
             raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
-        parts = {**known.parts, part: cast(Part, partial(render, block.name))}
-        found[kind, name] = Wording(known.place, parts, known.names | names)
+        found[kind, name] = Worded(known.place, {**known.blocks, part: block.name}, known.names | names)
     return found
 
 

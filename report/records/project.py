@@ -8,6 +8,7 @@ from report import ROOT, ReportError
 from report.records.record import record_path, results_folder
 
 PROFILES = ("full", "quick")
+INPUTS = ("experiments", "report", "templates", "assets", "results")
 FOLDER = re.compile(r"newton-([0-9]+(?:\.[0-9]+)*)")
 REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
@@ -31,6 +32,11 @@ class Project:
     @property
     def site(self) -> Path:
         return self.root / "site"
+
+    @property
+    def inputs(self) -> list[Path]:
+        """Folders that the site is made from."""
+        return [self.root / name for name in INPUTS]
 
     @property
     def results(self) -> Path:

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from report.records.files import RecordError
 from report.records.identity import MISSING, changes, identity_of, package_versions, sections
@@ -33,25 +33,36 @@ class State:
 
 def states_of(project: Project) -> list[State]:
     """The state of every section of one release."""
-    packages = expected_packages(project)
-    return [state_of(project, section, packages) for section in sections(project.root)]
+    loaded = [_loaded(project, section) for section in sections(project.root)]
+    packages = expected_packages(project, [state.record for state in loaded if state.record])
+    return [_judged(project, state, packages) for state in loaded]
 
 
-def state_of(project: Project, section: str, packages: Mapping[str, str] | None = None) -> State:
-    """The state of one section; ``packages`` is what it should have been measured with."""
+def state_of(project: Project, section: str) -> State:
+    """The state of one section."""
+    return _judged(project, _loaded(project, section), expected_packages(project))
+
+
+def _loaded(project: Project, section: str) -> State:
+    """A section with its record, taken for fresh, or why there is none."""
     path = project.record_path(section)
     if not os.path.lexists(path):
         return State(section, "missing")
     try:
-        record = load_record(path)
+        return State(section, "fresh", load_record(path))
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
-    current = identity_of(section, project.profile, project.root, packages or expected_packages(project))
-    changed = changes(record.identity, current)
-    return State(section, "stale" if changed else "fresh", record, tuple(changed))
 
 
-def expected_packages(project: Project) -> Mapping[str, str]:
+def _judged(project: Project, state: State, packages: Mapping[str, str]) -> State:
+    if not state.record:
+        return state
+    current = identity_of(state.section, project.profile, project.root, packages)
+    changed = changes(state.record.identity, current)
+    return replace(state, kind="stale" if changed else "fresh", notes=tuple(changed))
+
+
+def expected_packages(project: Project, records: Iterable[Record] | None = None) -> Mapping[str, str]:
     """The package versions that the records of a release should have been measured with.
 
     Of the release that is installed here these are the versions that are. Another release need not be installed to
@@ -61,7 +72,9 @@ def expected_packages(project: Project) -> Mapping[str, str]:
     installed = package_versions()
     if installed["newton"] == project.release:
         return installed
-    newest = max(_records(project), key=lambda record: record.measured["date"], default=None)
+    newest = max(
+        _records(project) if records is None else records, key=lambda record: record.measured["date"], default=None
+    )
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
     return {**others, "newton": project.release}
 
