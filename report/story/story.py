@@ -5,7 +5,7 @@ from dataclasses import replace
 import pandas as pd
 
 from report.chapters import Chapters
-from report.claims import Claim, all_of
+from report.claims import Claim, all_of, at_most
 from report.names import section_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
@@ -108,7 +108,7 @@ def _suspect_figure(found: Found) -> Figure:
         numbers={
             "remedy": shares[REMEDY],
             "shares": ", ".join(f"{name} {share}" for name, share in shares.items()),
-            "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
+            "ruled_out": all_of(*(at_most(share, bound) for name, share in shares.items() if name != REMEDY)).said,
         },
     )
 

@@ -1,6 +1,5 @@
 """The cause, named: what the drift goes with, and what it does not."""
 
-from collections.abc import Mapping
 from statistics import median
 
 from markupsafe import Markup
@@ -94,11 +93,10 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
     )
 
 
-def not_creep_under_load(results: Results, stiffness: Mapping[str, Value]) -> Claim:
-    """``stiffness`` [N/m] is measured, by case."""
+def not_creep_under_load(results: Results) -> Claim:
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
     formula = "measured stiffness with dmax raised, over that as shipped"
-    stiffer = ratio(results, "dmax_stiffness_ratio", formula, stiffness[HARDEST], stiffness[SHIPPED])
+    stiffer = ratio(results, "dmax_stiffness_ratio", formula, hardest.stiffness_n_m, shipped.stiffness_n_m)
     bound = results.chosen("dmax_stiffness_bound", "clearly stiffer", 2.0)
     moves_more = greater(hardest.drift_mm_s, shipped.drift_mm_s, noise=noise_floor(results, "drift_floor"))
     return Claim(
