@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most, within
+from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, within
 from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
 from report.quantities import Quantity, Value, absent
 from report.results import Results
@@ -13,6 +13,9 @@ from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
 NO_SLIP = "as shipped there is no slip to bring down"
+
+
+NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
 
 
 def knob_claims(results: Results, runs: Runs, clamp: Value) -> list[Claim]:
@@ -135,8 +138,10 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")
     floor = noise_floor(results, "slip_floor")
+    gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
+    gain = at_least(*gained)
     return Claim(
         "flat_below_clamp",
-        within(difference, floor),
+        within(difference, floor) if gain == HOLDS else NO_GAIN.having_read(*gained, difference, floor),
         numbers={"clamp": clamp, "spread": difference, "floor": floor},
     )
