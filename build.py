@@ -195,6 +195,11 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
+def worlds(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site of each altered world, and write anew what it says otherwise, into tests/worlds/."""
+    return subprocess.run([sys.executable, "-m", "tests.worlds"], cwd=project.root, check=False).returncode
+
+
 def torture(project: Project, arguments: argparse.Namespace) -> int:
     """Kill, fill and damage whatever there is, and write how that went into docs/reliability.md."""
     return subprocess.run([sys.executable, "-m", "tests.torture"], cwd=project.root, check=False).returncode
@@ -317,6 +322,7 @@ COMMANDS = {
     publish: ("target",),
     serve: ("port",),
     test: ("newton",),
+    worlds: (),
     torture: (),
 }
 """What there is to run, and the options that each has."""
