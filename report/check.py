@@ -11,10 +11,10 @@ from typing import Any
 from urllib.parse import SplitResult, unquote, urlsplit
 
 from report import ROOT
-from report.format import format_code, format_number, spellings, whole
+from report.format import format_code, format_most, format_number, spellings, whole
 from report.names import name_of
 from report.noise import NOISE, Floor, cell_noise, floors_of
-from report.quantities import VALUES_FILE
+from report.quantities import AS_MUCH, MOST, SAME, VALUES_FILE
 from report.replay import script
 
 SCRIPT = "page.js"
@@ -31,7 +31,7 @@ OUTCOMES = {"holds", "fails", "unknown"}
 PICTURES = {"svg", "img", "video", "canvas"}
 """What says in words what it shows."""
 TYPED = re.compile(
-    r"kd = 2√ke|2/kd = 2·dt|dt² ke \+ 2 dt kd > 4|clamped to 2 dt|damping ratio 1\b|^[12]\. |RK4|link7|1/s"
+    r"kd = 2√ke|2/kd = 2·dt|dt² ke \+ 2 dt kd > 4|clamped to 2 dt|damping ratio 1\b|^[12]\. |RK4|link7|1/s|3D"
     r"|[\d\u202f]+ worlds?|\d+ runs(?: in \d+ sections)?|Newton \d+\.\d+\.\d+"
 )
 """Numbers in drawings and in their words that are names and formulas."""
@@ -135,9 +135,9 @@ class Reading(HTMLParser):
             self._ticks.append(attributes.get("class") == "tick")
         if tag == "text":
             self.drawn.append(Drawn("", attributes.get("data-src", "").split(), is_tick=any(self._ticks)))
-        if tag in PICTURES and "aria-label" in attributes:
-            sources = attributes.get("data-src", "").split()
-            self.drawn.append(Drawn(attributes["aria-label"], sources, is_drawn=False))
+        said = attributes.get("aria-label") or attributes.get("alt")
+        if tag in PICTURES and said:
+            self.drawn.append(Drawn(said, attributes.get("data-src", "").split(), is_drawn=False))
         if tag == "data":
             self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
         if "data-claim" in attributes:
@@ -227,14 +227,26 @@ def _check_numbers(reading: Reading, data: Data) -> list[str]:
         source = number.get("data-src", "")
         try:
             kept, noise = data.number(source)
+            text = _text(number, kept, noise, data)
         except (OSError, ValueError, LookupError, TypeError):
             problems.append(f"{number.get('data-src')} resolves to nothing")
             continue
         shown = json.loads(number["value"]) if number.get("value") else None
-        text = format_code(kept) if number["in"] == "code" else format_number(kept, noise=noise)
         if shown != kept or number["text"] != text:
             problems.append(f"{source} is {kept}, but {number['text']} ({shown}) is shown")
     return problems
+
+
+def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
+    """How a number has to be written where it is."""
+    text, how = format_number(kept, noise=noise), number.get("data-as")
+    if number["in"] == "code":
+        return format_code(kept)
+    if how == MOST:
+        return format_most(kept, noise=noise)
+    other, its_noise = data.number(how) if how else (None, None)
+    is_same = how and format_number(other, noise=its_noise) == text and number["text"] in (SAME, AS_MUCH)
+    return number["text"] if is_same else text
 
 
 def _check_drawn(reading: Reading, data: Data) -> list[str]:
@@ -244,7 +256,7 @@ def _check_drawn(reading: Reading, data: Data) -> list[str]:
         rest = drawn.text
         for source in drawn.sources:
             try:
-                texts = spellings(*data.number(source))[: None if drawn.is_drawn else 1]
+                texts = _texts(drawn, *data.number(source))
             except (OSError, ValueError, LookupError, TypeError):
                 problems.append(f"{source} resolves to nothing")
                 continue
@@ -256,6 +268,13 @@ def _check_drawn(reading: Reading, data: Data) -> list[str]:
         if not drawn.is_tick and re.search(r"\d", rest) and (number := re.search(r"\d\S*", _unnamed(rest, data))):
             problems.append(f"the number {number[0]} leads nowhere in: {drawn.text}")
     return problems
+
+
+def _texts(drawn: Drawn, value: float | int | None, noise: float | None) -> list[str]:
+    """All ways in which a number may be written there."""
+    if drawn.is_drawn:
+        return spellings(value, noise)
+    return [format_number(value, noise=noise), format_most(value, noise=noise)]
 
 
 def _unnamed(text: str, data: Data) -> str:
