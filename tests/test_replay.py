@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from report import ROOT
-from report.check import Reading
 from report.editions import derive_edition
 from report.packed import SHAKES, packed_runs
 from report.page import Templates
 from report.pages import REPLAY
+from report.reading import Reading
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.traces import trace_path
