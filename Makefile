@@ -22,7 +22,7 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun check diff trace verify publish serve test torture lint help
+.PHONY: report page status rerun clips check diff trace verify publish serve test torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
@@ -36,6 +36,9 @@ status: $(READY) ## Say which sections are fresh, and what changed for the other
 
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
+
+clips: $(READY) ## Make the clips from the kept poses, in minutes on a GPU [NEWTON DEVICE PROFILE]
+	$(RUN) clips
 
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE FORMAT STRICT]
 	$(RUN) check

@@ -17,9 +17,10 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
 from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
-from report.records.environment import python_of, refuse_bad_release
+from report.records.environment import add_group, python_of, refuse_bad_release
 from report.records.files import settle
 from report.records.identity import sections
 from report.records.measure import measure, measure_headline
@@ -108,8 +109,17 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     _refuse_unmeasured(project)
     print(status_matrix(project))
     print(f"\nnewton {project.release}")
-    print(status_table(states_of(project), project.profile))
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
     return 0
+
+
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
 
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
@@ -298,6 +308,7 @@ COMMANDS = {
     page: ("newton", "profile", "address"),
     rerun: ("section", "newton", "device", "profile", "address"),
     status: ("newton", "profile"),
+    clips: ("newton", "device", "profile"),
     check: ("newton", "profile", "format", "strict"),
     diff: ("a", "b", "profile", "format", "values"),
     trace: ("value", "newton", "profile"),

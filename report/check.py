@@ -23,7 +23,7 @@ def check_site(site: Path) -> list[str]:
     pages = {path.resolve(): Reading(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
     data_of: dict[Path, Data] = {}
     for path, reading in pages.items():
-        found = [*_check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
+        found = [*check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
         data = data_of.setdefault(path.parent, Data(path.parent / "data"))
         found += check_numbers(reading, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
@@ -42,7 +42,8 @@ def check_site(site: Path) -> list[str]:
     return problems
 
 
-def _check_self_contained(reading: Reading) -> list[str]:
+def check_self_contained(reading: Reading) -> list[str]:
+    """What a page runs or fetches that is not the project's, a line each."""
     problems = [f"<{tag}> runs a script" for tag in reading.scripts]
     problems += ["a script runs that is not the project's own" for text in reading.inline if text != script()]
     problems += [f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)]

@@ -62,6 +62,11 @@ class Edition:
         """The runs of its replay; None where they are not kept."""
         return replayed_runs(self.chapters)
 
+    def unmeasured(self, page: Page) -> list[State]:
+        """The sections of a page, or of all for the front page, that have not been measured."""
+        missing = [state for state in self.left_out if state.kind == "missing"]
+        return [state for state in missing if page in (FRONT, _page(_module(state.section)))]
+
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
         return [self._text(templates.text(template), names) for template in page.texts]
@@ -85,7 +90,7 @@ class Edition:
             "replay": REPLAY if self.replay else "",
             "value": found.value,
             "cell": found.cell,
-            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
+            "claim": _finder(anchor, "claim", {claim.name: found.marked(claim, anchor) for claim in section.claims}),
             "holds": _asker({**sections, anchor: section}, anchor),
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),

@@ -1,4 +1,4 @@
-"""What stands around the pages: picture, feed, site map, and what tells who made it."""
+"""What stands around the pages: picture, feed, site map, all data in one file, and what tells who made it."""
 
 import re
 import shutil
@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
+from report.archive import ARCHIVE, write_archive
 from report.compare import flips
 from report.editions import Edition
 from report.figures import INK, SERIES, own_style
@@ -72,6 +73,7 @@ def write_surroundings(
     (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
     shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
     _draw_card(folder / CARD, editions)
+    write_archive(folder / ARCHIVE, editions, templates)
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:
@@ -88,7 +90,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list
         for flip in flips(before.chapters, edition.chapters) if before else ():
             chapter = edition.chapters[flip.section]
             name = f"{flip.section}.{flip.before.name}"
-            title = f"Newton {release}: {name}, {flip.before.outcome.name} → {flip.after.outcome.name}"
+            title = f"Newton {release}: {name}, {flip.before.outcome.answer} → {flip.after.outcome.answer}"
             where = f"{place}{chapter.page.file}#{flip.section}"
             found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
         before = edition

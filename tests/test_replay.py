@@ -1,5 +1,7 @@
 """replay.html: one script, known by its digest and built from its sources, and the data that was kept."""
 
+import base64
+import hashlib
 import json
 import shutil
 import subprocess
@@ -9,6 +11,7 @@ import numpy as np
 import pytest
 
 from report import ROOT
+from report.check import check_self_contained
 from report.editions import derive_edition
 from report.packed import SHAKES, packed_runs
 from report.page import Templates
@@ -43,10 +46,13 @@ def test_the_page_runs_its_one_script_and_fetches_nothing(page):
     assert len(page.encode()) <= MOST_BYTES
     assert page.count("<script") == 1 and f"<script>{script()}</script>" in page
     reading = Reading(page)
+    assert check_self_contained(reading) == []
+    assert check_self_contained(Reading(page.replace("</script>", " </script>"))) != []
     assert set(reading.fetched) <= {"data:,", ""}
     assert len(reading.claims) == 3
     policy = page.partition('http-equiv="Content-Security-Policy" content="')[2].partition('"')[0]
-    assert "default-src 'none'" in policy and policy.count("sha256-") == 1
+    digest = base64.b64encode(hashlib.sha256(script().encode()).digest()).decode()
+    assert "default-src 'none'" in policy and f"script-src 'sha256-{digest}';" in policy
 
 
 def test_without_its_script_the_page_says_what_was_measured(page, poses_path):

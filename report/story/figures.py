@@ -56,34 +56,34 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     axes.set_axis_off()
 
 
-def draw_walk(traces: Mapping[str, Series], moved: Mapping[str, Quantity]) -> Drawing:
-    """The way of the cube along the shake's main axis, each line named where it ends; ``moved`` is how far [mm]."""
+def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
+    """How far the cube is from where it was, each line named where it ends: there it is the slip [mm]."""
     there = {
-        case: trace.value for case, trace in traces.items() if trace.value is not None and moved[case].value is not None
+        case: trace.value for case, trace in traces.items() if trace.value is not None and slips[case].value is not None
     }
     drawing, axes = new_figure(7.2, 2.9)
-    ends = _apart([moved[case].value for case in there])
-    for (case, frame), colour, place in zip(there.items(), (SERIES[1], SERIES[0], SERIES[5]), ends, strict=False):
-        axes.plot(frame["time_s"], frame["along_mm"], color=colour, linestyle="-", marker="")
-        text = f"{name_of(case)}: {write(moved[case], digits=2)} mm"
+    colours, places = (SERIES[1], SERIES[0], SERIES[5]), _apart([slips[case].value for case in there])
+    for (case, frame), colour, place in zip(there.items(), colours, places, strict=False):
+        way = np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]], axis=1)
+        axes.plot(frame["time_s"], way, color=colour, linestyle="-", marker="")
+        text = f"{name_of(case)}: {write(slips[case], digits=2)} mm"
         axes.annotate(text, (frame["time_s"].iloc[-1], place), color=colour, fontsize=9, va="center", ha="right")
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.margins(x=0.01)
     low, high = axes.get_ylim()
     room = 0.06 * (high - low)
-    axes.set_ylim(min(low, min(ends) - room), max(high, max(ends) + room))
+    axes.set_ylim(low, max(high, max(places) + room))
     axes.set_xlabel("time since the shake began [s]")
-    axes.set_ylabel("along the main axis [mm]")
+    axes.set_ylabel("displacement [mm]")
     return drawing
 
 
 def _apart(ends: Sequence[float]) -> list[float]:
-    """Where the names of lines stand: away from zero beside the end, and so far apart that they can be read."""
-    step = 0.11 * (max(*ends, 0.0) - min(*ends, 0.0))
+    """Where the names of lines stand: above their ends, and so far apart that they can be read."""
+    step = 0.11 * max(ends, default=0.0)
     places: dict[int, float] = {}
     for index in sorted(range(len(ends)), key=lambda index: ends[index]):
-        lowest = max((place for place in places.values() if place > 0), default=-np.inf) + 1.3 * step
-        places[index] = ends[index] - step if ends[index] < 0 else max(ends[index] + step, lowest)
+        places[index] = max(ends[index] + step, max(places.values(), default=-np.inf) + 1.3 * step)
     return [places[index] for index in range(len(ends))]
 
 

@@ -59,6 +59,7 @@ def derive(results: Results) -> Section:
             limits.plateau(results, critical),
             limits.boundary(results, default_kd),
             limits.clamp(results),
+            limits.leans_on_clamp(results),
             limits.largest_step(results, [found for _, found in predicted.values()]),
             extremes.crossover(results, "shake"),
             extremes.crossover(results, "grip"),
