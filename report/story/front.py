@@ -1,12 +1,13 @@
 """The front page: the verdict, what to change, and short answers to what one asks first."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from report.chapters import Chapters
 from report.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
 from report.overview import overview
 from report.parts import Figure, Section
+from report.quantities import Quantity
 from report.story.figures import draw_still
 from report.story.found import Found
 
