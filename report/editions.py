@@ -14,6 +14,7 @@ from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.clips import Clips, clips_of
+from report.noise import NOISE, noise_floors
 from report.packed import replayed_runs
 from report.page import Prose, Templates, Text
 from report.pages import DEFAULT, FRONT, PAGES, REPLAY, Page, page_named
@@ -61,6 +62,11 @@ class Edition:
         """The runs of its replay; None where they are not kept."""
         return replayed_runs(self.chapters)
 
+    def unmeasured(self, page: Page) -> list[State]:
+        """The sections of a page, or of all for the front page, that have not been measured."""
+        missing = [state for state in self.left_out if state.kind == "missing"]
+        return [state for state in missing if page in (FRONT, _page(_module(state.section)))]
+
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
         return [self._text(templates.text(template), names) for template in page.texts]
@@ -84,7 +90,7 @@ class Edition:
             "replay": REPLAY if self.replay else "",
             "value": found.value,
             "cell": found.cell,
-            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
+            "claim": _finder(anchor, "claim", {claim.name: found.marked(claim, anchor) for claim in section.claims}),
             "holds": _asker({**sections, anchor: section}, anchor),
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),
@@ -104,10 +110,11 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
     states = states_of(project)
     left_out = [state for state in states if not state.record]
     modules = [(state, _module(state.section)) for state in states if state.record]
+    floors = noise_floors(state.record for state, _ in modules if state.section == NOISE)
     found: dict[str, Chapter] = {}
     for state, module in sorted(modules, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
-        results = Results(state.record, project.record_path(state.section), others)
+        results = Results(state.record, project.record_path(state.section), others, floors=floors)
         try:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)

@@ -15,6 +15,12 @@ TIMES = {"shake_start_s", "shake_duration_s", "cube_edge_mm", "overlap_mm", "aut
 """Parameters of a case in other units, and those that a person types."""
 RATIOS = {"step_ms", "timeconst_steps", "cube_mass_kg", "grip_ratio"}
 """What parameters of a case make together."""
+GIVEN = {
+    *("dampratio", "dmin", "dmax", "friction", "friction_timeconst_s", "friction_dampratio"),
+    *("timeconst_s", "timeconst_ms", "substep_ms", "timestep", "used", "used_m", "used_s"),
+    *("largest_step_ms", "failing_step_ms"),
+}
+"""What the engine was given, made from settings or chosen among steps: exact, though a section may be about it."""
 
 
 @cache
@@ -46,6 +52,11 @@ def _parameters() -> Mapping[str, ast.expr | None]:
     case = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Case")
     fields = {ast.unparse(node.target): node.value for node in case.body if isinstance(node, ast.AnnAssign)}
     return {name: named[value.id] if isinstance(value, ast.Name) else value for name, value in fields.items()}
+
+
+def is_exact(column: str) -> bool:
+    """Whether a column holds what was set, or made from nothing but that, and so has no noise."""
+    return column in settings() or column in GIVEN
 
 
 def is_setting(pointer: str) -> bool:
