@@ -22,13 +22,14 @@ from report.records.columns import UNPRINTABLE
 from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
 from report.records.environment import add_group, python_of, refuse_bad_release
 from report.records.files import settle
-from report.records.identity import sections
+from report.records.identity import sections, sources_kept
 from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
 from report.records.status import expected_packages, states_of, status_matrix, status_table
 
 if TYPE_CHECKING:
     from report.editions import Edition
+    from report.site import Built
 
 
 def main() -> int:
@@ -43,7 +44,8 @@ def main() -> int:
         own = own_release()
         project = Project(arguments.newton or own, arguments.profile, own_release=own)
         settle(project.results.parent)
-        result = arguments.run(project, arguments)
+        with sources_kept(project.root):
+            result = arguments.run(project, arguments)
         print(end="", flush=True)
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
@@ -214,20 +216,19 @@ def _build(project: Project, address: str) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    editions = build(project, address)
-    edition = editions[project.release]
-    stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-    for state in edition.left_out:
+    releases = build(project, address)
+    built = releases[project.release]
+    for state in built.left_out:
         print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
-    for name in stale:
+    for name in built.stale:
         print(f"{name} is stale: {project.rerun(name)} renews it")
     print(f"built {project.site / 'index.html'}")
-    return _say_damage(editions.values()), bool(edition.left_out or stale)
+    return _say_damage(releases.values()), bool(built.left_out or built.stale)
 
 
-def _say_damage(editions: "Iterable[Edition]") -> bool:
+def _say_damage(releases: "Iterable[Edition | Built]") -> bool:
     """Name each record that can't be trusted; whether there is one."""
-    damaged = [state for edition in editions for state in edition.left_out if state.kind == "damaged"]
+    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
     for state in damaged:
         print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
     return bool(damaged)
