@@ -123,7 +123,7 @@ def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
 
 
 def _slips(edition: Edition) -> dict[str, float | None]:
-    found: dict[str, float | None] = {"as shipped": None, "stiff pads": None}
+    found: dict[str, float | None] = {"shipped pads": None, "stiff pads": None}
     for label, case in zip(found, (BASELINE, FIXED), strict=True):
         rows = (chapter.results.row for chapter in edition.chapters.values())
         there = (row[case] for row in rows if case in row and "slip_mm" in row[case])

@@ -13,7 +13,7 @@ from report.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 
-PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
+PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
     "newton": "Warp, Newton's contacts",
     "newton-each-substep": "the same, contacts anew in each substep",
