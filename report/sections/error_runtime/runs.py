@@ -85,6 +85,12 @@ class Points:
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
 
+    def recommended(self, pads: str, backend: str) -> Row | None:
+        """What to set in place of the shipped settings on a backend; None where these are best, or do not count."""
+        shipped = self.shipped(pads, backend)
+        rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
+        return shipped and no_worse(rows, shipped)
+
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""
         mine = (row for row in self.references if row["pads"] == pads and is_own_model(row))
