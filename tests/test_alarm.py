@@ -21,6 +21,7 @@ from report.page import Templates
 from report.records.project import Project, own_release
 from report.records.reading import load_record
 from report.records.record import Record, write_record
+from report.records.stack import stack_of
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = (
@@ -108,7 +109,7 @@ def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
 
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
     newer = toy.of("1.8.0")
-    arguments = Namespace(a="1.4.0", b="1.8.0", format="text", values="sums")
+    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="sums")
     for change, kind in ((damage_record_of(newer), "damaged"), (remove_record_of(newer), "missing")):
         newer.measure()
         newer.write("report/sections/other.py", MODULE)
@@ -191,8 +192,9 @@ def test_markdown_is_not_made_of_what_a_record_says(toy):
 
 def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
+    sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
     for form in build.FORMATS:
-        assert build.diff(toy.project, Namespace(a="1.4.0", b="1.8.0", format=form, values="sums")) == 1
+        assert build.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
         assert "toy" in capsys.readouterr().out
-        assert build.check(toy.project, Namespace(format=form, strict=True)) == 0
+        assert build.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out

@@ -2,27 +2,66 @@
 
 import os
 import subprocess
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
-from report import ReportError
+from report import ReportError, UsageError
+from report.records.devices import machine_name, machine_of
 from report.records.environment import python_of
 from report.records.files import refuse_unwritable
+from report.records.identity import sections as all_sections
+from report.records.manifest import Manifest, write_manifest
 from report.records.processes import end_with
 from report.records.project import Project
-from report.records.status import expected_packages
+from report.records.stack import Stack, release_date
+from report.records.status import expected_packages, records_of
 
 
-def measure(project: Project, sections: list[str], device: str) -> None:
+def measure(project: Project, stack: Stack, sections: Sequence[str], device: str) -> Project:
     """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed.
 
-    A release that is not installed here is measured by the Python of its own environment.
+    What is not installed here is measured by the Python of its own environment. Returns the report that has the
+    results: they are kept apart when those that are there are of another machine.
     """
-    refuse_unwritable(project.results)
-    python = python_of(project.release, expected_packages(project), project.root)
-    options = ["--device", device, "--profile", project.profile]
+    kept = kept_by(project, device)
+    refuse_unwritable(kept.results)
+    python = python_of(stack, expected_packages(kept), project.root)
+    options = ["--device", device, "--profile", project.profile, "--edition", kept.release]
     command = [str(python), "-m", "experiments.run", *sections, *options]
     # It ends with this process: nobody would know of it otherwise.
     beginning = partial(end_with, os.getpid())
     status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning).returncode
+    _note_measured(kept, stack)
+    if status == UNFIT:
+        raise UsageError(f"NEWTON={stack.asked} was not measured")
     if status:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
+    return kept
+
+
+UNFIT = 2
+"""Status of a measurement that could not begin; it has said why."""
+
+
+def kept_by(project: Project, device: str) -> Project:
+    """The report that the results of this machine belong to: one of its own where others' are kept already."""
+    label, machine = project.label, machine_name(device)
+    if label.machine not in ("", machine):
+        raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
+    others = {machine_of(record) for record in records_of(project)} - {machine}
+    if not others or label.machine:
+        return project
+    found = project.of(str(replace(label, machine=machine)))
+    print(f"NEWTON={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
+    return found
+
+
+def _note_measured(project: Project, stack: Stack) -> None:
+    """Note which sections have been measured, so that one that goes is missed."""
+    there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
+    manifest = project.manifest
+    known = {*there, *(manifest.sections if manifest else ())}
+    day = manifest.date if manifest else release_date(stack)
+    if known:
+        write_manifest(project.results, Manifest(stack.asked, day, tuple(sorted(known))))
