@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON WITH DEVICE PROFILE A B FORMAT VALUES STRICT TARGET PORT ADDRESS PYTHON
+GIVEN := SECTION NEWTON WITH DEVICE PROFILE A B FORMAT VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -22,7 +22,7 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun check diff publish serve test torture lint help
+.PHONY: report page status rerun clips check diff trace verify publish serve test torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]
@@ -37,11 +37,20 @@ status: $(READY) ## Say which sections are fresh, and what changed for the other
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON WITH DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
 
+clips: $(READY) ## Make the clips from the kept poses, in minutes on a GPU [NEWTON DEVICE PROFILE]
+	$(RUN) clips
+
 check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE FORMAT STRICT]
 	$(RUN) check
 
 diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE FORMAT VALUES]
 	$(RUN) diff
+
+trace: $(READY) ## Print where a number comes from: page, rows, case and command [VALUE NEWTON PROFILE]
+	$(RUN) trace
+
+verify: $(READY) ## Measure the headline again, in a minute or three, beside what is tracked [NEWTON DEVICE]
+	$(RUN) verify
 
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish
@@ -70,6 +79,7 @@ help: ## Print this
 	@echo 'A=1.4.0 B=1.8.0         editions to compare; 1.8.0@cpu is that of another machine'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
+	@echo 'VALUE=stiffness.improvement  a value of the page, as site/data/values.json names it'
 	@echo 'FORMAT=json|markdown    what diff and check print, for a program or a pull request'
 	@echo 'VALUES=all              let diff list every value that moved'
 	@echo 'STRICT=1                let check fail when anything cannot be trusted'

@@ -17,12 +17,13 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
-from report.records.devices import DEVICES, NO_CUDA, measuring_device
-from report.records.environment import python_of
+from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
+from report.records.environment import add_group, python_of
 from report.records.files import settle
 from report.records.identity import sections
-from report.records.measure import measure
+from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
 from report.records.stack import Stack, stack_of
 from report.records.status import expected_packages, states_of, status_matrix, status_table
@@ -59,7 +60,8 @@ def main() -> int:
         print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
         return 1
     except ReportError as error:
-        print(UNPRINTABLE.sub("?", " ".join(str(error).split())), file=sys.stderr)
+        if said := " ".join(str(error).split()):  # whoever failed may have said it
+            print(UNPRINTABLE.sub("?", said), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
 
 
@@ -110,8 +112,17 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     _refuse_unmeasured(project, arguments.stack)
     print(status_matrix(project))
     print(f"\nnewton {project.release}")
-    print(status_table(states_of(project), project.profile))
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
     return 0
+
+
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
 
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
@@ -143,6 +154,33 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     comparison = compare(*(derive_edition(side, templates) for side in sides))
     print(diff_said(comparison, arguments.format, all_values=arguments.values == "all"))
     return int(comparison.is_alarm)
+
+
+def trace(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the way of one value, from the page back to rows, cases and command."""
+    from report.editions import editions_of
+    from report.page import Templates
+    from report.way import Ways
+
+    _refuse_unmeasured(project, arguments.stack)
+    templates = Templates(project.templates)
+    print(Ways(project, editions_of(project, templates), templates).text(arguments.value))
+    return 0
+
+
+def verify(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
+    from report.editions import derive_edition
+    from report.page import Templates
+    from report.verdict import compared, text_of
+
+    _refuse_unmeasured(project, arguments.stack)
+    device = arguments.device or ("cuda" if has_cuda() else "cpu")
+    found = measure_headline(project, arguments.stack, measuring_device(device, project.profile))
+    edition = derive_edition(project, Templates(project.templates))
+    comparisons = compared(edition, found)
+    print(text_of(edition, found, comparisons))
+    return int(not all(comparison.agrees for comparison in comparisons))
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -269,6 +307,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
         "default": "full",
         "help": "quick: small grids and short runs, kept apart",
     },
+    "value": {"type": str, "default": "", "help": "value of the page, as stiffness.improvement"},
     "format": {
         "type": partial(_one_of, "FORMAT", FORMATS),
         "default": "text",
@@ -285,8 +324,11 @@ COMMANDS = {
     page: ("newton", "with", "profile", "address"),
     rerun: ("section", "newton", "with", "device", "profile", "address"),
     status: ("newton", "with", "profile"),
+    clips: ("newton", "with", "device", "profile"),
     check: ("newton", "with", "profile", "format", "strict"),
     diff: ("a", "b", "profile", "format", "values"),
+    trace: ("value", "newton", "profile"),
+    verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port",),
     test: ("newton", "with"),

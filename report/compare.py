@@ -10,7 +10,7 @@ from report.claims import NEAR_NOISE, Claim
 from report.costs import cost_terms, is_cost, terms_of
 from report.editions import Edition
 from report.faults import Fault, faults_between, faults_of
-from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
+from report.noise import EDGES, NOISE, Floor, is_beyond, noise_floors, verdict
 from report.quantities import Quantity
 from report.records.columns import REASON
 from report.records.record import Record
@@ -20,8 +20,6 @@ KEYS = ("case", "kind", "device", "worlds", "substeps")
 """Columns that tell the rows of one section apart, where they are there; a search may end at other substeps."""
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
-EDGES = ("_p5", "_p95")
-"""Ends of columns that say how far a number spreads, and are the noise of that number."""
 UNCOMPARED = (
     *("wall_s", "build_s", "capture_s"),
     *("failure_frame", "normal_velocity_mm_s", "cone_use", "pose_difference_mm", "creep_floor_mm_s"),

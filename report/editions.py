@@ -3,6 +3,7 @@
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from traceback import extract_tb
@@ -12,8 +13,11 @@ from typing import Any
 from report import ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
+from report.clips import Clips, clips_of
+from report.noise import NOISE, noise_floors
+from report.packed import replayed_runs
 from report.page import Prose, Templates, Text
-from report.pages import DEFAULT, FRONT, PAGES, Page, page_named
+from report.pages import DEFAULT, FRONT, PAGES, REPLAY, Page, page_named
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
@@ -48,6 +52,21 @@ class Edition:
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         return {page: found for page, found in shown.items() if found or page == FRONT}
 
+    @cached_property
+    def clips(self) -> Clips | None:
+        """Its clips; None when there are none that can be shown."""
+        return clips_of(self.project)
+
+    @cached_property
+    def replay(self) -> dict[str, Any] | None:
+        """The runs of its replay; None where they are not kept."""
+        return replayed_runs(self.chapters)
+
+    def unmeasured(self, page: Page) -> list[State]:
+        """The sections of a page, or of all for the front page, that have not been measured."""
+        missing = [state for state in self.left_out if state.kind == "missing"]
+        return [state for state in missing if page in (FRONT, _page(_module(state.section)))]
+
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
         return [self._text(templates.text(template), names) for template in page.texts]
@@ -67,9 +86,11 @@ class Edition:
             "does_slip": found.does_slip,
             "overview": "overview" in section.figures,
             "cards": cards_of(self.chapters),
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
             "value": found.value,
             "cell": found.cell,
-            "claim": _finder(anchor, "claim", {claim.name: claim.html(anchor) for claim in section.claims}),
+            "claim": _finder(anchor, "claim", {claim.name: found.marked(claim, anchor) for claim in section.claims}),
             "holds": _asker({**sections, anchor: section}, anchor),
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),
@@ -89,10 +110,11 @@ def derive_edition(project: Project, templates: Templates) -> Edition:
     states = states_of(project)
     left_out = [state for state in states if not state.record]
     modules = [(state, _module(state.section)) for state in states if state.record]
+    floors = noise_floors(state.record for state, _ in modules if state.section == NOISE)
     found: dict[str, Chapter] = {}
     for state, module in sorted(modules, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
-        results = Results(state.record, project.record_path(state.section), others)
+        results = Results(state.record, project.record_path(state.section), others, floors=floors)
         try:
             if _compares(module):
                 chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)

@@ -36,6 +36,8 @@ PAGES = (
     _page("releases", "Releases"),
     _page("method", "Method"),
 )
+REPLAY = "replay.html"
+"""Beside these: the kept runs, on a page by itself."""
 DEFAULT = "evidence"
 """The page of a section that names none."""
 

@@ -19,6 +19,8 @@ from report.tables import table_html
 from report.words import Wording
 
 TAG = re.compile("<[^>]*>")
+SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
+"""Where a number is from that there is."""
 
 
 @dataclass(frozen=True)
@@ -79,13 +81,19 @@ class Figure:
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
         ).format(self.anchor, *self._drawings(), _caption(self), links, self.making.source, self.making.command)
 
+    @property
+    def undrawn(self) -> Markup:
+        """Its caption, for whoever only reads."""
+        return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
+
     def _drawings(self) -> tuple[Markup, Markup]:
         """For broad screens and for narrow ones; the stylesheet shows one of them."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
-        alt = Markup(TAG.sub("", self.wording("alt", self.numbers))).unescape().replace("\xa0", " ")
-        broad = draw_svg(self.draw, name=self.anchor, alt=alt)
+        words = self.wording("alt", self.numbers)
+        alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
+        broad = draw_svg(self.draw, name=self.anchor, alt=alt, sources=sources)
         with narrow_screen():
-            return broad, draw_svg(self.draw, name=f"narrow-{self.anchor}", alt=alt)
+            return broad, draw_svg(self.draw, name=f"narrow-{self.anchor}", alt=alt, sources=sources)
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,8 @@ class Quantity:
     """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
     """What it was measured with; none for what was not measured."""
+    noise: float | None = None
+    """How far apart two measurements of it come out, in its unit; None where nobody knows, 0 for what is exact."""
 
     @property
     def reads(self) -> frozenset[str]:
@@ -34,7 +36,16 @@ class Quantity:
     @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
-        return self._written(format_number(self.value))
+        return self._written(self.written)
+
+    @property
+    def written(self) -> str:
+        """The number as people write it, without its unit."""
+        return format_number(self.value, noise=self.noise)
+
+    def in_digits(self, digits: int) -> str:
+        """The same, in at most so many significant digits."""
+        return format_number(self.value, noise=self.noise, digits=digits)
 
     @property
     def code(self) -> Markup:
@@ -60,7 +71,7 @@ class Quantity:
 
     def __str__(self) -> str:
         label = "" if self.value is None else unit_label(self.unit)
-        return f"{format_number(self.value)} {label}".rstrip()
+        return f"{self.written} {label}".rstrip()
 
 
 def absent(unit: str, reason: str) -> Quantity:
@@ -84,11 +95,6 @@ class Value(Quantity):
         return super().reads | self.roots
 
     @property
-    def is_chosen(self) -> bool:
-        """Whether nobody measured it."""
-        return not self.sources
-
-    @property
     def _hint(self) -> str:
         return self.reason or self.formula
 
@@ -98,6 +104,7 @@ class Value(Quantity):
         entry = {
             "value": self.value,
             "unit": self.unit,
+            "noise": self.noise,
             "formula": self.formula,
             "sources": list(self.sources),
         }

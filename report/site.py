@@ -25,6 +25,7 @@ from report.records.files import locked
 from report.records.identity import files_digest, package_versions
 from report.records.project import Project
 from report.records.traces import BYTE_LIMIT, traces_of
+from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
 
 INPUTS = ("experiments", "report", "templates", "assets", "results")
@@ -125,6 +126,7 @@ def _write_site(
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
         _write_data(here / "data", release, editions)
+        write_replay(here, editions[release], templates)
         (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
     write_surroundings(folder, editions, places, templates, address)
     (folder / ".gitkeep").touch()
@@ -142,6 +144,15 @@ def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: st
 def _leaves(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Leaf]:
     names = {"releases": links}
     return [Leaf(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+
+
+def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
+    """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
+    leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
+    parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
+    return {
+        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
+    }
 
 
 def _draw(leaves: Mapping[str, Sequence[Leaf]]) -> dict[str, dict[str, Markup]]:

@@ -1,4 +1,4 @@
-"""What stands around the pages: picture, feed, site map, and what tells who made it."""
+"""What stands around the pages: picture, feed, site map, all data in one file, and what tells who made it."""
 
 import re
 import shutil
@@ -12,12 +12,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
+from report.archive import ARCHIVE, write_archive
 from report.compare import flips
 from report.editions import Edition
 from report.figures import INK, SERIES, own_style
-from report.format import format_number
 from report.overview import BASELINE
 from report.page import Templates
+from report.quantities import Quantity
 
 ASSETS = ("style.css", "page.js", "favicon.svg")
 """Files of ``assets/`` that lie beside the pages of each release."""
@@ -72,6 +73,7 @@ def write_surroundings(
     (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
     shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
     _draw_card(folder / CARD, editions)
+    write_archive(folder / ARCHIVE, editions, templates)
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:
@@ -88,7 +90,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list
         for flip in flips(before.chapters, edition.chapters) if before else ():
             chapter = edition.chapters[flip.section]
             name = f"{flip.section}.{flip.before.name}"
-            title = f"Newton {release}: {name}, {flip.before.outcome.name} → {flip.after.outcome.name}"
+            title = f"Newton {release}: {name}, {flip.before.outcome.answer} → {flip.after.outcome.answer}"
             where = f"{place}{chapter.page.file}#{flip.section}"
             found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
         before = edition
@@ -107,9 +109,9 @@ def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
         axes = drawing.subplots()
         for place, pair in enumerate(slips.values()):
             for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
-                if slip is not None:
-                    axes.barh(place + shift, slip, height=0.34, color=SERIES[1 - number], label=label)
-                    axes.text(slip, place + shift, f" {format_number(slip)} mm", va="center", fontsize=22, color=INK)
+                if slip is not None and slip.value is not None:
+                    axes.barh(place + shift, slip.value, height=0.34, color=SERIES[1 - number], label=label)
+                    axes.text(slip.value, place + shift, f" {slip}", va="center", fontsize=22, color=INK)
         axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
         axes.invert_yaxis()
         axes.margins(x=0.2)
@@ -122,10 +124,10 @@ def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
         FigureCanvasAgg(drawing).print_png(path, metadata={"Software": None})
 
 
-def _slips(edition: Edition) -> dict[str, float | None]:
-    found: dict[str, float | None] = {"as shipped": None, "stiff pads": None}
+def _slips(edition: Edition) -> dict[str, Quantity | None]:
+    found: dict[str, Quantity | None] = {"as shipped": None, "stiff pads": None}
     for label, case in zip(found, (BASELINE, FIXED), strict=True):
         rows = (chapter.results.row for chapter in edition.chapters.values())
         there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
-        found[label] = next((row.slip_mm.value for row in there), None)
+        found[label] = next((row.slip_mm for row in there), None)
     return found

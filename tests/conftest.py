@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 import report.sections
 from report import ROOT
@@ -18,6 +19,9 @@ from report.records.status import state_of
 from report.records.traces import packed
 from report.site import build
 from report.surroundings import ASSETS
+
+settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
+settings.load_profile("project")
 
 MODULE = """
 from report.claims import Claim, at_least

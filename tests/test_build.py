@@ -55,6 +55,8 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["diff", "--a", "1.4.0"], "B="),
         (["diff", "--a", "1.4.0", "--b", "new"], "B=new"),
         (["diff", "--a", "1.4.0", "--b", "99.0"], "99.0 has no results"),
+        (["verify", "--device", "cuda"], "no CUDA device"),
+        (["verify", "--newton", "99.0"], "NEWTON=99.0"),
         (["publish", "--target", "ftp:x"], "TARGET="),
         (["serve", "--port", "x"], "PORT=x"),
         (["serve", "--port", "65536"], "PORT=65536"),

@@ -14,7 +14,7 @@ from report.check import check_site
 from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from report.compare import Comparison, compare, is_flip
 from report.editions import derive_edition, editions_of
-from report.noise import Floor, is_beyond
+from report.noise import Floor, is_beyond, tolerance
 from report.page import Templates
 from report.quantities import Quantity, mixed
 from report.records.environment import requirements
@@ -171,6 +171,15 @@ def test_what_counts_as_moved():
     assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
 
 
+def test_the_noise_is_what_nearly_all_pairs_stay_within():
+    """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
+    runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
+    deviation = 0.001 * (40 / 39) ** 0.5
+    assert tolerance(runs) == pytest.approx(2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5, rel=1e-3)
+    assert tolerance([*runs, 7.36]) == pytest.approx(1.001), "never less than what was seen"
+    assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5
+
+
 def test_speed_is_compared_on_one_machine_only(toy, newer):
     rows = [{**SOFT, "frame_ms": 10.0}, {**STIFF, "frame_ms": 5.0}]
     toy.measure(rows)
@@ -289,7 +298,8 @@ def test_claims_that_turned_are_said_in_both_ways(upgraded):
     upgraded.of("1.8.0").measure(BETTER)
     upgraded.build()
     turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
-    assert "toy: helps" in turned and "It helps" in turned and "It does not" in turned
+    assert "toy</a>: whether it helps" in turned
+    assert "True in 1.4.0:</b> It helps" in turned and "Not true in 1.8.0:</b> It does not" in turned
     assert 'data-src="values.json#/toy/gain"' in turned
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned
     assert check_site(upgraded.project.site) == []
@@ -304,7 +314,7 @@ def test_what_one_release_cannot_tell_is_listed_and_counted_by_itself(upgraded):
     write_record(newer.project.record_path("noise"), newer.record(rows, section="noise"))
     upgraded.build()
     turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
-    assert "toy: helps" in turned and "cannot be told (as a test)" in turned
+    assert "toy</a>: whether it helps" in turned and "Cannot be told in 1.8.0:</b> as a test" in turned
     values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
     assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
 

@@ -42,9 +42,18 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
-def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
+def spread(
+    results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
+) -> Value:
     """Largest less smallest; without a number when there is none."""
-    return results.value(name, formula, lambda *found: max(found) - min(found) if found else np.nan, *cells, unit=unit)
+    return results.value(
+        name,
+        formula,
+        lambda *found: max(found) - min(found) if found else np.nan,
+        *cells,
+        unit=unit,
+        is_noise=is_noise,
+    )
 
 
 def extreme(
@@ -57,7 +66,7 @@ def extreme(
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
-    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs come out."""
+    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
 
 

@@ -12,6 +12,7 @@ from report.costs import terms_of
 from report.deriving.arithmetic import cell_or_absent
 from report.names import section_name
 from report.noise import is_beyond, verdict
+from report.pages import PAGES, Page
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
@@ -50,7 +51,7 @@ def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
     """The largest noise floor of that name that a release has."""
     floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
-    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True)
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
@@ -79,6 +80,7 @@ class Turn:
 
     section: str
     name: str
+    page: Page
     said: Sequence[tuple[Sequence[str], Claim]]
     """Neighbouring releases that agree, and the claim as one of them words it."""
 
@@ -113,7 +115,8 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
             names = [release for release, _ in members]
             said.append((names, dict(members)[shown if shown in names else names[-1]]))
         if len(said) > 1:
-            found.append(Turn(section, name, said))
+            page = next(chapters[section].page for chapters in releases.values() if section in chapters)
+            found.append(Turn(section, name, page, said))
     return sorted(found, key=lambda turn: not turn.is_decided)
 
 
@@ -128,33 +131,42 @@ def _is_told(claim: Claim) -> bool:
 
 @dataclass(frozen=True)
 class TurnList:
-    """The turns in words; printed, each is a heading with a line for every answer."""
+    """The turns in words, by the pages that their sections are on; printed, each is a question with all answers."""
 
     turns: Sequence[Turn]
     shown: Sequence[str]
-    """Sections of the page, to link to."""
+    """Sections of the page's release, to link to."""
 
     def __html__(self) -> Markup:
         # One link to a section is enough for whoever goes from link to link.
         first = {turn.section: turn for turn in reversed(self.turns)}
-        items = Markup("\n").join(
-            Markup("<dt>{}</dt>\n{}").format(
-                self._heading(turn, is_link=turn is first[turn.section]),
+        groups = Markup("\n").join(
+            Markup("<h4>{}</h4>\n<dl>\n{}\n</dl>").format(
+                page.label,
                 Markup("\n").join(
-                    Markup('<dd><b>{}</b> <span class="outcome">{}</span> {}</dd>').format(
-                        ", ".join(names), claim.outcome.name, claim.sentence
+                    Markup("<dt>{}</dt>\n{}").format(
+                        self._heading(turn, is_link=turn is first[turn.section]),
+                        Markup("\n").join(_answer(names, claim) for names, claim in turn.said),
                     )
-                    for names, claim in turn.said
+                    for turn in turns
                 ),
             )
-            for turn in self.turns
+            for page in PAGES
+            if (turns := [turn for turn in self.turns if turn.page == page])
         )
-        return Markup('<figure class="turns"><dl>\n{}\n</dl></figure>').format(items)
+        return Markup('<figure class="turns">\n{}\n</figure>').format(groups)
 
     def _heading(self, turn: Turn, *, is_link: bool) -> Markup:
-        name = f"{section_name(turn.section)}: {turn.name.replace('_', ' ')}"
-        linked = is_link and turn.section in self.shown
-        return Markup('<a href="#{}">{}</a>').format(turn.section, name) if linked else escape(name)
+        name = section_name(turn.section)
+        is_linked = is_link and turn.section in self.shown
+        place = Markup('<a href="#{}">{}</a>').format(turn.section, name) if is_linked else escape(name)
+        return Markup("{}: {}").format(place, turn.said[0][1].said("asks"))
+
+
+def _answer(names: Sequence[str], claim: Claim) -> Markup:
+    answer = Markup("<b>{} in {}:</b>").format(claim.outcome.answer.capitalize(), ", ".join(names))
+    is_told = claim.outcome.name != "unknown"
+    return Markup("<dd>{} {}</dd>").format(answer, claim.sentence if is_told else claim.outcome.reason or "no reason")
 
 
 @dataclass(frozen=True)

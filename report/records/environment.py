@@ -46,6 +46,19 @@ def own_environment(root: Path = ROOT) -> None:
     os.utime(folder / READY, (newest, newest))
 
 
+def add_group(group: str, root: Path = ROOT) -> None:
+    """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
+    tools = root / ".venv.tools"
+    if Path(sys.prefix) != root / ".venv":
+        return
+    with locked(root):
+        try:
+            uv = _uv(root, tools, group)
+            _run([uv, "sync", "--frozen", "--inexact", "--group", group, "--project", str(root)], group)
+        finally:
+            _remove(tools)
+
+
 def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
     """The Python that has a stack; its environment is made when it is not there.
 

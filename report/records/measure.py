@@ -1,10 +1,14 @@
 """Measuring, which another process does: nothing here knows the simulator."""
 
+import json
 import os
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 from report import ReportError, UsageError
 from report.records.devices import machine_name, machine_of
@@ -17,31 +21,47 @@ from report.records.project import Project
 from report.records.stack import Stack, release_date
 from report.records.status import expected_packages, records_of
 
+UNFIT = 2
+"""Exit status of a measurement that could not begin, because of what was asked for."""
+
 
 def measure(project: Project, stack: Stack, sections: Sequence[str], device: str) -> Project:
     """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed.
 
-    What is not installed here is measured by the Python of its own environment. Returns the report that has the
-    results: they are kept apart when those that are there are of another machine.
+    Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
     kept = kept_by(project, device)
     refuse_unwritable(kept.results)
-    python = python_of(stack, expected_packages(kept), project.root)
-    options = ["--device", device, "--profile", project.profile, "--edition", kept.release]
-    command = [str(python), "-m", "experiments.run", *sections, *options]
-    # It ends with this process: nobody would know of it otherwise.
-    beginning = partial(end_with, os.getpid())
-    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning).returncode
-    _note_measured(kept, stack)
-    if status == UNFIT:
-        raise UsageError(f"NEWTON={stack.asked} was not measured")
-    if status:
-        raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
+    try:
+        options = ("--device", device, "--profile", project.profile, "--edition", kept.release)
+        _run(kept, stack, "experiments.run", *sections, *options)
+    finally:
+        _note_measured(kept, stack)
     return kept
 
 
-UNFIT = 2
-"""Status of a measurement that could not begin; it has said why."""
+def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
+    """Measure the headline and keep nothing of it; what ``experiments.headline`` writes: machine, rows and seconds."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "headline.json"
+        _run(project, stack, "experiments.headline", "--device", device, "--json", str(path))
+        return json.loads(path.read_text(encoding="utf-8"))
+
+
+def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
+    """Run a module of the experiments with a stack; ReportError when it fails.
+
+    What is not installed here is measured by the Python of its own environment.
+    """
+    python = python_of(stack, expected_packages(project), project.root)
+    # It ends with this process: nobody would know of it otherwise.
+    beginning = partial(end_with, os.getpid())
+    command = [str(python), "-m", module, *options]
+    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning).returncode
+    if status == UNFIT:
+        raise UsageError("")  # it has said why
+    if status:
+        raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
 def kept_by(project: Project, device: str) -> Project:

@@ -50,6 +50,7 @@ def derive(results: Results) -> Section:
             _gain_everywhere(results, points, gains),
             _map_gain(results, trace),
             _grows_faster(results),
+            _grows_less_with_frequency(results),
             _batch_is_fast(results, costs),
         ],
     )
@@ -158,6 +159,31 @@ def _grows_faster(results: Results) -> Claim:
             "small_slip": small.slip_mm,
             "large": large.shake_amplitude_m,
             "large_slip": large.slip_mm,
+        },
+    )
+
+
+def _grows_less_with_frequency(results: Results) -> Claim:
+    slow, fast = results.row["as-shipped-3cm-0.5hz"], results.row["as-shipped-3cm-3hz"]
+    exponent = results.value(
+        "frequency_exponent",
+        "logarithm of the ratio of the slips over that of the frequencies, shipped pads at the baseline's amplitude",
+        lambda a, b, slip_a, slip_b: np.log(slip_b / slip_a) / np.log(b / a),
+        slow.shake_frequency_hz,
+        fast.shake_frequency_hz,
+        _held_slip(slow),
+        _held_slip(fast),
+    )
+    bound = results.chosen("frequency_exponent_bound", "clearly less than the square", 1.5)
+    return Claim(
+        "slip_grows_less_with_frequency",
+        at_most(exponent, bound),
+        numbers={
+            "exponent": exponent,
+            "slow": slow.shake_frequency_hz,
+            "slow_slip": slow.slip_mm,
+            "fast": fast.shake_frequency_hz,
+            "fast_slip": fast.slip_mm,
         },
     )
 

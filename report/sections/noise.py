@@ -1,4 +1,4 @@
-"""An A/A test: how much runs of one and the same case differ, the least that this report calls a difference."""
+"""An A/A test: how far apart runs of one and the same case come out, and what is called a difference for that."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,15 +12,13 @@ from report.claims import NEAR_NOISE, Claim, all_of, at_most, within
 from report.deriving.arithmetic import share, spread
 from report.figures import INK, SERIES, new_figure
 from report.names import name_of
+from report.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 20
 page = "method"
-
-RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
-"""Least difference [mm, mm/s] that counts, however well a machine repeats itself."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +59,8 @@ def derive(results: Results) -> Section:
         sources=[slip for group in groups for slip in group.slips],
         numbers={"groups": [(group.label, spreads[group.name]) for group in groups]},
     )
+    results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
+    results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
     return Section(
         tables={"groups": _table(results, groups, mean, spreads)},
@@ -82,20 +82,30 @@ def _of_case(groups: Sequence[Group], case: str, column: str) -> list[Quantity]:
 
 
 def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quantity]]) -> Value:
-    """Largest difference in ``metric`` between any two runs of one case, in a batch or alone, or the least resolved.
+    """How far apart two runs of one case may come out in ``metric``, or the least resolved.
 
     On a CPU all runs are alike to the last bit, but a change that only rounds differently is no finding there either.
     """
-    spreads = [
-        _spread(results, f"{case.replace('-', '_')}_{metric}_spread", of_case, unit) for case, of_case in cells.items()
+    formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
+    bounds = [
+        results.value(
+            f"{case.replace('-', '_')}_{metric}_tolerance",
+            formula,
+            lambda *cell: tolerance(cell),
+            *of_case,
+            unit=unit,
+            is_noise=True,
+        )
+        for case, of_case in cells.items()
     ]
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[metric], unit=unit)
-    formula = f"largest difference in {metric} between any two runs of one case, and at least the resolution"
-    return results.value(f"{metric}_floor", formula, max, *spreads, least, unit=unit)
+    column = {"slip": "slip_mm", "drift": "drift_mm_s"}[metric]
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[column], unit=unit)
+    formula = "largest of the cases, and at least the resolution"
+    return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 
 
 def _spread(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
-    return spread(results, name, "largest minus smallest", cells, unit=unit)
+    return spread(results, name, "largest minus smallest", cells, unit=unit, is_noise=True)
 
 
 def _mean(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
@@ -111,6 +121,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
             floor,
             *_of_case(groups, groups[0].case, f"{metric}s"),
             unit="%",
+            is_noise=True,
         )
         for metric, floor in (("slip", slip_floor), ("drift", drift_floor))
     }
@@ -148,6 +159,7 @@ def _batch_or_alone(
         spreads[batch],
         spreads[alone],
         unit="mm",
+        is_noise=True,
     )
     bound = results.chosen("alone_share_bound", "far less than what is looked for", 1.0, unit="%")
     return Claim(

@@ -37,6 +37,7 @@ SCENE = (
     ("cube_mass", 32, "g"),
     ("frame_rate", 60, "1/s"),
     ("substeps", 16, "1"),
+    ("impratio", 50, "1"),
 )
 """Name, value and unit of what the scene sets; a test compares them with the scene."""
 BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
@@ -47,12 +48,16 @@ def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
     _scene(results, shipped)
     traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
+    for name, trace in traces.items():
+        formula = "displacement along the main axis at the end of the shake"
+        results.value(f"{name}_along", formula, lambda frame: frame["along_mm"].iloc[-1], trace, unit="mm")
     slips = _slips(results, shipped)
     claims = [
         slips,
         _steady(results, shipped, traces["as-shipped"]),
         _alternates(results, shipped, traces["as-shipped"]),
         _needs_shaking(results, shipped, hold),
+        _moves_little_when_held(results, shipped, hold),
         _same_on_both_engines(results, slips),
         _stiff_pads_hold(results, shipped, stiff),
         _batch_is_cheap(results),
@@ -183,6 +188,14 @@ def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
         at_most(share, bound),
         numbers={"drift": hold.drift_mm_s, "share": share, "shipped": shipped.drift_mm_s},
     )
+
+
+def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
+    """In all directions, where the drift is that along the shake's main axis."""
+    formula = "slip with the arm held still, of the slip with shipped pads"
+    total = size_share(results, "hold_slip_share", formula, hold.slip_mm, shipped.slip_mm)
+    bound = results.chosen("hold_slip_share_bound", *NO_DRIFT, unit="%")
+    return Claim("moves_little_when_held", at_most(total, bound), {"slip": hold.slip_mm, "total": total})
 
 
 def _same_on_both_engines(results: Results, slips: Claim) -> Claim:

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from markupsafe import Markup
+
 from report.chapters import Chapters
 from report.claims import HOLDS, Claim
 from report.quantities import Quantity, absent
@@ -19,7 +21,15 @@ class Found:
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        told = self.claim("reproduction", "slips")
+        return self._holds("reproduction", "slips")
+
+    @property
+    def does_hold(self) -> bool:
+        """Whether stiff pads hold it better."""
+        return self._holds("reproduction", "stiff_pads_hold")
+
+    def _holds(self, section: str, name: str) -> bool:
+        told = self.claim(section, name)
         return told is not None and told.outcome == HOLDS
 
     def claim(self, section: str, name: str) -> Claim | None:
@@ -52,6 +62,20 @@ class Found:
         told = self.claim(section, claim)
         assert told, f"there is no claim {section}.{claim}"
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
+
+    def stale_mark(self, reads: frozenset[str]) -> Markup:
+        """A link to the section that was measured before its code changed, where pointers lead into one."""
+        stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
+        for chapter in stale:
+            place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
+            if any(pointer.startswith(place) for pointer in reads):
+                return Markup(' <a class="badge" href="#{}">stale</a>').format(chapter.name)
+        return Markup("")
+
+    def marked(self, claim: Claim, page: str) -> Markup:
+        """A retold claim, with a mark where it rests on a stale section; a title has none."""
+        mark = Markup("") if claim.name == "title" else self.stale_mark(claim.outcome.reads)
+        return claim.html(page) + mark
 
     def _absent(self, section: str, unit: str) -> Quantity:
         return absent(unit, self._reason(section))

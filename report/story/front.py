@@ -46,7 +46,10 @@ def front_of(chapters: Chapters) -> Section:
     found = Found(chapters)
     if "reproduction" not in chapters:
         return Section(figures=_overview(chapters))
-    questions = {name: ask(found) for name, (sections, ask) in QUESTIONS.items() if sections <= set(chapters)}
+    asked = {name: ask for name, (sections, ask) in QUESTIONS.items() if sections <= set(chapters)}
+    if found.does_slip:
+        asked.pop("clamp", None)
+    questions = {name: ask(found) for name, ask in asked.items()}
     return Section(
         figures={"still": _still(found)} | _overview(chapters),
         claims=[*_verdict(found), *questions.values(), *_ways(found)],
@@ -79,7 +82,12 @@ def _still(found: Found) -> Figure:
     return Figure(
         draw=lambda: draw_still(traces, slips),
         sources=[*traces.values(), *slips.values()],
-        numbers={"shipped": slips["as-shipped"], "stiff": slips["stiff-pads"], "slips": found.does_slip},
+        numbers={
+            "shipped": slips["as-shipped"],
+            "stiff": slips["stiff-pads"],
+            "slips": found.does_slip,
+            "less": found.does_hold,
+        },
     )
 
 
@@ -92,12 +100,13 @@ def cards_of(chapters: Chapters) -> Cards:
     frames = [found.cell("speed", case, "frame_ms", "ms") for case in ("as-shipped", "stiff-pads-only")]
     noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
     cards = [
-        Card("slip in the shake", slips, Markup("runs differ by {}").format(noise)),
+        Card("slip in the shake", slips, Markup("runs may differ by {}").format(noise)),
         Card("grip used", grips, Markup("of the friction that there is")),
         Card("pads sink in", depths, Markup("mean of the loaded contacts")),
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
     ]
-    return Cards([card for card in cards if card.values[0].value is not None])
+    there = [card for card in cards if card.values[0].value is not None]
+    return Cards([replace(card, note=card.note + found.stale_mark(card.values[0].reads)) for card in there])
 
 
 def _should_work(found: Found) -> Claim:
@@ -118,14 +127,32 @@ def _costs_no_speed(found: Found) -> Claim:
     return found.retold("costs_no_speed", "speed", "stiff_pads_only_same_time")
 
 
+def _luck(found: Found) -> Claim:
+    return found.retold("luck", "contacts", "slide_falls_less_than_displacement", {"slips": found.does_slip})
+
+
+def _impratio(found: Found) -> Claim:
+    kept = found.value("reproduction", "impratio").code
+    return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
+
+
+def _clamp(found: Found) -> Claim:
+    return found.retold("clamp", "stability", "leans_on_clamp")
+
+
 def _newest(found: Found) -> Claim:
-    return found.retold("newest", "upgrade", "slip_is_the_same")
+    """From the release of the page, where that is neither the oldest nor the newest."""
+    between = found.claim("upgrade", "same_as_newest")
+    return found.retold("newest", "upgrade", "same_as_newest" if between else "slip_is_the_same")
 
 
 QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {
     "should_work": ({"contacts"}, _should_work),
     "is_mistuned": ({"lint"}, _is_mistuned),
     "costs_no_speed": ({"speed"}, _costs_no_speed),
+    "luck": ({"contacts"}, _luck),
+    "impratio": ({"error_runtime"}, _impratio),
+    "clamp": ({"stability"}, _clamp),
     "newest": ({"upgrade"}, _newest),
 }
 """Claims that are made where the sections that they need have results."""
@@ -145,8 +172,8 @@ def _ways(found: Found) -> list[Claim]:
         cells = [found.cell(*place, "slip_mm", "mm") for place in places]
         numbers = dict(zip(("before", "after"), cells, strict=False))
         if way == "pyramid":
-            numbers["cycle"] = found.cell(
-                "error_runtime", "stiff/newton/cone-pyramidal", "grasp_error_mm_per_cycle", "mm/cycle"
-            )
+            for name, pads in (("shipped", "as-shipped"), ("stiff", "stiff")):
+                case = f"{pads}/newton/cone-pyramidal"
+                numbers[name] = found.cell("error_runtime", case, "grasp_error_mm_per_cycle", "mm/cycle")
         claims.append(Claim(f"way_{way}", at_least(cells[0], bound), numbers))
     return claims

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pandas as pd
+from markupsafe import Markup
 
 from report.chapters import Chapters
 from report.claims import Claim, all_of
@@ -26,6 +27,7 @@ TOLD = {
     "walks": ("reproduction", "slips"),
     "steady": ("reproduction", "drift_is_steady"),
     "needs_shake": ("reproduction", "needs_shaking"),
+    "held": ("reproduction", "moves_little_when_held"),
     "friction": ("friction", "less_friction_slips_no_more"),
     "contact_points": ("contact_source", "not_the_cause"),
     "solver": ("solver", "not_the_cause"),
@@ -41,11 +43,13 @@ TOLD = {
     "remedy": ("stiffness", "together_they_hold"),
     "ke_alone": ("stiffness", "ke_alone_does_not_help"),
     "clamp": ("stiffness", "flat_below_clamp"),
+    "luck": ("contacts", "slide_falls_less_than_displacement"),
     "harder": ("envelope", "stiff_pads_never_drop"),
     "safe": ("stability", "safe_settings"),
     "files": ("fix", "recommended"),
     "release": ("upgrade", "slip_is_the_same"),
     "own_timeconst": ("upgrade", "friction_timeconst_is_new"),
+    "leans": ("stability", "leans_on_clamp"),
     "taken_away": ("upgrade", "taking_it_away_brings_it_back"),
     "elsewhere": ("upgrade", "mujoco_contacts_as_before"),
     "creeps": ("hold", "creep_goes_on"),
@@ -55,26 +59,34 @@ TOLD = {
 }
 """Claims of the story that retell a section's claim: section and name."""
 OF_A_SLIP = {"law", "ke_alone", "clamp"}
-"""Those that say something only where the cube slips as shipped."""
+"""Those that say something only where the cube slips with shipped pads."""
+OF_A_HOLD = {"leans"}
+"""Those that say something only where it does not."""
 
 
 def story_of(chapters: Chapters) -> Section:
     """Figures, the table of suspects and the claims of the story; nothing where a part of it was not measured."""
     found = Found(chapters)
-    if any(found.claim(*place) is None for place in TOLD.values()):
+    if any(found.claim(*place) is None for place in (*TOLD.values(), ("error_runtime", "impratio"))):
         return Section()
-    told = {name: place for name, place in TOLD.items() if found.does_slip or name not in OF_A_SLIP}
+    unsaid = OF_A_HOLD if found.does_slip else OF_A_SLIP
+    told = {name: place for name, place in TOLD.items() if name not in unsaid}
     claims = [found.retold(name, *place) for name, place in told.items()]
     return Section(
         tables={"suspects": _suspect_table(found)},
         figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
-        claims=[*claims, _grip(found), _cube_moves(found)],
-        unmeasured=set(TOLD) - set(told),
+        claims=[*claims, _grip(found), _cube_moves(found), _impratio(found)],
+        unmeasured=unsaid,
     )
 
 
 def _grip(found: Found) -> Claim:
     return found.retold("grip", "contacts", "far_inside_cone", {"used": found.value("contacts", "grip_used_shipped")})
+
+
+def _impratio(found: Found) -> Claim:
+    kept = found.value("reproduction", "impratio")
+    return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
 
 
 def _cube_moves(found: Found) -> Claim:
@@ -88,9 +100,9 @@ def _cube_moves(found: Found) -> Claim:
 def _walk(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads", "hold")
     traces = {case: found.trace("reproduction", case) for case in cases}
-    slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in cases]
-    numbers = dict(zip(("shipped", "stiff", "hold"), slips, strict=True)) | {"walks": found.does_slip}
-    return Figure(draw=lambda: draw_walk(traces), sources=list(traces.values()), numbers=numbers)
+    slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
+    numbers = dict(zip(("shipped", "stiff", "hold"), slips.values(), strict=True)) | {"walks": found.does_slip}
+    return Figure(draw=lambda: draw_walk(traces, slips), sources=list(traces.values()), numbers=numbers)
 
 
 def _shares(found: Found) -> dict[str, Quantity]:
@@ -107,7 +119,7 @@ def _suspect_figure(found: Found) -> Figure:
         sources=list(shares.values()),
         numbers={
             "remedy": shares[REMEDY],
-            "shares": ", ".join(f"{name} {share}" for name, share in shares.items()),
+            "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
             "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
         },
     )

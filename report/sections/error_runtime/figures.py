@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.deriving.timing import decade_axis, world_axis
-from report.figures import FAINT, INK, SERIES, new_figure
-from report.format import format_number
+from report.figures import FAINT, INK, SERIES, new_figure, write
 from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
@@ -55,7 +54,7 @@ def draw_grasp(points: Points) -> Drawing:
         axes.scatter(*_places(mine, GRASP, 0.0), s=16, color=colour, alpha=FADED, linewidths=0)
         reference = points.reference(pads)
         if reference is not None and reference[GRASP].value:
-            _name_converged(axes, reference[GRASP].value, title, colour)
+            _name_converged(axes, reference[GRASP], title, colour)
         for backend in points.engines:
             shipped = points.shipped(pads, backend)
             if shipped is not None and shipped[GRASP].value:
@@ -126,13 +125,13 @@ def _setting(row: Row) -> str:
 
 
 def _error(row: Row) -> str:
-    return f": {format_number(row[ERROR].value, digits=2)} mm"
+    return f": {write(row[ERROR], digits=2)} mm"
 
 
-def _name_converged(axes: Axes, x: float, title: str, colour: str) -> None:
-    axes.axvline(x, color=colour, linestyle="--", linewidth=1.2, marker="")
-    text = f" {title},\n converged: {format_number(x)}"
-    axes.annotate(text, (x, 0.985), xycoords=("data", "axes fraction"), fontsize=8.5, color=colour, va="top")
+def _name_converged(axes: Axes, found: Quantity, title: str, colour: str) -> None:
+    axes.axvline(found.value, color=colour, linestyle="--", linewidth=1.2, marker="")
+    text = f" {title},\n converged: {write(found)}"
+    axes.annotate(text, (found.value, 0.985), xycoords=("data", "axes fraction"), fontsize=8.5, color=colour, va="top")
 
 
 def draw_worlds(
@@ -149,7 +148,7 @@ def draw_worlds(
     if crossover.value is not None and one_core.value is not None:
         axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
         axes.annotate(
-            f"{format_number(round(crossover.value))} worlds",
+            f"{write(crossover)} worlds",
             (crossover.value, axes.get_ylim()[0]),
             xytext=(5, 6),
             textcoords="offset points",

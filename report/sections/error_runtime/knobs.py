@@ -156,7 +156,7 @@ def _pads_decide(points: Points) -> Claim:
     return Claim(
         "pads_decide",
         at_least(gain, bound),
-        numbers={"soft": soft, "stiff": stiff, "bound": bound},
+        numbers={"soft": soft, "stiff": stiff, "gain": gain, "bound": bound},
     )
 
 
@@ -208,6 +208,7 @@ def _impratio(points: Points) -> Claim:
     pads = "stiff" if "stiff/newton/impratio-1" in points.results.row else "as-shipped"
     low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
     grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
+    times = ratio(points.results, "impratio_gain", "grasp error with the low impratio over that as set", grasp, before)
     return Claim(
         "impratio",
         greater(grasp, before, noise=points.floors[pads]),
@@ -216,6 +217,7 @@ def _impratio(points: Points) -> Claim:
             "low": points.cell(low, "impratio"),
             "grasp": grasp,
             "before": before,
+            "times": times,
         },
     )
 

@@ -151,6 +151,20 @@ def clamp(results: Results) -> Claim:
     )
 
 
+def leans_on_clamp(results: Results) -> Claim:
+    """Whether without the clamp even runs are lost whose pads need none, with a timeconst of two steps or more."""
+    long = [row for row in family(results, "clamp") if row.clamp == "off" and row.timeconst_steps.value >= 2.0]
+    most = extreme(results, "clamp_longest", "largest timeconst over dt", max, [row.timeconst_steps for row in long])
+    outcome = decided(not any(map(is_stable, long)), *(row.timeconst_steps for row in long))
+    number = count(results, "clamp_long_count", "runs without the clamp that need none", long)
+    own = friction_rows_differ(results.others.get("contacts"))
+    return Claim(
+        "leans_on_clamp",
+        outcome if long else Outcome("unknown", "it was not measured"),
+        {"count": number, "most": most, "own": own},
+    )
+
+
 def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
     low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, ratios)
     high = extreme(results, "step_ratio_most", "largest of these ratios", max, ratios)

@@ -115,8 +115,8 @@ def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
 
 def _together_they_hold(results: Results) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
-    gain = ratio(results, "together_gain", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
-    bound = results.chosen("together_bound", *SETTLES)
+    gain = ratio(results, "improvement", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
+    bound = results.chosen("improvement_bound", *SETTLES)
     return Claim(
         "together_they_hold",
         at_least(gain, bound),

@@ -53,6 +53,7 @@ def derive(results: Results, releases: Releases) -> Section:
         "speed": speed_table(results, releases),
         "options": option_table(releases),
     }
+    between = results.record.origin.release not in (ends.old, ends.new)
     return Section(
         tables=tables,
         figures={"slips": slip_figure(releases)},
@@ -63,7 +64,9 @@ def derive(results: Results, releases: Releases) -> Section:
             *cause_claims(results, ends, same_slip.outcome),
             _same_speed(results, ends, "same_speed", "frame", ONE_WORLD),
             _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", ON_CPU),
+            *([_same_as_newest(results, ends, floors["mm"])] if between else []),
         ],
+        unmeasured=() if between else ("same_as_newest",),
     )
 
 
@@ -74,6 +77,18 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
         "slip_is_the_same",
         ends.one or unchanged(old, new, moved, noise),
         numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)},
+    )
+
+
+def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
+    """The release of the page, which is neither the oldest nor the newest, against the newest."""
+    own = results.record.origin.release
+    before, after = cell(ends.releases, own, SLIP), cell(ends.releases, ends.new, SLIP)
+    moved = change(results, "slip_change_from_here", before, after)
+    return Claim(
+        "same_as_newest",
+        unchanged(before, after, moved, noise),
+        {"a": own, "b": ends.new, "before": before, "after": after},
     )
 
 
