@@ -95,7 +95,7 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
 
     Of releases that agree the one of the page, ``shown``, has the word, or else the newest. What a release can't tell
     says nothing where it lacks a section that another one has, unless it is for being near the noise; nor does what
-    turns on a cost that was not measured as on the page.
+    turns on a cost, or on the noise, of another machine than the page's.
     """
     sections = set().union(*releases.values())
     found = []
@@ -106,7 +106,7 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
             for release, claim in answers
             if claim and (_is_told(claim) or set(releases[release]) == sections)
         ]
-        terms = {release: terms_of(claim, releases[release]) for release, claim in answers}
+        terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers}
         here = terms.get(shown, next(iter(terms.values()), None))
         answers = [(release, claim) for release, claim in answers if terms[release] == here]
         said = []
