@@ -69,9 +69,11 @@ class Edition:
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
-        return [self._text(templates.text(template), names) for template in page.texts]
+        levels = [1] + [2] * (len(page.texts) - 1)  # the first has the title of the page
+        texts = zip(page.texts, levels, strict=True)
+        return [self._text(templates.text(template), names, level) for template, level in texts]
 
-    def _text(self, text: Text, names: Mapping[str, Any]) -> Prose:
+    def _text(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
         section = self._retold(anchor) if anchor in RETOLD else Section()
         if not section.claims:  # where the shake test was not measured there is nothing to tell
@@ -95,7 +97,7 @@ class Edition:
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),
         }
-        return text.prose(anchor, {**known, **names})
+        return text.prose(anchor, {**known, **names}, level)
 
     def _retold(self, name: str) -> Section:
         def make(reads: Reads) -> Derivation:

@@ -28,7 +28,7 @@ from report.records.cache import Cache
 from report.records.files import locked
 from report.records.identity import files_digest, package_versions, sources_kept
 from report.records.project import INPUTS, Project
-from report.records.status import State
+from report.records.status import State, newton_now
 from report.records.traces import BYTE_LIMIT, traces_of
 from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
@@ -182,9 +182,12 @@ def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -
     """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
     leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
     parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
-    return {
-        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
-    }
+    return {place: _told(part) for place, part in parts.items()}
+
+
+def _told(part: Prose) -> Markup:
+    figures = {figure.anchor: figure.undrawn for figure in part.figures}
+    return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
 
 
 def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dict[str, Markup]]:
@@ -293,7 +296,8 @@ def _digest(project: Project, address: str) -> str:
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
-    made_from = (place, address, package_versions(), surroundings(), versions, digests)
+    checkouts = [newton_now(project.of(release)) for release in project.releases]  # may be edited, and lie elsewhere
+    made_from = (place, address, package_versions(), surroundings(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -1,14 +1,16 @@
 """Status: which sections of which releases are fresh, and what changed for those that aren't."""
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from report.records.files import RecordError
 from report.records.identity import MISSING, changes, identity_of, package_versions, sections
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.record import Record
+from report.records.sources import EDITED, checkout_source
 
 HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
 
@@ -33,53 +35,51 @@ class State:
 
 def states_of(project: Project) -> list[State]:
     """The state of every section of one release."""
-    loaded = [_loaded(project, section) for section in sections(project.root)]
-    packages = expected_packages(project, [state.record for state in loaded if state.record])
-    return [_judged(project, state, packages) for state in loaded]
+    packages = expected_packages(project)
+    return [state_of(project, section, packages) for section in sections(project.root)]
 
 
-def state_of(project: Project, section: str) -> State:
-    """The state of one section."""
-    return _judged(project, _loaded(project, section), expected_packages(project))
-
-
-def _loaded(project: Project, section: str) -> State:
-    """A section with its record, taken for fresh, or why there is none."""
+def state_of(project: Project, section: str, packages: Mapping[str, str] | None = None) -> State:
+    """The state of one section; ``packages`` is what it should have been measured with."""
     path = project.record_path(section)
     if not os.path.lexists(path):
         return State(section, "missing")
     try:
-        return State(section, "fresh", load_record(path))
+        record = load_record(path)
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
+    current = identity_of(section, project.profile, project.root, packages or expected_packages(project))
+    changed = changes(record.identity, current)
+    return State(section, "stale" if changed else "fresh", record, tuple(changed))
 
 
-def _judged(project: Project, state: State, packages: Mapping[str, str]) -> State:
-    if not state.record:
-        return state
-    current = identity_of(state.section, project.profile, project.root, packages)
-    changed = changes(state.record.identity, current)
-    return replace(state, kind="stale" if changed else "fresh", notes=tuple(changed))
+def expected_packages(project: Project) -> Mapping[str, str]:
+    """The package versions that the records of an edition should have been measured with.
 
-
-def expected_packages(project: Project, records: Iterable[Record] | None = None) -> Mapping[str, str]:
-    """The package versions that the records of a release should have been measured with.
-
-    Of the release that is installed here these are the versions that are. Another release need not be installed to
-    be judged: its newest record says which versions of the other packages belong to it, so that a section measured
-    with others before is stale.
+    Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
+    its newest record says which versions of the other packages belong to it, so that a section measured with others
+    before is stale. A checkout counts as it lies there now.
     """
-    installed = package_versions()
-    if installed["newton"] == project.release:
+    label, installed = project.label, package_versions()
+    pins = dict(label.pins)
+    if installed["newton"] == label.newton and pins.items() <= installed.items():
         return installed
-    newest = max(
-        _records(project) if records is None else records, key=lambda record: record.measured["date"], default=None
-    )
+    kept = [*records_of(project)] or [*records_of(project.of(str(replace(label, machine=""))))]
+    newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, "newton": project.release}
+    return {**others, **pins, "newton": newton_now(project)}
 
 
-def _records(project: Project) -> Iterable[Record]:
+def newton_now(project: Project) -> str:
+    """The version of an edition's Newton; of a checkout with edits, with the digest of its code."""
+    label, manifest = project.label, project.manifest
+    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.newton)).is_dir():
+        return f"{label.version}+{checkout_source(folder)}"
+    return label.newton
+
+
+def records_of(project: Project) -> Iterator[Record]:
+    """The records of an edition that can be read."""
     for section in sections(project.root):
         try:
             yield load_record(project.record_path(section))
