@@ -212,12 +212,12 @@ def serve(project: Project, arguments: argparse.Namespace) -> int:
     """Serve the site until Ctrl-C, and build it again whenever something changes."""
     from report.serving import Server
 
-    _refuse_unmeasured(project)
+    _refuse_unmeasured(project, arguments.stack)
     server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
     # In a process of its own, since what changes may be the program.
-    command = [sys.executable, "build.py", "page", "--newton", project.release, "--profile", project.profile]
-    server.follow(project.inputs, lambda: subprocess.run(command, cwd=project.root, check=False))
+    command = [sys.executable, "build.py", "page", "--newton", arguments.stack.asked, "--profile", project.profile]
+    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
 
 

@@ -114,7 +114,8 @@ class Templates:
             lstrip_blocks=True,
         )
         self._prose = self._layout.overlay(finalize=_as_token)
-        self._layout.globals["references"] = references(folder)
+        self._references = references(folder)
+        self._layout.globals["references"] = self._references
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
@@ -128,7 +129,7 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._prose.loader.get_source(self._prose, name)
-        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._layout.globals["references"]), source
+        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), source
         entry = f"template.{name.replace('/', '.')}"
         found = self._cache and self._cache.get(entry, made_from)
         if not found:

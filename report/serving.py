@@ -71,7 +71,7 @@ class Server(ThreadingHTTPServer):
         except OSError as error:
             raise UsageError(f"PORT={port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
 
-    def follow(self, folders: Iterable[Path], build: Callable[[], None]) -> None:
+    def follow(self, folders: Iterable[Path], build: Callable[[], object]) -> None:
         """Serve until Ctrl-C, and build first, and again whenever something in these folders has changed."""
         threading.Thread(target=self.serve_forever, daemon=True).start()
         before = None
