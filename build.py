@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from report import ReportError, UsageError
+from report import ROOT, ReportError, UsageError
 from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
 from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
@@ -258,6 +258,8 @@ def _refuse_unmeasured(project: Project, stack: Stack) -> None:
 def _section(name: str) -> str:
     if name not in sections():
         fault = f"SECTION={name} is no section" if name else "SECTION is missing"
+        if name.isidentifier() and (ROOT / "experiments" / f"{name}.py").is_file():
+            fault += f": there is no report/sections/{name}.py"
         raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
 

@@ -31,7 +31,7 @@ from report import ReportError
 from report.parts import Figure
 from report.records.cache import Cache
 from report.stated import StatedTag, references
-from report.words import Wording, WordTags, worded
+from report.words import Wording, WordTags, refuse_typed, worded
 
 # What a template prints passes Markdown as a token between two private characters and is put back afterwards,
 # so that no value, case name or table is ever taken for Markdown. Alone in its paragraph it may be a block.
@@ -133,6 +133,8 @@ class Templates:
         entry = f"template.{name.replace('/', '.')}"
         found = self._cache and self._cache.get(entry, made_from)
         if not found:
+            if name.startswith("sections/"):
+                refuse_typed(source)
             parsed = self._prose.parse(source, name, path)
             words = worded(self._prose, parsed, f"templates/{name}")
             found = marshal.dumps(self._prose.compile(parsed, name, path)), words
@@ -168,7 +170,7 @@ def _named(template: str) -> Iterator[None]:
     try:
         yield
     except TemplateNotFound as error:
-        raise ReportError(f"there is no templates/{error.message}") from None
+        raise ReportError(f"there is no templates/{error.name}") from None
     except TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
     except TemplateError as error:

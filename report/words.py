@@ -15,6 +15,7 @@ A claim may have ``{% opposite %}`` beside ``{% fails %}``, for a test that show
 Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -38,6 +39,10 @@ OPTIONAL = {"opposite", "because"}
 SEPARATOR = "__"
 """Between kind, name and part in the name of the block that Jinja keeps a part as."""
 
+
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
+TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
+"""A number with the unit of one that is measured."""
 
 Part = Callable[[Mapping[str, Any]], Markup]
 """One part as a function of what it can name."""
@@ -92,6 +97,15 @@ class WordTags(Extension):
         # The line behind the last tag ends there, and a sentence must not run into the next.
         shown = nodes.Output([call, nodes.TemplateData("\n")], lineno=kind.lineno)
         return [nodes.If(nodes.Const(False), blocks, [], [], lineno=kind.lineno), shown]
+
+
+def refuse_typed(source: str) -> None:
+    """TemplateSyntaxError for a number that is typed into the words of a template, where a measured one belongs."""
+    words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
+    if found := TYPED.search(words):
+        line = words.count("\n", 0, found.start()) + 1
+        number = " ".join(found[0].split())
+        raise TemplateSyntaxError(f"{number} is typed; name the number that was measured or chosen", line)
 
 
 def _is_blank(body: list[nodes.Node]) -> bool:
