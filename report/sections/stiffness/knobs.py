@@ -138,7 +138,7 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")
     floor = noise_floor(results, "slip_floor")
-    numbers = {"spread": difference, "floor": floor}
+    numbers: Mapping[str, Quantity] = {"spread": difference, "floor": floor}
     outcome = within(difference, floor)
     gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
     if at_least(*gained) != HOLDS:
