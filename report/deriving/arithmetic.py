@@ -1,10 +1,8 @@
-"""What several sections share. The underscore keeps it from being taken for a section."""
+"""What several sections share."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-
-import numpy as np
-import pandas as pd
 
 from report.claims import FAILS, Outcome, at_most
 from report.names import case_html
@@ -51,7 +49,7 @@ def spread(
     return results.value(
         name,
         formula,
-        lambda *found: max(found) - min(found) if found else np.nan,
+        lambda *found: max(found) - min(found) if found else math.nan,
         *cells,
         unit=unit,
         is_noise=is_noise,
@@ -99,6 +97,8 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    import pandas as pd  # it takes long, and what is kept from before needs none of it
+
     return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
 
 

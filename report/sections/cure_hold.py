@@ -17,7 +17,7 @@ from report.results import Results, Row, Series
 order = 142
 page = "fix"
 
-POSITIONS_FILE = ROOT / "assets" / "fix" / "compensated_positions.py"
+POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")
 
 

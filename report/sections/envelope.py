@@ -19,7 +19,7 @@ from report.results import Results, Row, Series
 order = 120
 page = "fix"
 
-SIDES = {"as-shipped": "as shipped", "stiff": "stiff pads"}
+SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 SLIP_RANGE_MM = (0.01, 50.0)
 """Ends of the colour scale; what lies outside has the colour of the end."""
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)

@@ -21,8 +21,8 @@ order = 80
 page = "cause"
 
 NAMES = {
-    "as-shipped": "shaken, as shipped",
-    "hold-60s": "held still, as shipped",
+    "as-shipped": "shaken, shipped pads",
+    "hold-60s": "held still, shipped pads",
     "hold-60s-stiff": "held still, stiff pads",
 }
 """Traces that are drawn, and what they are called there."""

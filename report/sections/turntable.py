@@ -20,7 +20,7 @@ order = 141
 page = "fix"
 
 ENGINES = {"warp": "MuJoCo Warp", "c": "MuJoCo C"}
-BIAS_FILE = ROOT / "assets" / "fix" / "contact_bias.py"
+BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")

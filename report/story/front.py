@@ -1,9 +1,7 @@
 """The front page: the verdict, what to change, and short answers to what one asks first."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-
-from markupsafe import Markup
+from dataclasses import replace
 
 from report.chapters import Chapters
 from report.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
@@ -12,33 +10,6 @@ from report.parts import Figure, Section
 from report.quantities import Quantity
 from report.story.figures import draw_still
 from report.story.found import Found
-
-
-@dataclass(frozen=True)
-class Card:
-    """One number before and after the change."""
-
-    label: str
-    values: Sequence[Quantity]
-    """Before and after."""
-    note: Markup
-
-    def __html__(self) -> Markup:
-        return Markup("<div><dt>{}</dt><dd><span>{}</span> → <strong>{}</strong> <small>{}</small></dd></div>").format(
-            self.label, *self.values, self.note
-        )
-
-
-@dataclass(frozen=True)
-class Cards:
-    """Cards side by side; the labels are a list of terms, so that they read well without a style."""
-
-    cards: Sequence[Card]
-
-    def __html__(self) -> Markup:
-        return Markup('<figure class="cards"><dl>\n{}\n</dl></figure>').format(
-            Markup("\n").join(Markup("{}").format(card) for card in self.cards)
-        )
 
 
 def front_of(chapters: Chapters) -> Section:
@@ -89,24 +60,6 @@ def _still(found: Found) -> Figure:
             "less": found.does_hold,
         },
     )
-
-
-def cards_of(chapters: Chapters) -> Cards:
-    """Slip, grip, sink depth and speed, with shipped pads and with stiff ones."""
-    found = Found(chapters)
-    slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in ("as-shipped", "stiff-pads")]
-    grips = [found.value("contacts", f"grip_used_{pads}", "%") for pads in ("shipped", "stiff")]
-    depths = [found.cell("stiffness", case, "penetration_mm", "mm") for case in ("pad-ke-2.5e3", "pad-ke-2.5e5")]
-    frames = [found.cell("speed", case, "frame_ms", "ms") for case in ("as-shipped", "stiff-pads-only")]
-    noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
-    cards = [
-        Card("slip in the shake", slips, Markup("runs may differ by {}").format(noise)),
-        Card("grip used", grips, Markup("of the friction that there is")),
-        Card("pads sink in", depths, Markup("mean of the loaded contacts")),
-        Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
-    ]
-    there = [card for card in cards if card.values[0].value is not None]
-    return Cards([replace(card, note=card.note + found.stale_mark(card.values[0].reads)) for card in there])
 
 
 def _should_work(found: Found) -> Claim:

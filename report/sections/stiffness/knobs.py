@@ -12,7 +12,7 @@ from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
-NO_SLIP = "as shipped there is no slip to bring down"
+NO_SLIP = "with shipped pads there is no slip to bring down"
 
 
 NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
