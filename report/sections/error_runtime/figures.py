@@ -125,7 +125,7 @@ def _setting(row: Row) -> str:
 
 
 def _error(row: Row) -> str:
-    return f": {write(row[ERROR], digits=2)} mm"
+    return f": {write(row[ERROR])} mm"
 
 
 def _name_converged(axes: Axes, found: Quantity, title: str, colour: str) -> None:
