@@ -22,7 +22,7 @@ def ways(toy) -> Ways:
 def test_a_value_leads_to_page_rows_settings_and_command(toy):
     toy.measure(ROWS)
     lines = [line.strip() for line in ways(toy).text("toy.gain").splitlines()]
-    assert lines[0] == "toy.gain: 20.0 (20.0)"
+    assert lines[0] == "toy.gain: 20 (20.0)"
     for line in (
         "is          soft over stiff",
         "printed at  evidence.html#toy",
