@@ -241,15 +241,8 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str, sources: Sequence[str] = ()) -> Markup:
-    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes.
-
-    Args:
-        draw: Draws it.
-        name: How its ids begin.
-        alt: What it says to whoever can't see it.
-        sources: Pointers to the numbers in that, in their order.
-    """
+def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
+    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
     with own_style({"svg.hashsalt": name}), _telling() as told:
         buffer = io.StringIO()
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
@@ -265,9 +258,8 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str, sources: Seque
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     kind = "narrow" if is_narrow() else "broad"
-    opening = Markup('<svg class="{}" viewBox="{}" role="img" aria-label="{}"{}>')
-    links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
-    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1], alt, links), svg, count=1).strip())
+    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
 
 
 @contextmanager
