@@ -2,17 +2,17 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
 from report import UsageError
-from report.altered import Cell, World
+from report.altered import Cell
 from report.chapters import Chapter
 from report.editions import Edition
-from report.format import unit_label
-from report.noise import NOISE, Floor, noise_floors
+from report.format import format_number, unit_label
+from report.noise import EDGES, NOISE, RATES
 from report.page import Templates
 from report.quantities import VALUES_FILE, Quantity, Value
 from report.records.columns import is_number
@@ -22,8 +22,6 @@ from report.settings import from_shipped, is_setting
 from report.site import undrawn
 
 PLACE = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
-CELLS_MOVED = 60
-"""Of a value that is read from more measured numbers than that, none is moved to see what noise does to it."""
 
 
 @dataclass(frozen=True)
@@ -94,55 +92,21 @@ class Ways:
         cells = [pointer for pointer in _leaves(found) if not is_setting(pointer)]
         yield f"  n           {len(cells)} measured numbers and traces"
         if isinstance(found, Value) and cells:
-            yield f"  noise       {self._noise_of(found, cells)}"
+            told = "not known: not all of these have one" if found.noise is None else format_number(found.noise)
+            yield f"  noise       {told} {unit_label(found.unit) if found.noise else ''}".rstrip()
 
-    def _noise_of(self, found: Value, pointers: Sequence[str]) -> str:
-        """How far the value goes when each number that it is read from moves by its noise, all taken together."""
-        cells = [cell for cell in map(Cell, pointers) if not cell.is_trace and "/rows/" in cell.pointer]
-        moves = {cell: self._noise(cell) for cell in cells}
-        known = {cell: noise for cell, noise in moves.items() if noise is not None}
-        if not known or len(known) > CELLS_MOVED or found.value is None:
-            return f"not told: of {len(pointers)} measured numbers {len(known)} have one"
-        moved = [self._moved(found, cell, noise) for cell, noise in known.items()]
-        there = [abs(value - found.value) for value in moved if value is not None]
-        rest = f"; of {len(pointers) - len(known)} numbers none was measured" if len(known) < len(pointers) else ""
-        return f"{replace(found, value=sum(there))}, all together, when each moves by its own{rest}"
-
-    def _moved(self, found: Value, cell: Cell, by: float) -> float | None:
-        """The value where one number of a record is larger by its noise."""
-        record = self._records[cell.file].results.record
-        index, column = cell.place
-        rows = [*record.rows]
-        rows[index] = {**rows[index], column: rows[index][column] + by}
-        release, section, name = _parts(found)
-        world = World({name: edition.chapters for name, edition in self.editions.items()}, self.templates)
-        return world.values(release, section, {cell.file: replace(record, rows=rows)})[name].value
-
-    def _noise(self, cell: Cell) -> float | None:
-        """How far apart runs of one case are in this number; of a time, how far frames of the run spread."""
-        index, column = cell.place
-        row = self._records[cell.file].results.record.rows[index]
-        edges = row.get(f"{column}_p5"), row.get(f"{column}_p95")
-        if all(map(is_number, edges)):
-            return edges[1] - edges[0]
-        floors = self._floors(cell.file)
-        return floors[column].at(row[column]) if column in floors and is_number(row[column]) else None
-
-    def _noise_said(self, cell: Cell, unit: str) -> str:
-        noise = None if is_setting(cell.pointer) else self._noise(cell)
-        if noise is None:
+    def _noise_said(self, cell: Cell, row: Mapping[str, Any]) -> str:
+        column = cell.place[1]
+        noise = self._cell(cell.pointer).noise
+        if not noise:
             return ""
-        index, column = cell.place
-        if f"{column}_p5" in self._records[cell.file].results.record.rows[index]:
-            whence = "its frames, 5th to 95th percentile"
+        if all(is_number(row.get(RATES.get(column, column) + edge)) for edge in EDGES):
+            whence = "the spread of its frames"
         else:
             runs = self._records[f"{cell.file.partition('/')[0]}/{NOISE}.json"].results.record.rows
             whence = f"section {NOISE}, n {len(runs)}"
-        return f", noise {f'{noise:.2g} {unit}'.strip()} ({whence})"
-
-    def _floors(self, file: str) -> Mapping[str, Floor]:
-        noise = self._records.get(f"{file.partition('/')[0]}/{NOISE}.json")
-        return noise_floors([noise.results.record]) if noise else {}
+        unit = unit_label(self._cell(cell.pointer).unit)
+        return f", noise {f'{format_number(noise)} {unit}'.strip()} ({whence})"
 
     def _on_pages(self, found: Quantity) -> Iterator[str]:
         pages = undrawn(self.editions, self.templates, self.project.release)
@@ -185,7 +149,7 @@ class Ways:
         for cell in cells:
             column = cell.place[1]
             unit = unit_label(record.units[column])
-            yield f"    {column} = {row[column]} {unit}".rstrip() + self._noise_said(cell, unit)
+            yield f"    {column} = {row[column]} {unit}".rstrip() + self._noise_said(cell, row)
         yield f"    {_settings(row)}"
         yield f"    n: {_runs(row)}"
 
