@@ -127,15 +127,14 @@ def plain_labels(*, digits: int = 6) -> FuncFormatter:
     return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
 
 
-def write(quantity: Quantity, *, digits: int = 3, is_short: bool = False) -> str:
+def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """A number as text of the figure that is being drawn, which then says where it is from.
 
     Args:
         quantity: The number; its unit is said by the text around it.
-        digits: At most so many significant digits.
         is_short: Whether there is room for no more than four characters.
     """
-    text = format_short(quantity.value) if is_short else quantity.in_digits(digits)
+    text = format_short(quantity.value) if is_short else quantity.written
     told = _told.get()
     if told is not None and quantity.source:
         told[text] = quantity.source
