@@ -9,7 +9,7 @@ import pandas as pd
 
 from report.chapters import Chapters
 from report.editions import derive_section, editions_of
-from report.noise import NOISE, Floor, noise_floors
+from report.noise import NOISE, noise_floors
 from report.page import Templates
 from report.parts import Section
 from report.quantities import Value
@@ -128,11 +128,9 @@ class World:
     ) -> AlteredResults:
         kept = self.releases[release][name].results
         record = records.get(kept.source, kept.record)
-        return AlteredResults(record, kept.path, kept.others, {}, self._floors(release, records), traces)
-
-    def _floors(self, release: str, records: Mapping[str, Record]) -> Mapping[str, Floor]:
-        there = [chapter.results for name, chapter in self.releases[release].items() if name == NOISE]
-        return noise_floors(records.get(results.source, results.record) for results in there)
+        noise = records.get(f"{kept.path.parent.name}/{NOISE}.json")
+        floors = noise_floors([noise]) if noise else kept.floors
+        return AlteredResults(record, kept.path, kept.others, {}, floors, traces)
 
     def _results(self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]) -> Results:
         results = self._bare(release, name, records, traces)

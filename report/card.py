@@ -1,4 +1,4 @@
-"""The picture that others show with a link to the site: the slip of every release, as shipped and fixed."""
+"""The picture that others show with a link to the site: the slip of every release, with shipped and with stiff pads."""
 
 import io
 from collections.abc import Mapping

@@ -162,7 +162,8 @@ def flips(before: Chapters, after: Chapters) -> list[Flip]:
     """Claims that one edition upholds and the other doesn't.
 
     One that can't be told any more, or can be told now, is among them unless that is for want of a section, or for
-    being near the noise. A claim that turns on a cost is left out where that was not measured alike.
+    being near the noise. What is of the machine and not of the release, a cost or the noise itself, is left out where
+    that differs.
     """
     whole = set(before) == set(after)
     found = []
@@ -172,7 +173,7 @@ def flips(before: Chapters, after: Chapters) -> list[Flip]:
             found += [
                 Flip(section, old[name], new[name])
                 for name in old
-                if name in new and terms_of(old[name], before) == terms_of(new[name], after)
+                if name in new and terms_of(section, old[name], before) == terms_of(section, new[name], after)
             ]
     return [flip for flip in found if is_flip(flip.before, flip.after, whole=whole)]
 

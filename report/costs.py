@@ -6,6 +6,7 @@ from typing import Any
 
 from report.chapters import Chapters
 from report.claims import Claim
+from report.noise import NOISE
 from report.records.record import Record
 
 COST = re.compile(
@@ -26,8 +27,11 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     return record.machine_for_speed, *(row.get(column) for column in RUN_COLUMNS)
 
 
-def terms_of(claim: Claim, chapters: Chapters) -> frozenset[tuple]:
-    """What costs that a claim turns on were measured on and with; empty for a claim that no cost decides."""
+def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
+    """What a claim turns on that is of the machine and not of the release: of costs, what they were measured on and
+    with; of the noise, the processor. Empty for a claim that has nothing of either."""
+    if section == NOISE:
+        return frozenset({(chapters[section].results.record.processor,)})
     found = ((record, row) for record, row, column in cells_read(claim, chapters) if is_cost(column))
     return frozenset(cost_terms(record, row) for record, row in found)
 

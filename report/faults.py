@@ -1,6 +1,6 @@
 """Faults: why the results of an edition can't be trusted; whoever waits for an alarm hears of them before all else."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -38,6 +38,9 @@ def faults_of(edition: Edition) -> list[Fault]:
         for state in edition.left_out
         if state.kind != "missing"
     ]
+    for state in edition.left_out:
+        if state.kind == "missing" and state.section in (noted_sections(edition) or ()):
+            found.append(Fault(release, state.section, "missing", "it was measured, and its results are gone"))
     for chapter in edition.chapters.values():
         for claim in chapter.section.claims:
             if reason := _breakdown_behind(claim, edition):
@@ -50,13 +53,19 @@ def faults_between(before: Edition, after: Edition) -> list[Fault]:
     that break down in a section that has none such in the other."""
     found = []
     for state in after.left_out:
-        if state.kind == "missing" and state.section in before.chapters:
+        if state.kind == "missing" and state.section in before.chapters and noted_sections(after) is None:
             reason = f"no results, which newton {before.project.release} has"
             found.append(Fault(after.project.release, state.section, "missing", reason))
     for section in before.chapters:
         if section in after.chapters:
             found += _broken(before, after, section)
     return found
+
+
+def noted_sections(edition: Edition) -> Sequence[str] | None:
+    """The sections that an edition says were measured; None where it says nothing, so that none may be missing."""
+    manifest = edition.project.manifest
+    return manifest.sections if manifest else None
 
 
 def _broken(before: Edition, after: Edition, section: str) -> Iterator[Fault]:

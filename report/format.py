@@ -48,6 +48,11 @@ def format_number(value: float | int | None, *, noise: float | None = None, digi
     return _format_decimal(rounded(value, noise, digits=digits))
 
 
+def format_most(value: float | int | None, *, noise: float | None = None) -> str:
+    """``value`` as what something is at most, or what it is within: for one below the noise that is the noise."""
+    return format_number(value, noise=noise).removeprefix(f"<{THIN_SPACE}")
+
+
 def rounded(value: float, noise: float | None, *, digits: int = DIGITS_KNOWN) -> Decimal:
     """``value`` to the last digit that it carries, halves away from zero as its shortest decimal has them.
 

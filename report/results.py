@@ -218,6 +218,8 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
+        if "empty" in str(error):  # of max, min and means, which are given what is left of a damaged record
+            return None, "nothing of what was measured is left to compute it from"
         # A damaged record may hold what no measurement gives, such as a coordinate twice.
         return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
     if isinstance(value, complex):

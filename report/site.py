@@ -181,9 +181,12 @@ def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -
     """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
     leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
     parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
-    return {
-        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
-    }
+    return {place: _told(part) for place, part in parts.items()}
+
+
+def _told(part: Prose) -> Markup:
+    figures = {figure.anchor: figure.undrawn for figure in part.figures}
+    return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
 
 
 def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dict[str, Markup]]:

@@ -22,7 +22,7 @@ CARD = "card.png"
 TEXTS = {"404.html": "404.html.j2", "robots.txt": "robots.txt.j2", "sitemap.xml": "sitemap.xml.j2"}
 FEED = "feed.xml"
 CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
-CARD_CASES = {"as shipped": "as-shipped", "stiff pads": "stiff-pads"}
+CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
 """What the picture shows of each release, by its name there."""
 
 

@@ -198,6 +198,7 @@ def test_the_check_reads_drawings_and_their_words(toy):
         ("</svg>", f'<text data-src="{source}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
         ("</svg>", f'<text data-src="{source}/0/slip_mm">6 mm</text></svg>', ""),
         ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
+        ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
     ):
         assert old in page
         toy.page_path.write_text(page.replace(old, new), encoding="utf-8")

@@ -1,8 +1,10 @@
-"""What several sections share. The underscore keeps it from being taken for a section."""
+"""What several sections share."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
+from report.claims import FAILS, Outcome, at_most
 from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
@@ -66,6 +68,16 @@ def extreme(
 def noise_floor(results: Results, name: str) -> Quantity:
     """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+
+
+def resolved(noise: Quantity, bound: Quantity) -> Outcome:
+    """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
+    found = at_most(noise, bound)
+    return (
+        found
+        if found != FAILS
+        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
+    )
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:

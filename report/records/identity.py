@@ -14,6 +14,7 @@ from typing import Any
 
 from report import ROOT, ReportError
 from report.records.cache import Cache
+from report.records.sources import source_of
 
 PACKAGES = ("newton", "warp-lang", "mujoco-warp", "mujoco")
 ASSETS = "assets/"
@@ -114,7 +115,10 @@ def sections(root: Path = ROOT) -> list[str]:
 
 
 def package_versions() -> dict[str, str]:
-    return {package: _installed_version(package) for package in PACKAGES}
+    """Version of each package that is installed here; Newton's says which code it is, where that is not an index's."""
+    versions = {package: _installed_version(package) for package in PACKAGES}
+    source = source_of("newton")
+    return versions | ({"newton": f"{versions['newton']}+{source}"} if source else {})
 
 
 def _installed_version(package: str) -> str:

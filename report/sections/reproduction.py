@@ -211,7 +211,7 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
             [slip for slip in slips if slip.value is not None],
             unit="mm",
         )
-        for name, words, slips in (("shipped", "as shipped", shipped), ("stiff", "with stiff pads", stiff))
+        for name, words, slips in (("shipped", "with shipped pads", shipped), ("stiff", "with stiff pads", stiff))
     ]
     difference = results.value(
         "engine_difference",

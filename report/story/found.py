@@ -1,13 +1,13 @@
 """What sections found, for pages that retell it; what a release lacks is said and not left out."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim
+from report.claims import FAILS, HOLDS, Claim
 from report.quantities import Quantity, absent
 from report.results import Series
 
@@ -49,6 +49,13 @@ class Found:
         chapter = self.chapters.get(section)
         row = chapter.results.row.get(case) if chapter else None
         return row[column] if row and column in row else self._absent(section, unit)
+
+    def titled(self, name: str) -> Claim:
+        """Whether the cube slips, and stiff pads hold it better."""
+        slips, held = self.claim("reproduction", "slips").outcome, self.claim("reproduction", "stiff_pads_hold").outcome
+        both = HOLDS if held == HOLDS else FAILS
+        outcome = both if slips == HOLDS else slips
+        return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
 
     def trace(self, section: str, case: str) -> Series:
         chapter = self.chapters.get(section)

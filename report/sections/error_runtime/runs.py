@@ -13,7 +13,7 @@ from report.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 
-PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
+PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
     "newton": "Warp, Newton's contacts",
     "newton-each-substep": "the same, contacts anew in each substep",
@@ -84,6 +84,12 @@ class Points:
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
+
+    def recommended(self, pads: str, backend: str) -> Row | None:
+        """What to set in place of the shipped settings on a backend; None where these are best, or do not count."""
+        shipped = self.shipped(pads, backend)
+        rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
+        return shipped and no_worse(rows, shipped)
 
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""

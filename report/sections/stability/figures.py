@@ -196,7 +196,7 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
         mine = [row for row in rows if row.grip == grip]
         kept = [row for row in mine if is_stable(row)]
         colour = SERIES[number]
-        label = {"as-shipped": "grip as shipped", "scaled": "grip scaled with the mass"}.get(grip, grip)
+        label = {"as-shipped": "shipped grip", "scaled": "grip scaled with the mass"}.get(grip, grip)
         x = [row.cube_edge_mm.value for row in kept]
         axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
         lost = [row.cube_edge_mm.value * (1.0 + 0.04 * number) for row in mine if not is_stable(row)]

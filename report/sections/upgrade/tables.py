@@ -21,7 +21,7 @@ SHIPPED, TAKEN, GIVEN, SWITCHED = (
     "as-shipped-kf-off",
 )
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
-SLIP = Headline("slip as shipped", "upgrade", SHIPPED, "slip_mm", "mm")
+SLIP = Headline("slip with shipped pads", "upgrade", SHIPPED, "slip_mm", "mm")
 MUJOCO_CONTACTS = Headline(
     "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
 )
@@ -29,7 +29,7 @@ PYRAMID = Headline("slip with a pyramidal cone", "solver", "cone-pyramidal", "sl
 MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
 HEADLINES = (
     SLIP,
-    Headline("drift as shipped", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
+    Headline("drift with shipped pads", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
     Headline("slip with stiff pads", "upgrade", "stiff-pads", "slip_mm", "mm"),
     Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
     MUJOCO_CONTACTS,
@@ -41,7 +41,7 @@ HEADLINES = (
     Headline("slip of the fixed scene", "fix", "fixed", "slip_mm", "mm"),
 )
 SPEEDS = (
-    Headline("a frame as shipped", "speed", SHIPPED, "frame_ms", "ms"),
+    Headline("a frame with shipped pads", "speed", SHIPPED, "frame_ms", "ms"),
     Headline("a frame of the fixed scene", "speed", "fixed", "frame_ms", "ms"),
     Headline("a frame of the most worlds", "scaling", "worlds-16384", "frame_ms", "ms"),
     Headline("on the CPU, a frame exactly as shipped", "leave_out", "untrimmed", "frame_ms", "ms", "cpu"),
@@ -65,7 +65,7 @@ LIVE = {
 }
 """Columns that say what a live contact of the scene as shipped has."""
 TRIED = {
-    SHIPPED: "as shipped",
+    SHIPPED: "shipped pads",
     TAKEN: "friction rows' time constant taken out",
     GIVEN: "two substeps written into it",
     SWITCHED: "switched off: kf below zero",
