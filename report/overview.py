@@ -197,7 +197,7 @@ def _draw_dropped(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
         count = sum(row.slip_mm.value is not None and _mark(row, baseline) == DROPPED for row in line.rows)
         if count:
             axes.plot([0.97], [place], transform=axes.get_yaxis_transform(), **MARKS[DROPPED])
-            above = {
+            above: dict[str, Any] = {
                 "xycoords": ("axes fraction", "data"),
                 "xytext": (0, 5),
                 "textcoords": "offset points",

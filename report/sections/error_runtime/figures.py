@@ -1,6 +1,7 @@
 """Error against run time as a diagram, and the run time of many worlds."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -117,7 +118,7 @@ def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, s
     (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
     size = {"*": 130, "s": 34}[mark]
     axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
-    place = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
+    place: dict[str, Any] = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
     axes.annotate(text, (x, y), **place, textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
 
 
@@ -144,7 +145,7 @@ def _short(error: Quantity) -> str:
 def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: str) -> None:
     """On one side of its line; the names of both lines stand in lines of their own."""
     axes.axvline(found.value, color=colour, linestyle="--", linewidth=1.2, marker="")
-    place = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
+    place: dict[str, Any] = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
     at = (found.value, 0.985 if side == "right" else 0.91)
     text = f"{title}, converged: {write(found)}"
     axes.annotate(
