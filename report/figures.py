@@ -17,11 +17,13 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 from matplotlib.ticker import (
+    AutoLocator,
     FixedLocator,
     FuncFormatter,
     LogFormatter,
     LogFormatterMathtext,
     LogLocator,
+    MaxNLocator,
     NullFormatter,
     NullLocator,
 )
@@ -78,6 +80,8 @@ NARROW_WIDTH = 3.6
 """Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
 LEAST_SIZE = 7.0
 """Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
+MOST_TICKS = 5
+"""Steps between ticks along a narrow figure."""
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
@@ -222,8 +226,12 @@ def _fit_narrow(drawing: Drawing) -> None:
             axes.set_yticks(axes.get_yticks(), [textwrap.fill(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(_folded(axes.get_title("left")), fontsize=9)
+        if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
+            axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for label in (axes.xaxis.label, axes.yaxis.label):
             label.set(text=_folded(label.get_text()), fontsize=9)
+    if drawing.get_supxlabel():
+        drawing.supxlabel(_folded(drawing.get_supxlabel()), fontsize=9)
     for text in drawing.findobj(Text):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
 
