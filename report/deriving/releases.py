@@ -159,9 +159,12 @@ class TurnList:
 
 
 def _answer(names: Sequence[str], claim: Claim) -> Markup:
-    answer = Markup("<b>{} in {}:</b>").format(claim.outcome.answer.capitalize(), ", ".join(names))
-    is_told = claim.outcome.name != "unknown"
-    return Markup("<dd>{} {}</dd>").format(answer, claim.sentence if is_told else claim.outcome.reason or "no reason")
+    """What a release says to the question; its sentence says whether that is a yes or a no."""
+    if claim.outcome.name != "unknown":
+        return Markup("<dd><b>In {}:</b> {}</dd>").format(", ".join(names), claim.sentence)
+    return Markup("<dd><b>Cannot be told in {}:</b> {}</dd>").format(
+        ", ".join(names), claim.outcome.reason or "no reason"
+    )
 
 
 @dataclass(frozen=True)

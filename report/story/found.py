@@ -61,7 +61,7 @@ class Found:
         for chapter in stale:
             place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
             if any(pointer.startswith(place) for pointer in reads):
-                return Markup(' <a class="badge" href="#{}">stale</a>').format(chapter.name)
+                return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
         return Markup("")
 
     def marked(self, claim: Claim, page: str) -> Markup:
