@@ -60,17 +60,17 @@ def change(results: Results, name: str, before: Quantity, after: Quantity) -> Va
 
 
 def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
-    """A number, and whether it is better or worse than the earlier one.
+    """A number without its unit, and whether it is better or worse than the earlier one.
 
     Nothing is said of what was not measured on the same processor.
     """
     told = difference is not None and None not in (difference.value, noise.value)
     if not told or not is_beyond(noise.value, before.value, after.value):
-        return Markup("{}").format(after)
+        return after.bare
     if len({origin.processor for origin in difference.origins}) > 1:
-        return Markup('{} <span class="moved">other machine</span>').format(after)
+        return Markup('{} <span class="moved">other machine</span>').format(after.bare)
     word = verdict(column, before.value, after.value) or "moved"
-    return Markup('{} <span class="moved {}">{}</span>').format(after, word, word)
+    return Markup('{} <span class="moved {}">{}</span>').format(after.bare, word, word)
 
 
 @dataclass(frozen=True)
