@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON DEVICE PROFILE A B TARGET PORT ADDRESS PYTHON
+GIVEN := SECTION NEWTON WITH DEVICE PROFILE A B FORMAT VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -22,10 +22,10 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun check diff publish serve test torture lint help
+.PHONY: report page status rerun clips check diff trace verify publish serve test worlds torture lint help
 .DEFAULT_GOAL := report
 
-report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON DEVICE PROFILE ADDRESS]
+report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]
 	$(RUN) report
 
 page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE ADDRESS]
@@ -34,14 +34,23 @@ page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
 	$(RUN) status
 
-rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON DEVICE PROFILE ADDRESS]
+rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON WITH DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
 
-check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE]
+clips: $(READY) ## Make the clips from the kept poses, in minutes on a GPU [NEWTON DEVICE PROFILE]
+	$(RUN) clips
+
+check: $(READY) ## Print every claim of the report with its outcome [NEWTON PROFILE FORMAT STRICT]
 	$(RUN) check
 
-diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE]
+diff: $(READY) ## Print what moved and which claims flipped between two releases [A B PROFILE FORMAT VALUES]
 	$(RUN) diff
+
+trace: $(READY) ## Print where a number comes from: page, rows, case and command [VALUE NEWTON PROFILE]
+	$(RUN) trace
+
+verify: $(READY) ## Measure the headline again, in a minute or three, beside what is tracked [NEWTON DEVICE]
+	$(RUN) verify
 
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish
@@ -51,6 +60,9 @@ serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
 	$(RUN) test
+
+worlds: $(READY) ## Build the site as it would be if something else had been measured, and check it
+	$(RUN) worlds
 
 torture: $(READY) ## Run what is too slow for the tests: kill, fill and damage, into docs/reliability.md
 	$(RUN) torture
@@ -64,10 +76,16 @@ help: ## Print this
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' Makefile
 	@echo
 	@echo 'SECTION=reproduction    section to measure'
-	@echo 'NEWTON=1.8.0            Newton release, measured in an environment of its own'
-	@echo 'A=1.4.0 B=1.8.0         Newton releases to compare'
+	@echo 'NEWTON=1.8.0            Newton, measured in an environment of its own: a release, a checkout, a wheel,'
+	@echo '                        git+https://HOST/newton.git@ref, or the label of what has results'
+	@echo 'WITH="warp-lang==1.19.0 mujoco-warp==4.0.0"   packages in place of those that it would come with'
+	@echo 'A=1.4.0 B=1.8.0         editions to compare; 1.8.0@cpu is that of another machine'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
+	@echo 'VALUE=stiffness.improvement  a value of the page, as site/data/values.json names it'
+	@echo 'FORMAT=json|markdown    what diff and check print, for a program or a pull request'
+	@echo 'VALUES=all              let diff list every value that moved'
+	@echo 'STRICT=1                let check fail when anything cannot be trusted'
 	@echo 'TARGET=dir:PATH         where to publish: also rsync:HOST:PATH and git:REMOTE'
 	@echo 'PORT=8000               where to serve'
 	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'

@@ -17,17 +17,20 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
 from report import ReportError, UsageError
+from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
-from report.records.devices import DEVICES, NO_CUDA, measuring_device
-from report.records.environment import python_of, refuse_bad_release
+from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
+from report.records.environment import add_group, python_of
 from report.records.files import settle
-from report.records.identity import sections
-from report.records.measure import measure
+from report.records.identity import sections, sources_kept
+from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
+from report.records.stack import Stack, stack_of
 from report.records.status import expected_packages, states_of, status_matrix, status_table
 
 if TYPE_CHECKING:
     from report.editions import Edition
+    from report.site import Built
 
 
 def main() -> int:
@@ -40,9 +43,11 @@ def main() -> int:
     try:
         arguments = _parse_arguments()
         own = own_release()
-        project = Project(arguments.newton or own, arguments.profile, own_release=own)
+        arguments.stack = stack_of(arguments.newton.asked if arguments.newton else own, arguments.pins)
+        project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
         settle(project.results.parent)
-        result = arguments.run(project, arguments)
+        with sources_kept(project.root):
+            result = arguments.run(project, arguments)
         print(end="", flush=True)
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
@@ -57,7 +62,8 @@ def main() -> int:
         print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
         return 1
     except ReportError as error:
-        print(UNPRINTABLE.sub("?", " ".join(str(error).split())), file=sys.stderr)
+        if said := " ".join(str(error).split()):  # whoever failed may have said it
+            print(UNPRINTABLE.sub("?", said), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
 
 
@@ -71,12 +77,12 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = measuring_device(arguments.device, project.profile)
     if not device:
-        _refuse_unmeasured(project)
+        _refuse_unmeasured(project, arguments.stack)
     stale = [state.section for state in states_of(project) if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
-            measure(project, stale, device)
+            project = measure(project, arguments.stack, stale, device)
         except UsageError:
             raise
         except ReportError as error:
@@ -93,56 +99,90 @@ def rerun(project: Project, arguments: argparse.Namespace) -> int:
     device = measuring_device(arguments.device, project.profile)
     if not device:
         raise UsageError(NO_CUDA)
-    measure(project, [arguments.section], device)
+    project = measure(project, arguments.stack, [arguments.section], device)
     return int(_build(project, arguments.address)[0])
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site from what is measured, and measure nothing."""
-    _refuse_unmeasured(project)
+    _refuse_unmeasured(project, arguments.stack)
     return int(_build(project, arguments.address)[0])
 
 
 def status(project: Project, arguments: argparse.Namespace) -> int:
     """Print which sections of which releases are fresh, and what changed for those that are not."""
-    _refuse_unmeasured(project)
+    _refuse_unmeasured(project, arguments.stack)
     print(status_matrix(project))
     print(f"\nnewton {project.release}")
-    print(status_table(states_of(project), project.profile))
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
     return 0
 
 
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
+
+
 def check(project: Project, arguments: argparse.Namespace) -> int:
-    """Print every claim of the report with its outcome."""
+    """Print every claim of the report with its outcome, what can't be trusted first; STRICT=1 makes that status 1."""
+    from report.alarm import check, check_said
     from report.editions import editions_of
     from report.page import Templates
 
-    _refuse_unmeasured(project)
+    _refuse_unmeasured(project, arguments.stack)
     edition = editions_of(project, Templates(project.templates))[project.release]
-    for chapter in edition.chapters.values():
-        for claim in chapter.section.claims:
-            said = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
-            print(f"{claim.outcome.name:8} {chapter.name}.{claim.name}: {claim.text}{said}")
-    for state in edition.left_out:
-        print(f"{'absent':8} {state.section}: {'; '.join(state.notes) or 'it was not measured'}")
-    return int(_say_damage([edition]))
+    found = check(edition)
+    print(check_said(found, arguments.format))
+    damaged = _say_damage([edition])
+    return int(damaged or (arguments.strict and found.is_alarm))
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
-    """Print what differs between two releases; 1 when a claim flipped."""
+    """Print what differs between two editions, worst first; 1 when one can't be trusted or a claim flipped."""
+    from report.alarm import diff_said
     from report.compare import compare
     from report.editions import derive_edition
     from report.page import Templates
 
-    sides = [project.of(arguments.a), project.of(arguments.b)]
-    for side in sides:
-        _refuse_unmeasured(side)
+    stacks = arguments.a, arguments.b
+    sides = [project.of(str(stack.label)) for stack in stacks]
+    for side, stack in zip(sides, stacks, strict=True):
+        _refuse_unmeasured(side, stack)
     templates = Templates(project.templates)
-    editions = [derive_edition(side, templates) for side in sides]
-    comparison = compare((arguments.a, arguments.b), *(edition.chapters for edition in editions))
-    print(comparison.text)
-    damaged = _say_damage(editions)
-    return 1 if comparison.flips or damaged else 0
+    comparison = compare(*(derive_edition(side, templates) for side in sides))
+    print(diff_said(comparison, arguments.format, all_values=arguments.values == "all"))
+    return int(comparison.is_alarm)
+
+
+def trace(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the way of one value, from the page back to rows, cases and command."""
+    from report.editions import editions_of
+    from report.page import Templates
+    from report.way import Ways
+
+    _refuse_unmeasured(project, arguments.stack)
+    templates = Templates(project.templates)
+    print(Ways(project, editions_of(project, templates), templates).text(arguments.value))
+    return 0
+
+
+def verify(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
+    from report.editions import derive_edition
+    from report.page import Templates
+    from report.verdict import compared, text_of
+
+    _refuse_unmeasured(project, arguments.stack)
+    device = arguments.device or ("cuda" if has_cuda() else "cpu")
+    found = measure_headline(project, arguments.stack, measuring_device(device, project.profile))
+    edition = derive_edition(project, Templates(project.templates))
+    comparisons = compared(edition, found)
+    print(text_of(edition, found, comparisons))
+    return int(not all(comparison.agrees for comparison in comparisons))
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -155,8 +195,13 @@ def publish(project: Project, arguments: argparse.Namespace) -> int:
 
 def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
-    python = python_of(project.release, expected_packages(project), project.root)
+    python = python_of(arguments.stack, expected_packages(project), project.root)
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
+
+
+def worlds(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site of each altered world, and write anew what it says otherwise, into tests/worlds/."""
+    return subprocess.run([sys.executable, "-m", "tests.worlds"], cwd=project.root, check=False).returncode
 
 
 def torture(project: Project, arguments: argparse.Namespace) -> int:
@@ -180,31 +225,34 @@ def _build(project: Project, address: str) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    editions = build(project, address)
-    edition = editions[project.release]
-    stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-    for state in edition.left_out:
-        print(f"{state.section} is left out ({state.kind}): {project.rerun(state.section)} measures it")
-    for name in stale:
-        print(f"{name} is stale: {project.rerun(name)} renews it")
+    releases = build(project, address)
+    built = releases[project.release]
+    missing = [state.section for state in built.left_out if state.kind == "missing"]
+    lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
+    device = measuring_device(None, "full") or "cpu"
+    for words, names in (("not measured", missing), ("stale", built.stale)):
+        if names:
+            print(f"{words}: {', '.join(names)}")
+    if lacking:
+        print(f"{project.rerun(lacking[0], None if device == 'cuda' else device)} measures one of them")
     print(f"built {project.site / 'index.html'}")
-    return _say_damage(editions.values()), bool(edition.left_out or stale)
+    return _say_damage(releases.values()), bool(lacking)
 
 
-def _say_damage(editions: "Iterable[Edition]") -> bool:
+def _say_damage(releases: "Iterable[Edition | Built]") -> bool:
     """Name each record that can't be trusted; whether there is one."""
-    damaged = [state for edition in editions for state in edition.left_out if state.kind == "damaged"]
+    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
     for state in damaged:
         print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
     return bool(damaged)
 
 
-def _refuse_unmeasured(project: Project) -> None:
-    """Where nothing is to be measured, a release that has no results is taken for a mistake; the own one is not."""
+def _refuse_unmeasured(project: Project, stack: Stack) -> None:
+    """Where nothing is to be measured, an edition that has no results is taken for a mistake; the own one is not."""
     if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
         there = ", ".join(release for release in project.releases if release != project.release) or "none"
-        measuring = f"make report NEWTON={project.release} DEVICE=cpu measures it here"
-        raise UsageError(f"NEWTON={project.release} has no results (there are: {there}); {measuring}")
+        measuring = f"make upgrade NEWTON={stack.asked} measures what decides"
+        raise UsageError(f"NEWTON={stack.asked} has no results (there are: {there}); {measuring}")
 
 
 def _section(name: str) -> str:
@@ -214,9 +262,13 @@ def _section(name: str) -> str:
     return name
 
 
-def _release(option: str, release: str) -> str:
-    refuse_bad_release(option, release)
-    return release
+def _edition(option: str, asked: str) -> Stack:
+    return stack_of(asked, option=option)
+
+
+def _pins(text: str) -> str:
+    stack_of(own_release(), text)
+    return text
 
 
 def _one_of(option: str, names: Iterable[str], name: str) -> str:
@@ -237,32 +289,56 @@ def _address(address: str) -> str:
     return f"{address.rstrip('/')}/" if address else ""
 
 
+def _flag(value: str) -> str:
+    if value != "1":
+        raise UsageError(f"a switch is on as =1 or left out, not ={value}")
+    return value
+
+
+FORMATS = ("text", "markdown", "json")
+VALUES = ("sums", "all")
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
-    "newton": {"type": partial(_release, "NEWTON"), "help": "Newton release, where it is not the project's own"},
-    "a": {"type": partial(_release, "A"), "default": "", "help": "Newton release to compare from"},
-    "b": {"type": partial(_release, "B"), "default": "", "help": "Newton release to compare with it"},
+    "newton": {
+        "type": partial(_edition, "NEWTON"),
+        "help": "Newton, where not the project's own: a release, a checkout, a wheel, git+https://…@ref or a label",
+    },
+    "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as warp-lang==1.19.0"},
+    "a": {"type": partial(_edition, "A"), "default": "", "help": "edition to compare from"},
+    "b": {"type": partial(_edition, "B"), "default": "", "help": "edition to compare with it"},
     "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
     "profile": {
         "type": partial(_one_of, "PROFILE", PROFILES),
         "default": "full",
         "help": "quick: small grids and short runs, kept apart",
     },
+    "value": {"type": str, "default": "", "help": "value of the page, as stiffness.improvement"},
+    "format": {
+        "type": partial(_one_of, "FORMAT", FORMATS),
+        "default": "text",
+        "help": "text, markdown (a comment on a pull request) or json (docs/alarm.md)",
+    },
+    "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
+    "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
 }
 COMMANDS = {
-    report: ("newton", "device", "profile", "address"),
-    page: ("newton", "profile", "address"),
-    rerun: ("section", "newton", "device", "profile", "address"),
-    status: ("newton", "profile"),
-    check: ("newton", "profile"),
-    diff: ("a", "b", "profile"),
+    report: ("newton", "with", "device", "profile", "address"),
+    page: ("newton", "with", "profile", "address"),
+    rerun: ("section", "newton", "with", "device", "profile", "address"),
+    status: ("newton", "with", "profile"),
+    clips: ("newton", "with", "device", "profile"),
+    check: ("newton", "with", "profile", "format", "strict"),
+    diff: ("a", "b", "profile", "format", "values"),
+    trace: ("value", "newton", "profile"),
+    verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port",),
-    test: ("newton",),
+    test: ("newton", "with"),
+    worlds: (),
     torture: (),
 }
 """What there is to run, and the options that each has."""
@@ -278,7 +354,7 @@ class _Parser(argparse.ArgumentParser):
 def _parse_arguments() -> argparse.Namespace:
     given = _given_to_make()
     parser = _Parser(prog="build.py", description=__doc__, allow_abbrev=False)
-    parser.set_defaults(newton=None, profile="full")
+    parser.set_defaults(newton=None, pins="", profile="full")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for run, options in COMMANDS.items():
         command = commands.add_parser(run.__name__, help=run.__doc__, description=run.__doc__, allow_abbrev=False)
@@ -295,7 +371,7 @@ def _given_to_make() -> Mapping[str, str]:
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
-        OPTIONS[name]["type"](value)
+        OPTIONS[name].get("type", _flag)(value)
     return given
 
 

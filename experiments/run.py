@@ -20,12 +20,14 @@ import warp as wp
 from experiments.kernels import compile_for
 from experiments.measurement import Conditions
 from report import ROOT, ReportError
-from report.records.columns import is_number, number_problem, units_of
+from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from report.records.devices import NO_CUDA
 from report.records.files import refuse_unwritable
 from report.records.identity import identity_of, package_versions, sections
+from report.records.label import read_label
 from report.records.project import Project, own_release
 from report.records.record import Record, write_record
+from report.records.sources import EDITED
 from report.records.traces import packed
 
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
@@ -42,7 +44,8 @@ def main() -> int:
     try:
         device = measuring_device(arguments.device)
         modules = {section: section_module(section) for section in arguments.section}
-        refuse_unwritable(Project(package_versions()["newton"], arguments.profile).results)
+        project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
+        refuse_unwritable(project.results)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
@@ -52,7 +55,7 @@ def main() -> int:
     for number, (section, module) in enumerate(modules.items(), start=1):
         print(f"[{number}/{len(modules)}] {section}")
         try:
-            measure_section(section, module, device, arguments.profile)
+            measure_section(project, section, module, device)
         except Exception as error:  # one section's fault must not cost the others
             print(f"{section}: measuring failed; what was there is kept: {reason_of(error)}", file=sys.stderr)
             failures += 1
@@ -92,6 +95,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
+    parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     return parser.parse_args()
 
 
@@ -115,9 +119,21 @@ def section_module(section: str) -> ModuleType:
     raise ReportError(f"SECTION={section} is no section; use one of: {', '.join(sections())}")
 
 
-def measure_section(section: str, module: ModuleType, device: wp.Device, profile: str) -> None:
+def edition_of(asked: str | None) -> str:
+    """The label that results of what is installed here are kept under; ReportError when another one was asked for."""
+    installed = package_versions()
+    newton, edits, _ = installed["newton"].partition(f"{EDITED}.")
+    newton += EDITED if edits else ""
+    label = read_label(asked or newton)
+    if label is None or label.newton != newton or not dict(label.pins).items() <= installed.items():
+        have = ", ".join(f"{package} {version}" for package, version in installed.items())
+        raise ReportError(f"NEWTON={asked or newton} is not what is installed here ({have})")
+    return str(label)
+
+
+def measure_section(project: Project, section: str, module: ModuleType, device: wp.Device) -> None:
     """Let the section's module measure, and write its record and traces."""
-    project = Project(package_versions()["newton"], profile, own_release=own_release())
+    profile = project.profile
     started, start = now(), time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
@@ -147,7 +163,7 @@ def now() -> str:
 def believable(row: dict[str, object]) -> dict[str, object]:
     """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
-    return row | dict.fromkeys(lost) | {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
+    return row | dict.fromkeys(lost) | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}
 
 
 def device_kind(device: wp.Device) -> str:

@@ -1,24 +1,15 @@
 """Check of a built site: what it shows is what was measured, and it needs nothing from elsewhere."""
 
-import json
 import re
 from collections.abc import Mapping
-from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any
 from urllib.parse import SplitResult, unquote, urlsplit
 
 from report import ROOT
-from report.format import format_code, format_number
-from report.quantities import VALUES_FILE
+from report.check_numbers import Data, check_numbers
+from report.reading import SCRIPT, Reading
+from report.replay import script
 
-SCRIPT = "page.js"
-"""The one script that pages run: the project's own, beside them."""
-
-FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
-"""Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
-ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal"}
-"""Elements that run, hold another page, or change where links lead."""
 SCHEMES = {"", "http", "https", "mailto"}
 """What a link may begin with: a page may lead anywhere, but nothing that it leads to may run in it."""
 BLANK = re.compile("[\x00-\x20\x7f-\x9f]")
@@ -26,63 +17,15 @@ OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
 
-class Reading(HTMLParser):
-    """What a page holds, as far as it is checked."""
-
-    def __init__(self, html: str):
-        super().__init__()
-        self.ids: list[str] = []
-        self.links: list[str] = []
-        self.fetched: list[str] = []
-        self.scripts: list[str] = []
-        self.numbers: list[dict[str, str]] = []
-        self.claims: list[dict[str, str]] = []
-        self.styles = ""
-        self._open: list[str] = []
-        self.feed(html)
-
-    def handle_starttag(self, tag, attrs):
-        attributes = {name: value or "" for name, value in attrs}
-        self._open.append(tag)
-        is_own = tag == "script" and attributes == {"src": SCRIPT}
-        if (tag in ACTIVE and not is_own) or any(name.startswith("on") or name == "srcdoc" for name in attributes):
-            self.scripts.append(tag)
-        if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
-            self.scripts.append(tag)
-        if tag == "script":
-            self.fetched.append(attributes.get("src", ""))
-        if "id" in attributes:
-            self.ids.append(attributes["id"])
-        if "href" in attributes:
-            (self.links if tag == "a" else self.fetched).append(attributes["href"])
-        self.fetched += [value for name, value in attributes.items() if name in FETCHING]
-        self.styles += attributes.get("style", "")
-        if tag == "data":
-            self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
-        if "data-claim" in attributes:
-            self.claims.append(attributes)
-
-    def handle_data(self, data):
-        tag = self._open[-1] if self._open else ""
-        if tag == "data":
-            self.numbers[-1]["text"] += data
-        if tag == "style":
-            self.styles += data
-        if tag == "script" and data.strip():
-            self.scripts.append(tag)
-
-    def handle_endtag(self, tag):
-        while self._open and self._open.pop() != tag:
-            pass
-
-
 def check_site(site: Path) -> list[str]:
     """What is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     problems = []
     pages = {path.resolve(): Reading(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+    data_of: dict[Path, Data] = {}
     for path, reading in pages.items():
-        found = [*_check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
-        found += _check_numbers(reading, path.parent / "data")
+        found = [*check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
+        data = data_of.setdefault(path.parent, Data(path.parent / "data"))
+        found += check_numbers(reading, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for folder in {path.parent for path in pages}:
         claims = [claim for path, reading in pages.items() if path.parent == folder for claim in reading.claims]
@@ -99,8 +42,10 @@ def check_site(site: Path) -> list[str]:
     return problems
 
 
-def _check_self_contained(reading: Reading) -> list[str]:
+def check_self_contained(reading: Reading) -> list[str]:
+    """What a page runs or fetches that is not the project's, a line each."""
     problems = [f"<{tag}> runs a script" for tag in reading.scripts]
+    problems += ["a script runs that is not the project's own" for text in reading.inline if text != script()]
     problems += [f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)]
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
 
@@ -129,32 +74,6 @@ def _check_claims(reading: Reading) -> list[str]:
         for claim in reading.claims
         if claim.get("data-outcome") not in OUTCOMES
     ]
-
-
-def _check_numbers(reading: Reading, data: Path) -> list[str]:
-    problems = []
-    files: dict[str, Any] = {}
-    for number in reading.numbers:
-        name, _, pointer = number.get("data-src", "").partition("#")
-        try:
-            if name not in files:
-                files[name] = json.loads((data / name).read_text(encoding="utf-8"))
-            kept = _resolve(files[name], pointer)
-            kept = kept["value"] if name.endswith(VALUES_FILE) else kept
-        except (OSError, ValueError, LookupError, TypeError):
-            problems.append(f"{number.get('data-src')} resolves to nothing")
-            continue
-        shown = json.loads(number["value"]) if number.get("value") else None
-        write = format_code if number["in"] == "code" else format_number
-        if shown != kept or number["text"] != write(kept):
-            problems.append(f"{number['data-src']} is {kept}, but {number['text']} ({shown}) is shown")
-    return problems
-
-
-def _resolve(data: Any, pointer: str) -> Any:
-    for part in pointer.removeprefix("/").split("/"):
-        data = data[int(part)] if isinstance(data, list) else data[part]
-    return data
 
 
 def _is_elsewhere(address: str) -> bool:

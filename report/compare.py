@@ -1,4 +1,4 @@
-"""Comparison of two releases: which values moved beyond the noise, and which claims flipped."""
+"""Comparison of two editions: what can't be trusted, which claims flipped, and which values moved beyond the noise."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
@@ -7,7 +7,10 @@ from typing import Any
 
 from report.chapters import Chapter, Chapters
 from report.claims import NEAR_NOISE, Claim
-from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
+from report.costs import cost_terms, is_cost, terms_of
+from report.editions import Edition
+from report.faults import Fault, faults_between, faults_of
+from report.noise import EDGES, NOISE, Floor, is_beyond, noise_floors, verdict
 from report.quantities import Quantity
 from report.records.columns import REASON
 from report.records.record import Record
@@ -17,15 +20,12 @@ KEYS = ("case", "kind", "device", "worlds", "substeps")
 """Columns that tell the rows of one section apart, where they are there; a search may end at other substeps."""
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
-EDGES = ("_p5", "_p95")
-"""Ends of columns that say how far a number spreads, and are the noise of that number."""
 UNCOMPARED = (
     *("wall_s", "build_s", "capture_s"),
     *("failure_frame", "normal_velocity_mm_s", "cone_use", "pose_difference_mm", "creep_floor_mm_s"),
 )
 """Times of a whole batch and of what is done once; what is chance, as the frame in which a run breaks down, what one
 frame decides, the farthest that two runs get apart, or noise itself."""
-SPEED_UNITS, SPEED_COLUMNS = ("ms", "ms/s", "1/s"), ("realtime_factor",)
 LOST_COLUMNS = ("dropped", "failure", "invalid_reason")
 Key = tuple[Any, ...]
 
@@ -53,9 +53,13 @@ class Move:
         return verdict(self.column, _plain(self.before), _plain(self.after))
 
     @property
+    def place(self) -> dict[str, Any]:
+        """What tells the row apart, by column."""
+        return {column: part for column, part in zip(KEYS, self.key, strict=True) if part is not None}
+
+    @property
     def text(self) -> str:
-        parts = zip(KEYS, self.key, strict=True)
-        name = " ".join(str(part) for column, part in parts if part is not None and column != "substeps")
+        name = " ".join(str(part) for column, part in self.place.items() if column != "substeps")
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
         words = ["near the noise"] if self.is_near else [self.verdict] if self.verdict else []
         return "  ".join([f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}", *words])
@@ -77,44 +81,69 @@ class Flip:
 
 @dataclass(frozen=True)
 class Comparison:
-    """All that differs between two releases."""
+    """All that differs between two editions."""
 
     releases: tuple[str, str]
-    moves: list[Move]
+    faults: list[Fault]
+    """What can't be trusted, so that no more can be said of it."""
     flips: list[Flip]
+    moves: list[Move]
     notes: list[str]
     """What could not be compared, and why."""
 
     @property
-    def text(self) -> str:
-        lines = [f"newton {self.releases[0]} → newton {self.releases[1]}"]
-        lines += [f"not compared: {note}" for note in self.notes]
-        sections = dict.fromkeys(move.section for move in self.moves)
-        for section in sections:
-            lines += ["", section, *(f"  {move.text}" for move in self.moves if move.section == section)]
-        near = sum(move.is_near for move in self.moves)
-        moved = f"values that moved beyond the noise: {len(self.moves)}, of these near it: {near}"
-        lines += ["", f"{moved}; claims that flipped: {len(self.flips)}"]
-        return "\n".join([*lines, *(flip.text for flip in self.flips)])
+    def is_alarm(self) -> bool:
+        """Whether somebody has to look at it."""
+        return bool(self.faults or self.flips)
 
 
-def compare(releases: tuple[str, str], before: Chapters, after: Chapters) -> Comparison:
-    """Compare the results of two releases."""
-    floors = noise_floors(side[NOISE].results.record for side in (before, after) if NOISE in side)
-    moves: list[Move] = []
-    notes: list[str] = []
-    for section in dict.fromkeys([*before, *after]):
-        if section not in before or section not in after:
-            notes.append(f"{section}: newton {releases[section in before]} has no results of it that could be used")
-            continue
-        sides = before[section].results.record, after[section].results.record
-        if sides[0].machine_for_speed != sides[1].machine_for_speed:
-            notes.append(
-                f"speed of {section}: it was measured on {' and on '.join(side.machine_text for side in sides)}"
-            )
-        if section != NOISE:
-            moves += _moves(before[section], after[section], floors)
-    return Comparison(releases, moves, flips(before, after), [*notes, *_near_claims(before, after)])
+def compare(before: Edition, after: Edition) -> Comparison:
+    """Compare the results of two editions."""
+    sides = before.chapters, after.chapters
+    floors = noise_floors(side[NOISE].results.record for side in sides if NOISE in side)
+    shared = [section for section in before.chapters if section in after.chapters]
+    return Comparison(
+        releases=(before.project.release, after.project.release),
+        faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),
+        flips=flips(*sides),
+        moves=[
+            move
+            for section in shared
+            if section != NOISE
+            for move in _moves(before.chapters[section], after.chapters[section], floors)
+        ],
+        notes=[*_unshared(before, after), *_costs_apart(*sides), *_near_claims(*sides)],
+    )
+
+
+def _unshared(*sides: Edition) -> list[str]:
+    """Sections that only one has; that the other's are gone is a fault, and is said as one."""
+    names = dict.fromkeys(section for side in sides for section in side.chapters)
+    return [
+        f"{section}: newton {side.project.release} has no results of it"
+        for section in names
+        for side in sides
+        if any(state.section == section and state.kind == "missing" for state in side.left_out)
+    ]
+
+
+def _costs_apart(before: Chapters, after: Chapters) -> list[str]:
+    """Where costs are not compared: once for each pair of machines, with the sections."""
+    sections: dict[tuple[str, str], list[str]] = {}
+    for section in before:
+        if section in after and _has_costs(before[section]):
+            sides = before[section].results.record, after[section].results.record
+            if sides[0].machine_for_speed != sides[1].machine_for_speed:
+                machines = sides[0].machine_in_full, sides[1].machine_in_full
+                sections.setdefault(machines, []).append(section)
+    return [
+        f"speed and cost in {', '.join(names)}: measured on {' and on '.join(machines)}"
+        for machines, names in sections.items()
+    ]
+
+
+def _has_costs(chapter: Chapter) -> bool:
+    return any(map(is_cost, chapter.results.record.units))
 
 
 def _near_claims(*sides: Chapters) -> list[str]:
@@ -130,17 +159,22 @@ def _near_claims(*sides: Chapters) -> list[str]:
 
 
 def flips(before: Chapters, after: Chapters) -> list[Flip]:
-    """Claims that one release upholds and the other doesn't.
+    """Claims that one edition upholds and the other doesn't.
 
     One that can't be told any more, or can be told now, is among them unless that is for want of a section, or for
-    being near the noise.
+    being near the noise. What is of the machine and not of the release, a cost or the noise itself, is left out where
+    that differs.
     """
     whole = set(before) == set(after)
     found = []
     for section in before:
         if section in after:
             old, new = ({claim.name: claim for claim in side[section].section.claims} for side in (before, after))
-            found += [Flip(section, old[name], new[name]) for name in old if name in new]
+            found += [
+                Flip(section, old[name], new[name])
+                for name in old
+                if name in new and terms_of(section, old[name], before) == terms_of(section, new[name], after)
+            ]
     return [flip for flip in found if is_flip(flip.before, flip.after, whole=whole)]
 
 
@@ -157,7 +191,6 @@ def _moves(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iter
     old, new = _rows_by_key(before), _rows_by_key(after)
     records = before.results.record, after.results.record
     ranges = _ranges(records)
-    is_same_machine = records[0].machine_for_speed == records[1].machine_for_speed
     for key in old:
         if key not in new:
             continue
@@ -165,6 +198,7 @@ def _moves(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iter
         if any(_is_split(row) for row in rows):
             continue
         lost = any(_is_lost(row) for row in rows)
+        terms = [_terms(record, row) for record, row in zip(records, rows, strict=True)]
         for column in rows[0].columns:
             if column not in rows[1] or column in (*KEYS, *UNCOMPARED) or column.endswith((REASON, *EDGES)):
                 continue
@@ -173,7 +207,7 @@ def _moves(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iter
                 if cells[0] != cells[1] and not (column in LOST_COLUMNS and all(map(_is_lost, rows))):
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
-            if lost or (_is_speed(column, cells[0].unit) and not is_same_machine):
+            if lost or (is_cost(column) and terms[0] != terms[1]):
                 continue
             values = [cell.value for cell in cells]
             if None in values:
@@ -230,8 +264,8 @@ def _is_split(row: Row) -> bool:
     return "classes" in row and len(set(row["classes"].split(", "))) > 1
 
 
-def _is_speed(column: str, unit: str) -> bool:
-    return unit in SPEED_UNITS or column in SPEED_COLUMNS
+def _terms(record: Record, row: Row) -> tuple:
+    return cost_terms(record, {column: _plain(row[column]) for column in row.columns})
 
 
 def _plain(cell: Any) -> Any:

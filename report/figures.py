@@ -11,7 +11,7 @@ from typing import Any
 
 import matplotlib
 from cycler import cycler
-from markupsafe import Markup
+from markupsafe import Markup, escape
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
@@ -27,7 +27,8 @@ from matplotlib.ticker import (
     NullLocator,
 )
 
-from report.format import format_code, format_number, format_power
+from report.format import format_number, format_power, format_short, format_tick, whole
+from report.quantities import Quantity
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
@@ -81,6 +82,13 @@ LEAST_SIZE = 7.0
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
+_told: ContextVar[dict[str, str] | None] = ContextVar("told", default=None)
+"""Numbers of the figure that is being drawn as they are written, and where each is from."""
+
+PIECE = re.compile(
+    r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
+)
+"""What is looked at for where a drawn text stands: a tick's group, another group, the end of one, and a text."""
 
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
@@ -90,6 +98,7 @@ DECIMALS = re.compile(r"(\.\d\d)\d+")
 """A hundredth of a point is enough for anything that is drawn."""
 UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
 COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
+LETTER = re.compile(r"[^\W\d_]")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
@@ -103,7 +112,7 @@ class LogLabels(LogFormatter):
         exponent = round(math.log10(value))
         if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
             return format_power(exponent)
-        return format_number(value, digits=1)
+        return format_number(value, noise=0.0)
 
 
 def _label_plainly(axis: Axis) -> None:
@@ -116,7 +125,22 @@ def _label_plainly(axis: Axis) -> None:
 
 def plain_labels(*, digits: int = 6) -> FuncFormatter:
     """Labels as plain numbers, without zeros at their ends."""
-    return FuncFormatter(lambda value, _: format_code(value, digits=digits))
+    return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
+
+
+def write(quantity: Quantity, *, digits: int = 3, is_short: bool = False) -> str:
+    """A number as text of the figure that is being drawn, which then says where it is from.
+
+    Args:
+        quantity: The number; its unit is said by the text around it.
+        digits: At most so many significant digits.
+        is_short: Whether there is room for no more than four characters.
+    """
+    text = format_short(quantity.value) if is_short else quantity.in_digits(digits)
+    told = _told.get()
+    if told is not None and quantity.source:
+        told[text] = quantity.source
+    return text
 
 
 def tick_125(axis: Axis) -> None:
@@ -224,9 +248,9 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
+def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
     """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
-    with own_style({"svg.hashsalt": name}):
+    with own_style({"svg.hashsalt": name}), _telling() as told:
         buffer = io.StringIO()
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
         drawing = draw()
@@ -236,13 +260,53 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str) -> Markup:
         if is_narrow():
             _fit_narrow(drawing)
         FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
-    svg = _lean(UNWANTED.sub("", buffer.getvalue()))
+    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), told))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     kind = "narrow" if is_narrow() else "broad"
-    opening = Markup('<svg class="{}" viewBox="{}" role="img" aria-label="{}">')
-    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1], alt), svg, count=1).strip())
+    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
+
+
+@contextmanager
+def _telling() -> Iterator[dict[str, str]]:
+    """Keep what ``write`` writes within."""
+    told: dict[str, str] = {}
+    token = _told.set(told)
+    try:
+        yield told
+    finally:
+        _told.reset(token)
+
+
+def _linked(svg: str, told: Mapping[str, str]) -> str:
+    """The same drawing, of which each text says where its numbers are from, and each tick that it is one."""
+    numbers = {text: whole(escape(text)) for text in told}
+    longest_first = sorted(told, key=len, reverse=True)
+    groups: list[bool] = []
+
+    def link(piece: re.Match) -> str:
+        if piece["close"]:
+            groups.pop()
+        elif piece["tick"] or piece["open"]:
+            groups.append(bool(piece["tick"]))
+            return '<g class="tick">' if piece["tick"] else piece[0]
+        else:
+            opening, _, text = piece[0].removesuffix("</text>").partition(">")
+            if any(groups) and not LETTER.search(text):
+                return piece[0]  # a number of an axis
+            found, rest = [], text
+            for number in longest_first:
+                rest, count = numbers[number].subn("", rest)
+                found += [told[number]] * bool(count)
+            if found:
+                return str(
+                    Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))
+                )
+        return piece[0]
+
+    return PIECE.sub(link, svg)
 
 
 def _lean(svg: str) -> str:

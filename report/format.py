@@ -1,10 +1,18 @@
-"""How a number is written on the page."""
+"""How a number is written: the digits that its noise carries, and what was chosen as it was chosen."""
+
+import math
+import re
+from decimal import ROUND_CEILING, ROUND_HALF_UP, Decimal
 
 MINUS = "\u2212"
 THIN_SPACE = "\u202f"
 """Narrow and no-break, so that a number never wraps."""
 ABSENT = "n/a"
 
+DIGITS_KNOWN, DIGITS_UNKNOWN = 3, 2
+"""The most significant digits of what is measured: with a noise, which may allow fewer, and without."""
+DIGITS_TYPED = 6
+"""The most significant digits of what was chosen; what has more was computed, and gets ``DIGITS_KNOWN``."""
 PLAIN_EXPONENTS = range(-4, 7)
 """Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -17,35 +25,108 @@ def unit_label(unit: str) -> str:
     return LABELS.get(unit, unit)
 
 
-def format_number(value: float | int | None, *, digits: int = 3) -> str:
-    """``value`` to ``digits`` significant digits; digits before the point are never rounded away."""
+def format_number(value: float | int | None, *, noise: float | None = None, digits: int = DIGITS_KNOWN) -> str:
+    """``value`` as people write it.
+
+    Args:
+        value: Measured, counted or chosen; what is counted, an integer, is written in full.
+        noise: How far apart two measurements of it come out, in its unit; None where nobody knows, and 0 for what was
+            chosen, or computed from nothing but what was.
+        digits: At most so many significant digits of what is measured, where there is little room.
+    """
     if value is None:
         return ABSENT
-    if isinstance(value, int) or value == 0:
-        return _typeset(f"{value:,.0f}" if value == 0 else f"{value:,}")
-    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-    if int(exponent) not in PLAIN_EXPONENTS:
-        return f"{_typeset(mantissa)}{THIN_SPACE}×{THIN_SPACE}{format_power(int(exponent))}"
-    return _typeset(f"{value:,.{max(0, digits - 1 - int(exponent))}f}")
+    if isinstance(value, int):
+        return _typeset(f"{value:,}")
+    value = float(value)  # what is drawn may come from NumPy
+    if value == 0:
+        return "0"
+    if noise == 0:
+        return _format_chosen(value)
+    if noise and abs(value) <= noise:
+        return f"<{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
+    return _format_decimal(rounded(value, noise, digits=digits))
 
 
-def format_code(value: float | int | None, *, digits: int = 6) -> str:
+def format_most(value: float | int | None, *, noise: float | None = None) -> str:
+    """``value`` as what something is at most, or what it is within: for one below the noise that is the noise."""
+    return format_number(value, noise=noise).removeprefix(f"<{THIN_SPACE}")
+
+
+def rounded(value: float, noise: float | None, *, digits: int = DIGITS_KNOWN) -> Decimal:
+    """``value`` to the last digit that it carries, halves away from zero as its shortest decimal has them.
+
+    Two runs are apart by the noise, so that one is off by half of it, and the last digit is worth at least that. What
+    is beyond the noise has one digit in any case.
+    """
+    digits = min(digits, DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
+    exact = Decimal(repr(value))
+    place = exact.adjusted() + 1 - digits
+    if noise:
+        place = min(max(place, math.ceil(math.log10(noise / 2))), exact.adjusted())
+    found = exact.quantize(Decimal(1).scaleb(place), ROUND_HALF_UP)
+    if found.adjusted() > exact.adjusted() and place == exact.adjusted() + 1 - digits:
+        return found.quantize(Decimal(1).scaleb(place + 1), ROUND_HALF_UP)  # 9.996 is 10.0 and not 10.00
+    return found
+
+
+def format_code(value: float | int | None) -> str:
     """``value`` as a program reads it, without zeros at its end."""
-    return ABSENT if value is None else f"{value:.{digits}g}"
+    return ABSENT if value is None else f"{value:.{DIGITS_TYPED}g}"
+
+
+def format_tick(value: float, *, digits: int = DIGITS_TYPED) -> str:
+    """A number at an axis, without zeros at its end."""
+    return f"{value:.{digits}g}"
 
 
 def format_short(value: float) -> str:
-    """``value`` up to 99 in two digits and as few characters as can be, for where there is no room."""
+    """``value`` up to 99, of no known noise, in two digits and as few characters as can be: where there is no room."""
     if value < 0.005:
         return "<.01"
-    if value >= 9.95:
-        return f"{value:.0f}"
-    return f"{value:.1f}" if value >= 0.095 else f"{value:.2f}".removeprefix("0")
+    exact = Decimal(repr(float(value)))
+    places = next((places for places, limit in ((2, "0.095"), (1, "9.95")) if exact < Decimal(limit)), 0)
+    return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
+
+
+def spellings(value: float | int | None, noise: float | None) -> list[str]:
+    """All ways in which a figure may write a number, those with most digits first."""
+    found = [format_number(value, noise=noise, digits=digits) for digits in range(DIGITS_KNOWN, 0, -1)]
+    is_short = noise is None and value is not None and value >= 0
+    return list(dict.fromkeys([*found, format_short(value)] if is_short else found))
+
+
+def whole(text: str) -> re.Pattern:
+    """Finds a number as it is written, and not as a part of another one."""
+    return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
 
 
 def format_power(exponent: int) -> str:
     """A power of ten."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
+
+
+def _format_chosen(value: float) -> str:
+    exact = Decimal(repr(value)).normalize()
+    if len(exact.as_tuple().digits) > DIGITS_TYPED:
+        return _format_rounded(exact, DIGITS_KNOWN, ROUND_HALF_UP)
+    return _format_decimal(exact)
+
+
+def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
+    """To so many significant digits, without zeros at the end."""
+    place = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
+    return _format_decimal(exact.quantize(place, rounding).normalize())
+
+
+def _format_decimal(number: Decimal) -> str:
+    """All digits of a number, zeros at its end included."""
+    exponent = number.adjusted()
+    if exponent in PLAIN_EXPONENTS:
+        return _typeset(f"{number:,f}")
+    mantissa = _typeset(f"{number.scaleb(-exponent):f}")
+    power = format_power(exponent)
+    return power if mantissa == "1" else f"{mantissa}{THIN_SPACE}×{THIN_SPACE}{power}"
 
 
 def _typeset(text: str) -> str:

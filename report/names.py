@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from markupsafe import Markup
 
-from report.format import format_power
+from report.format import format_number, format_power
 
 WHOLE = {
     "untrimmed": "exactly as shipped",
@@ -191,6 +191,11 @@ def number_of(text: str) -> str:
         return f"{value:g}"
     scale = format_power(int(power))
     return scale if float(mantissa) == 1 else f"{mantissa}×{scale}"
+
+
+def worlds_name(count: int) -> str:
+    """What a batch of so many worlds is called."""
+    return f"{format_number(count)} world{'s' * (count > 1)}"
 
 
 def case_html(case: str) -> Markup:

@@ -1,17 +1,26 @@
 """Noise: when two values differ at all, and which way is better."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from statistics import NormalDist, fmean, stdev
 from typing import Any
 
 from report.records.record import Record
+from report.settings import is_exact
 
 NOISE = "noise"
 """The section whose rows are runs of one and the same case, as ``of`` says."""
 ROUNDING_SHARE = 1e-3
 """Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
+RESOLUTION = {"slip_mm": 1e-3, "drift_mm_s": 1e-4}
+"""Least difference that counts, however well a machine repeats itself."""
+EDGES = ("_p5", "_p95")
+"""Ends of columns that say how far the numbers spread of which a column has the median."""
+MEDIAN = 1.25
+"""How much wider the median of n numbers spreads than their mean, which does by 1/√n of theirs: √(π/2), for many."""
+RATES = {"frames_per_s": "frame_ms", "realtime_factor": "frame_ms", "world_substeps_per_s": "frame_ms"}
+"""Rates that a time in the same row makes, so that they have its share of noise."""
 PAIRS = 0.999
 """Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
 comparisons, and the largest difference that was seen among some tens of runs is less than the largest of those."""
@@ -85,18 +94,60 @@ def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
     """The noise of every column that records of the section on noise have, the largest of them."""
     floors: dict[str, Floor] = {}
     for record in records:
-        for column, floor in _floors_of(record).items():
+        for column, floor in floors_of(record.rows, record.units).items():
             if column not in floors or floor.spread > floors[column].spread:
                 floors[column] = floor
     return floors
 
 
-def _floors_of(record: Record) -> dict[str, Floor]:
+def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
+    """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
+
+    A time is the median of frames that a row has the spread of; other numbers have the floor of their column; what was
+    set or counted is exact.
+    """
+    value, timed = row[column], RATES.get(column, column)
+    if value is None:
+        return None
+    if is_exact(column, row) or isinstance(value, int):
+        return 0.0
+    low, high = (row.get(timed + edge) for edge in EDGES)
+    if None not in (low, high) and row.get(timed):
+        share = MEDIAN * (high - low) / math.sqrt(row.get("repeat_count") or 1) / row[timed]
+        return abs(share * value)
+    if column not in floors:
+        return None
+    return max(floors[column].at(value), RESOLUTION.get(column, 0.0)) or None
+
+
+def derived_noise(
+    function: Callable[..., float], values: Sequence[float], noises: Sequence[float | None]
+) -> float | None:
+    """How far apart two results of ``function`` come out, each source changed by its noise; None where one has none.
+
+    Two runs are apart by the noise, so that each is off by 1/√2 of it, and what is off independently adds in squares:
+    a difference of two has the noise of one, and a mean of many has less. It never has less than its noisiest source
+    gives it. What was chosen has a noise of 0.
+    """
+    if None in noises:
+        return None
+    middle = function(*values)
+    changes = []
+    for place, noise in enumerate(noises):
+        if noise:
+            moved = (function(*values[:place], values[place] + way * noise, *values[place + 1 :]) for way in (1, -1))
+            changes.append(max(abs(each - middle) for each in moved))
+    return max(max(changes, default=0.0), math.hypot(*changes) / math.sqrt(2.0))
+
+
+def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:
+    """The noise of the columns ``units`` of one record of the section on noise."""
     runs: dict[str, list[Mapping[str, Any]]] = {}
-    for row in record.rows:
-        runs.setdefault(row["of"], []).append(row)
+    for row in rows:
+        if "of" in row:  # a damaged row may not say
+            runs.setdefault(row["of"], []).append(row)
     floors = {}
-    for column in record.units:
+    for column in units:
         cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
         cells = [cell for cell in cells if len(cell) > 1]
         if cells:

@@ -8,8 +8,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.figures import INK, SERIES, new_figure
-from report.format import format_number
+from report.figures import INK, SERIES, new_figure, write
 from report.names import name_of, section_name
 from report.parts import Figure
 from report.quantities import Quantity
@@ -149,7 +148,7 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set_xlabel("slip [mm]")
     axes.annotate(
-        f"shipped pads: {format_number(slip)} mm",
+        f"shipped pads: {write(baseline.slip_mm)} mm",
         (slip, 1.0),
         xycoords=("data", "axes fraction"),
         xytext=(4, 4),
@@ -172,7 +171,7 @@ def _label(line: Line) -> str:
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
     """What it is and how far, above it."""
     axes.annotate(
-        f"{name_of(row.case)}: {format_number(row.slip_mm.value, digits=2)}",
+        f"{name_of(row.case)}: {write(row.slip_mm, digits=2)}",
         (row.slip_mm.value, place),
         xytext=(-3, 5),
         textcoords="offset points",
@@ -198,7 +197,7 @@ def _draw_dropped(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
         count = sum(row.slip_mm.value is not None and _mark(row, baseline) == DROPPED for row in line.rows)
         if count:
             axes.plot([0.97], [place], transform=axes.get_yaxis_transform(), **MARKS[DROPPED])
-            above = {
+            above: dict[str, Any] = {
                 "xycoords": ("axes fraction", "data"),
                 "xytext": (0, 5),
                 "textcoords": "offset points",

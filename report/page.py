@@ -34,8 +34,8 @@ from report.words import Wording, WordTags, wordings
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 TOKEN = re.compile(f"(<p>)?{OPEN}([0-9]+){CLOSE}(?(1)</p>)")
 BLOCK = ("<figure", "<p")
-TITLE = re.compile(r"\s*<h2[^>]*>.*?</h2>", re.DOTALL)
-HEADING = re.compile(r'(<(h[3-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
+TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
+HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 
@@ -71,13 +71,13 @@ class Text:
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
 
-    def prose(self, anchor: str, names: Mapping[str, Any]) -> Prose:
-        """Render it; its first line is its title, and ids of further headings begin with ``anchor``."""
+    def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
+        """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
         printed: list[Any] = []
         with _named(self.name):
             text = self.template.render({**names, "printed": printed})
         headings = {
-            "baselevel": 2,
+            "baselevel": level,
             "slugify": lambda title, separator: f"{anchor}-{slugify(TOKEN.sub(_number, title), separator)}",
         }
         markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})

@@ -8,61 +8,30 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from markupsafe import Markup
 
-from report import ROOT, ReportError
+from report import ROOT
 from report.chapters import Chapter
-from report.clips import Clips, clips_of
+from report.clips import Clips
 from report.editions import Edition
 from report.page import Templates
-from report.records.kept import kept_run
+from report.pages import REPLAY, SHAKES
 from report.records.project import Project
-from report.records.traces import load_trace, trace_path
-from report.results import Results
 
-PAGE = "replay.html"
 SCRIPT = "assets/replay/replay.js"
 STYLE = "assets/replay/replay.css"
-SHAKES = {
-    "3 cm": {"as-shipped": "as shipped", "stiff-pads": "stiff pads"},
-    "10 cm": {"as-shipped-10cm": "as shipped", "stiff-pads-10cm": "stiff pads"},
-    "held still": {"hold-60s": "as shipped, held still"},
-}
-"""What can be chosen, and the runs that it shows, by case."""
-SAMPLE_RATE_HZ = 30
-COLUMNS = (
-    *(f"joint_{number}" for number in range(9)),
-    *(f"cube_{part}" for part in ("x", "y", "z", "qx", "qy", "qz", "qw")),
-    "normal_force_n",
-    "tangential_force_n",
-    "penetration_mm",
-)
-"""What is packed of each sample; the cube's pose is in the TCP frame [m]."""
-WIDEST = 65535
 
 
 def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
     """Put replay.html into the folder of a release's pages, and the clips below its ``data/``; what was not kept or not
     made is left out."""
-    clips = clips_of(edition.project)
-    for file in clips.files if clips else ():
+    for file in edition.clips.files if edition.clips else ():
         place = folder / "data" / edition.project.results.name
         place.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, place / file.name)
-    if runs := replayed_runs(edition):
-        page = replay_page(edition.project, edition.chapters["poses"], runs, clips, templates)
-        (folder / PAGE).write_text(page, encoding="utf-8")
-
-
-def replayed_runs(edition: Edition) -> dict[str, Any] | None:
-    """The runs of a release's replay, packed; None where not all of them are kept and whole."""
-    if "poses" not in edition.chapters:
-        return None
-    try:
-        return packed_runs(edition.chapters["poses"].results)
-    except (ReportError, LookupError, TypeError, ValueError):
-        return None
+    if edition.replay:
+        page = replay_page(edition.project, edition.chapters["poses"], edition.replay, edition.clips, templates)
+        (folder / REPLAY).write_text(page, encoding="utf-8")
 
 
 def replay_page(
@@ -89,63 +58,9 @@ def replay_page(
         "script": Markup(script(project.root)),
         "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),
     }
-    return templates.layout(f"{PAGE}.j2", names)
+    return templates.layout(f"{REPLAY}.j2", names)
 
 
 def script(root: Path = ROOT) -> str:
     """The one script that a page of this site may run."""
     return (root / SCRIPT).read_text(encoding="utf-8")
-
-
-def packed_runs(results: Results) -> dict[str, Any]:
-    """All runs of the page, as assets/replay/src/runs.js reads them."""
-    rows = {row["case"]: row for row in results.record.rows}
-    first = rows[next(iter(SHAKES["3 cm"]))]
-    shakes = [
-        {"name": name, "runs": [packed_run(label, rows[case], results.path) for case, label in runs.items()]}
-        for name, runs in SHAKES.items()
-    ]
-    base = [first[f"base_{axis}_m"] for axis in "xyz"]
-    return {"base_m": base, "edge_m": first["cube_edge_m"], "columns": COLUMNS, "shakes": shakes}
-
-
-def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
-    """A run, sampled so that its last frame is among the samples; each column in 16 bits between its least and largest
-    value."""
-    run = kept_run(row, load_trace(trace_path(record, row["case"])))
-    step = max(1, round(row["frame_rate_hz"] / row["kept_frame_step"] / SAMPLE_RATE_HZ))
-    chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
-    turn = quaternions(run.cube_in_hand)
-    contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
-    values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
-    low, high = values[chosen].min(axis=0), values[chosen].max(axis=0)
-    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * WIDEST).astype("<u2")
-    return {
-        "name": name,
-        "start_s": float(run.time_s[chosen[0]]),
-        "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
-        "count": len(chosen),
-        "left_grasp_s": row["left_grasp_s"],
-        "begin": {"position": run.begin_in_hand[:3, 3].tolist(), "quaternion": turn[run.shake_start].tolist()},
-        "low": low.tolist(),
-        "high": high.tolist(),
-        "samples": base64.b64encode(whole.T.tobytes()).decode(),
-    }
-
-
-def quaternions(poses: np.ndarray) -> np.ndarray:
-    """Unit quaternions (x, y, z, w) of poses, shape [frames, 4], none the negative of what would follow from the last.
-
-    Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
-    from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).
-    """
-    r = poses[:, :3, :3]
-    trace = np.trace(r, axis1=1, axis2=2)
-    k = np.zeros((len(r), 4, 4))
-    k[:, :3, :3] = r + r.transpose(0, 2, 1) - trace[:, None, None] * np.eye(3)
-    k[:, 3, :3] = np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
-    k[:, :3, 3] = k[:, 3, :3]
-    k[:, 3, 3] = trace
-    found = np.linalg.eigh(k)[1][:, :, -1]
-    turned = np.sum(found[1:] * found[:-1], axis=1) < 0.0
-    return found * np.where(np.append(0, np.cumsum(turned)) % 2, -1.0, 1.0)[:, None]

@@ -7,16 +7,19 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from report import ReportError
+from report.noise import Floor, cell_noise, derived_noise
 from report.quantities import VALUES_FILE, Quantity, Value, absent, mixed
 from report.records.columns import REASON
 from report.records.record import Origin, Record
 from report.records.traces import load_trace, trace_path
 from report.settings import case_settings
+
+if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+    import pandas as pd
 
 
 class ResultsError(ReportError):
@@ -27,7 +30,7 @@ class ResultsError(ReportError):
 class Series:
     """A per-frame series, or the reason why there is none."""
 
-    value: pd.DataFrame | None
+    value: "pd.DataFrame | None"
     source: str
     reason: str = ""
     origins: frozenset[Origin] = frozenset()
@@ -45,13 +48,21 @@ class Row:
     has nothing but the name of its case.
     """
 
-    def __init__(self, record: Record, index: int | None, source: str, case: str = ""):
+    def __init__(
+        self,
+        record: Record,
+        index: int | None,
+        source: str,
+        case: str = "",
+        floors: Mapping[str, Floor] = MappingProxyType({}),
+    ):
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
         self._record = record
         self._place = f"{record.section}: {self._cells['case']}"
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
+        self._floors = floors
 
     def __getitem__(self, column: str) -> Any:
         units = self._record.units
@@ -61,7 +72,8 @@ class Row:
         if column not in units or isinstance(value, bool | str):
             return value
         reason = self._cells.get(f"{column}_reason", "")
-        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins)
+        noise = cell_noise(column, self._cells, self._floors)
+        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
 
     def _lacking(self, column: str) -> Any:
         if column in self._record.units:
@@ -109,6 +121,8 @@ class Results:
     """Results of the sections that stand before this one on the page."""
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
+    floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
+    """By column: how far apart runs of one case come out with this release."""
 
     @property
     def source(self) -> str:
@@ -119,7 +133,8 @@ class Results:
     def rows(self) -> list[Row]:
         """All rows but those that are damaged in what tells them apart."""
         whole = _whole(self.record)
-        return [Row(self.record, index, self.source) for index, is_whole in enumerate(whole) if is_whole]
+        there = (index for index, is_whole in enumerate(whole) if is_whole)
+        return [Row(self.record, index, self.source, floors=self.floors) for index in there]
 
     @cached_property
     def row(self) -> Rows:
@@ -147,11 +162,13 @@ class Results:
         *sources: Quantity | Series,
         unit: str = "1",
         across: bool = False,
+        is_noise: bool = False,
     ) -> Value:
         """The value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
 
         It does not exist when one of its sources doesn't, when ``function`` has no finite result, or when the sources
         were measured with different releases or on different machines; ``across`` says that this is the point.
+        Its noise is what theirs make of it, unless it is itself how far runs are apart, as ``is_noise`` says.
         """
         if name in self.derived:
             raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
@@ -164,6 +181,7 @@ class Results:
             source=f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}/{name}",
             reason=reason,
             origins=frozenset().union(*origins),
+            noise=None if value is None or is_noise else _noise(function, sources),
             formula=formula,
             sources=tuple(source.source for source in sources if source.source),
             roots=frozenset().union(*(source.reads for source in sources)),
@@ -196,15 +214,30 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
     if reasons:
         return None, reasons[0]
     try:
-        values = [source.value for source in sources]
-        # Given a single number these two would look for the largest or smallest in it.
-        value = function(values, default=math.nan) if function in (max, min) else function(*values)
+        value = _of_all(function)(*(source.value for source in sources))
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
+        if "empty" in str(error):  # of max, min and means, which are given what is left of a damaged record
+            return None, "nothing of what was measured is left to compute it from"
         # A damaged record may hold what no measurement gives, such as a coordinate twice.
         return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
     if isinstance(value, complex):
         return None, "it has no finite value"
     value = getattr(value, "item", lambda: value)()
     return (value, "") if math.isfinite(value) else (None, "it has no finite value")
+
+
+def _of_all(function: Callable[..., float]) -> Callable[..., float]:
+    """The same; ``max`` and ``min``, which would look for it in a single number, of however many there are."""
+    return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
+
+
+def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
+    """The noise of what was computed; None where that of a source is not known, as of a series."""
+    noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
+    try:
+        noise = derived_noise(_of_all(function), [source.value for source in sources], noises)
+    except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
+        return None
+    return float(noise) if noise is not None and math.isfinite(noise) else None

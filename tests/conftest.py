@@ -2,12 +2,14 @@
 
 import importlib
 import shutil
+import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 import report.sections
 from report import ROOT
@@ -18,6 +20,9 @@ from report.records.status import state_of
 from report.records.traces import packed
 from report.site import build
 from report.surroundings import ASSETS
+
+settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
+settings.load_profile("project")
 
 MODULE = """
 from report.claims import Claim, at_least
@@ -69,6 +74,15 @@ def slip():
     """How far it slips."""
     return 1.0
 '''
+REPORT = """
+import sys
+from pathlib import Path
+from report.records.project import Project, own_release
+from report.site import build
+
+build(Project(own_release(), root=Path(sys.argv[1])))
+sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
+"""
 EXPERIMENT = """from experiments.scene import slip
 
 
@@ -183,6 +197,17 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.measure()
     yield toy
     forget_sections()
+
+
+@pytest.fixture(scope="session")
+def tracked_site(tmp_path_factory) -> Path:
+    """The site of what is tracked, apart from the checkout's own; what builds it must not import the simulator."""
+    root = tmp_path_factory.mktemp("tracked")
+    for name in ("experiments", "report", "templates", "assets", "results", "pyproject.toml"):
+        (root / name).symlink_to(ROOT / name)
+    done = subprocess.run([sys.executable, "-c", REPORT, root], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return root / "site"
 
 
 @pytest.fixture(scope="session")

@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from report import ROOT
-from report.records.project import Project, own_release
-from report.site import build
+from report.records.project import own_release
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
 axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")
@@ -38,15 +36,8 @@ STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], 
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory) -> Path:
-    """The site of what is tracked, built apart from the checkout's own."""
-    root = tmp_path_factory.mktemp("project")
-    for folder in ("experiments", "report", "templates", "assets", "results"):
-        (root / folder).symlink_to(ROOT / folder)
-    (root / "pyproject.toml").symlink_to(ROOT / "pyproject.toml")
-    project = Project(own_release(), root=root)
-    build(project)
-    return project.site
+def site(tracked_site) -> Path:
+    return tracked_site
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +72,8 @@ def each_look():
 
 
 def pages(site: Path) -> list[Path]:
-    return sorted(site.glob("*.html"))
+    """All of the release that is shown first, and the front page of the newest other one."""
+    return [*sorted(site.glob("*.html")), *sorted(site.glob("newton-*/index.html"))[-1:]]
 
 
 def open_page(tab, path: Path, fragment: str = "") -> None:

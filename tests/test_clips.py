@@ -1,7 +1,10 @@
 """The clips: what they read out is what was kept, and what they show is where it was."""
 
+import re
+
 import numpy as np
 import pytest
+from markupsafe import Markup
 
 from experiments.clips import (
     FRAME_RATE,
@@ -15,6 +18,7 @@ from experiments.clips import (
     reading,
 )
 from experiments.stage import Camera, Stage, display
+from report.clips import clips_of
 from report.records.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
 from report.records.kept import kept_run
 from report.records.project import Project, own_release
@@ -80,6 +84,19 @@ def test_the_clips_are_stale_when_a_mesh_or_the_kept_poses_change(tmp_path):
         path.write_bytes(b"x" * (len(found) + 1))
         found.add(clips_identity(project).config)
     assert len(found) == 3
+
+
+@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
+def test_a_page_says_what_the_clips_read_out_and_fetches_nothing_that_is_not_asked_for():
+    clips = clips_of(OWN)
+    readout = load_trace(trace_path(OWN.record_path(CLIPS), FIRST)).iloc[-1]
+    video = clips.video(FIRST, Markup("{}").format(clips.results.row[FIRST].as_shipped_mm))
+    assert f'<data value="{readout["as-shipped_mm"]:.4f}' in video
+    assert f"as shipped {reading(readout['as-shipped_mm'])}" in video
+    assert 'preload="none"' in video and " muted " in video and " controls " in video and "autoplay" not in video
+    assert {path.name for path in clips.files} >= set(
+        re.findall(r'clips\.[^"]+\.(?:mp4|jpg)', video + clips.still("", Markup()))
+    )
 
 
 @pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")

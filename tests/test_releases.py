@@ -22,6 +22,7 @@ from report.records.identity import MISSING
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.record import Origin, write_record
+from report.records.stack import stack_of
 from report.records.status import status_matrix
 from report.results import Results
 
@@ -38,8 +39,7 @@ def newer(toy) -> Toy:
 
 
 def compared(*sides: Toy) -> Comparison:
-    before, after = (derive_edition(side.project, Templates(side.project.templates)) for side in sides)
-    return compare((before.project.release, after.project.release), before.chapters, after.chapters)
+    return compare(*(derive_edition(side.project, Templates(side.project.templates)) for side in sides))
 
 
 def test_a_release_is_judged_without_being_installed(toy, newer):
@@ -49,7 +49,7 @@ def test_a_release_is_judged_without_being_installed(toy, newer):
 
 
 def test_the_newest_record_of_a_release_says_which_packages_belong_to_it(toy):
-    newer = toy.of("99.0")  # one that is installed nowhere
+    newer = toy.of("99.0.0")  # one that is installed nowhere
     newer.measure()
     newer.write("report/sections/other.py", "order = 2\n")
     newer.write("experiments/other.py", "")
@@ -113,7 +113,7 @@ def test_the_check_follows_links_to_other_pages(toy, newer):
 
 def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
-    assert build.page(toy.project, Namespace(address="")) == 1
+    assert build.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
     assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
@@ -121,12 +121,12 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
 
 
 def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
-    arguments = Namespace(a="1.4.0", b="1.8.0")
+    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="all")
     assert build.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
-    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in said and "better" in said
-    assert "stiff" not in said.partition("claims that flipped")[0]
-    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in said
+    flips, _, moves = said.partition("toy: 1 values moved (1 better)")
+    assert "toy.helps: holds → fails\n  It helps 20.4 times.\n  It does not." in flips
+    assert "soft  slip_mm: 6.36 mm → 0.400 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
     assert build.diff(toy.project, arguments) == 0
 
@@ -189,7 +189,8 @@ def test_speed_is_compared_on_one_machine_only(toy, newer):
     write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": "Another"}))
     found = compared(toy, newer)
     assert found.moves == []
-    assert found.notes == ["speed of toy: it was measured on A processor and on Another"]
+    cores = "an unknown number of cores"
+    assert found.notes == [f"speed and cost in toy: measured on A processor, {cores} and on Another, {cores}"]
 
 
 def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):

@@ -1,5 +1,7 @@
 """replay.html: one script, known by its digest and built from its sources, and the data that was kept."""
 
+import base64
+import hashlib
 import json
 import shutil
 import subprocess
@@ -9,16 +11,19 @@ import numpy as np
 import pytest
 
 from report import ROOT
-from report.check import Reading
+from report.check import check_self_contained
 from report.editions import derive_edition
+from report.packed import packed_runs
 from report.page import Templates
+from report.pages import REPLAY, SHAKES
+from report.reading import Reading
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.traces import trace_path
-from report.replay import PAGE, SHAKES, packed_runs, replay_page, replayed_runs, script, write_replay
+from report.replay import replay_page, script, write_replay
 from report.results import Results
 
-REPLAY = ROOT / "assets/replay"
+SOURCES = ROOT / "assets/replay"
 MOST_BYTES = 900_000
 
 
@@ -34,17 +39,20 @@ def project(poses_path) -> Project:
 def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    return replay_page(project, edition.chapters["poses"], replayed_runs(edition), None, templates)
+    return replay_page(project, edition.chapters["poses"], edition.replay, None, templates)
 
 
 def test_the_page_runs_its_one_script_and_fetches_nothing(page):
     assert len(page.encode()) <= MOST_BYTES
     assert page.count("<script") == 1 and f"<script>{script()}</script>" in page
     reading = Reading(page)
+    assert check_self_contained(reading) == []
+    assert check_self_contained(Reading(page.replace("</script>", " </script>"))) != []
     assert set(reading.fetched) <= {"data:,", ""}
     assert len(reading.claims) == 3
     policy = page.partition('http-equiv="Content-Security-Policy" content="')[2].partition('"')[0]
-    assert "default-src 'none'" in policy and policy.count("sha256-") == 1
+    digest = base64.b64encode(hashlib.sha256(script().encode()).digest()).decode()
+    assert "default-src 'none'" in policy and f"script-src 'sha256-{digest}';" in policy
 
 
 def test_without_its_script_the_page_says_what_was_measured(page, poses_path):
@@ -57,12 +65,12 @@ def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project, tmp_path):
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
     write_replay(tmp_path, edition, templates)
-    assert (tmp_path / PAGE).is_file()
+    assert (tmp_path / REPLAY).is_file()
     trace = trace_path(project.record_path("poses"), "hold-60s")
     whole = trace.read_bytes()
     try:
         trace.write_bytes(whole[:1000])
-        assert replayed_runs(edition) is None
+        assert derive_edition(project, templates).replay is None
     finally:
         trace.write_bytes(whole)
 
@@ -74,7 +82,7 @@ def test_the_script_reads_what_was_kept(poses_path, tmp_path):
     (tmp_path / "read.mjs").write_text(
         f"""
         import {{ readFileSync }} from "node:fs";
-        import {{ readShakes }} from "{REPLAY.as_uri()}/src/runs.js";
+        import {{ readShakes }} from "{SOURCES.as_uri()}/src/runs.js";
         const {{ shakes }} = readShakes(readFileSync("{tmp_path}/runs.json", "utf8"));
         console.log(JSON.stringify(shakes.map(({{ runs }}) => runs.map((run) => [run.end_s, run.at(run.end_s)]))));
         """
@@ -100,4 +108,4 @@ def test_the_script_is_what_its_sources_give(tmp_path):
     if install.returncode:
         pytest.skip(f"npm cannot install: {(install.stderr.splitlines() or ['no reason given'])[-1]}")
     subprocess.run(["npm", "run", "--silent", "build"], cwd=folder, capture_output=True, check=True)
-    assert Path(folder / "replay.js").read_bytes() == (REPLAY / "replay.js").read_bytes()
+    assert Path(folder / "replay.js").read_bytes() == (SOURCES / "replay.js").read_bytes()

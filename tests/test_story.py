@@ -71,7 +71,7 @@ def test_no_number_is_typed(name):
 def test_the_story_says_every_number_once(editions, templates):
     for edition in editions.values():
         prose = story_text(edition, templates)
-        said = "".join(str(thing) for thing in prose.printed)
+        said = "".join(thing for thing in prose.printed if isinstance(thing, str))
         sources = Counter(re.findall(r'data-src="([^"]+)"', said))
         assert [source for source, count in sources.items() if count > 1] == []
         assert len(sources) > 40 or not prose.printed
@@ -104,13 +104,13 @@ def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
 
 
 def test_a_claim_that_flips_changes_the_front_page(editions, templates):
-    edition = editions["1.4.0"]
+    edition = editions["1.5.0"]  # it has no clips
     chapter = edition.chapters["reproduction"]
     claims = [replace(claim, outcome=FAILS) if claim.name == "slips" else claim for claim in chapter.section.claims]
     flipped = replace(chapter, section=replace(chapter.section, claims=claims))
     front = front_text(replace(edition, chapters={**edition.chapters, "reproduction": flipped}), templates)
     assert front.title.striptags().startswith("The cube stays in the grasp")
-    assert "The cube keeps its place" in front.figures[0].wording("caption", front.figures[0].numbers)
+    assert "Where the cube ends" in front.figures[0].wording("caption", front.figures[0].numbers)
 
 
 def test_the_scene_that_is_told_is_the_one_that_is_simulated():

@@ -159,7 +159,7 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
-    def drawn(self):
+    def picture(self, *, is_narrow):
         os.kill(os.getpid(), signal.SIGKILL)
 
 

@@ -1,10 +1,10 @@
-"""What several sections share. The underscore keeps it from being taken for a section."""
+"""What several sections share."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
-import numpy as np
-import pandas as pd
-
+from report.claims import FAILS, Outcome, at_most
 from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
@@ -42,9 +42,18 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
-def spread(results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1") -> Value:
+def spread(
+    results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
+) -> Value:
     """Largest less smallest; without a number when there is none."""
-    return results.value(name, formula, lambda *found: max(found) - min(found) if found else np.nan, *cells, unit=unit)
+    return results.value(
+        name,
+        formula,
+        lambda *found: max(found) - min(found) if found else math.nan,
+        *cells,
+        unit=unit,
+        is_noise=is_noise,
+    )
 
 
 def extreme(
@@ -59,6 +68,16 @@ def extreme(
 def noise_floor(results: Results, name: str) -> Quantity:
     """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+
+
+def resolved(noise: Quantity, bound: Quantity) -> Outcome:
+    """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
+    found = at_most(noise, bound)
+    return (
+        found
+        if found != FAILS
+        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
+    )
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
@@ -78,6 +97,8 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    import pandas as pd  # it takes long, and what is kept from before needs none of it
+
     return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
 
 

@@ -8,6 +8,7 @@ from markupsafe import Markup, escape
 
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS, Claim, Outcome, beyond
+from report.costs import terms_of
 from report.deriving.arithmetic import cell_or_absent
 from report.names import section_name
 from report.noise import is_beyond, verdict
@@ -50,7 +51,7 @@ def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
     """The largest noise floor of that name that a release has."""
     floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
     formula = "largest of the releases' noise floors"
-    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True)
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
@@ -93,7 +94,8 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
     """The claims that are upheld in one release and not in another, then those that not all of them can tell.
 
     Of releases that agree the one of the page, ``shown``, has the word, or else the newest. What a release can't tell
-    says nothing where it lacks a section that another one has, unless it is for being near the noise.
+    says nothing where it lacks a section that another one has, unless it is for being near the noise; nor does what
+    turns on a cost, or on the noise, of another machine than the page's.
     """
     sections = set().union(*releases.values())
     found = []
@@ -104,6 +106,9 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
             for release, claim in answers
             if claim and (_is_told(claim) or set(releases[release]) == sections)
         ]
+        terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers}
+        here = terms.get(shown, next(iter(terms.values()), None))
+        answers = [(release, claim) for release, claim in answers if terms[release] == here]
         said = []
         for _, group in groupby(answers, lambda answer: answer[1].outcome.name):
             members = list(group)

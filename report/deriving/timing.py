@@ -27,6 +27,7 @@ def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
         lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
         *edges,
         unit="ms",
+        is_noise=True,
     )
 
 

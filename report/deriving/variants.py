@@ -8,8 +8,7 @@ from matplotlib.figure import Figure as Drawing
 
 from report.claims import NEAR_NOISE, Claim, Outcome, greater, within
 from report.deriving.arithmetic import by_case, difference, noise_floor, share
-from report.figures import FAINT, INK, SERIES, new_figure
-from report.format import format_number
+from report.figures import FAINT, INK, SERIES, new_figure, write
 from report.names import case_html, name_of
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value, absent
@@ -88,7 +87,7 @@ def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: 
     opposite."""
     limit = results.value(
         f"{name}_limit",
-        f"{bound.value:g} % of the slip, signs left out",
+        f"{bound.written} % of the slip, signs left out",
         lambda percent, whole: percent / 100 * abs(whole),
         bound,
         slip,
@@ -110,10 +109,11 @@ def within_noise(variants: Variants) -> Claim:
 def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
     """Those of the named differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
+    beyond = {name: value for name, value in there.items() if abs(value.value) > NEAR_NOISE * floor.value}
+    before = [absent("mm", "it is the first"), *beyond.values()]
     return Markup(", ").join(
-        Markup("{} by {}").format(name, value)
-        for name, value in there.items()
-        if abs(value.value) > NEAR_NOISE * floor.value
+        Markup("{} by {}").format(name, value.beside(last))
+        for last, (name, value) in zip(before, beyond.items(), strict=False)
     )
 
 
@@ -148,9 +148,9 @@ def _draw_variants(variants: Variants) -> Drawing:
     names, slips = [name_of(row.case) for row in rows], [row.slip_mm.value for row in rows]
     drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
     left.barh(names, slips, height=0.6, color=SERIES[0], linewidth=0)
-    for place, slip in enumerate(slips):
+    for place, (row, slip) in enumerate(zip(rows, slips, strict=True)):
         left.annotate(
-            format_number(slip), (slip, place), xytext=(4, 0), textcoords="offset points", fontsize=9, va="center"
+            write(row.slip_mm), (slip, place), xytext=(4, 0), textcoords="offset points", fontsize=9, va="center"
         )
     left.set_xlim(0.0, 1.25 * max(slips))
     left.set_xlabel("slip [mm]")

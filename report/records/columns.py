@@ -47,6 +47,8 @@ parts of a vector."""
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
+UNBELIEVED = "the measurement gave "
+"""How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
 TEXT_LIMIT = 4096
 UNPRINTABLE = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ue000-\uf8ff\U000f0000-\U0010ffff]"

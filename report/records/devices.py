@@ -1,9 +1,11 @@
 """Devices: where it may be measured."""
 
+import re
 import shutil
 import subprocess
 
 from report import UsageError
+from report.records.record import Record
 
 DEVICES = ("cuda", "cpu")
 NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
@@ -29,3 +31,21 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
     if asked:
         raise UsageError(f"DEVICE=cuda: {NO_CUDA}")
     return "cpu" if profile == "quick" else None
+
+
+def machine_name(device: str) -> str:
+    """What this machine is called in a label when it measures on ``device``: by its GPU, or ``cpu``."""
+    if device == "cpu":
+        return device
+    query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
+    said = subprocess.run(query, capture_output=True, text=True, check=False).stdout.strip()
+    return _slug(said.partition("\n")[0])
+
+
+def machine_of(record: Record) -> str:
+    """What the machine that measured a record is called in a label."""
+    return "cpu" if record.machine.get("device") == "cpu" else _slug(record.processor)
+
+
+def _slug(name: str) -> str:
+    return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")

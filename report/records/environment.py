@@ -1,16 +1,19 @@
-"""Environments: the project's own, and one of its own for each other Newton release, which leaves the lock alone.
+"""Environments: the project's own, and one of its own for each other edition, which leaves the lock alone.
 
 Each is made aside and put in place whole, so that one that is there can be used. Run as a program, by a Python that has
 nothing yet, this makes the project's own.
 """
 
 import hashlib
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
 
@@ -18,22 +21,19 @@ from report import ROOT, ReportError, UsageError
 from report.records.files import locked
 from report.records.identity import MISSING, package_versions
 from report.records.processes import end_with
+from report.records.sources import EDITED
+from report.records.stack import Stack, release_date
 
-RELEASE = re.compile(r"[0-9]{1,4}(\.[0-9]{1,6}){1,4}")
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
 NAME = re.compile(r"[A-Za-z0-9-]+")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
+NEVER = "2100-01-01"
+"""No package is newer than that."""
 READY = ".ready"
 """In an environment: the digest of what it was made from."""
-
-
-def refuse_bad_release(name: str, release: str) -> None:
-    """UsageError when what was given as ``name`` can't be a Newton release."""
-    if not RELEASE.fullmatch(release):
-        raise UsageError(f"{name}={release} is no release number; {name}=1.8.0 is one")
 
 
 def own_environment(root: Path = ROOT) -> None:
@@ -46,23 +46,70 @@ def own_environment(root: Path = ROOT) -> None:
     os.utime(folder / READY, (newest, newest))
 
 
-def python_of(release: str, packages: Mapping[str, str], root: Path = ROOT) -> Path:
-    """The Python that has a Newton release; its environment is made when it is not there.
+def add_group(group: str, root: Path = ROOT) -> None:
+    """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
+    tools = root / ".venv.tools"
+    if Path(sys.prefix) != root / ".venv":
+        return
+    with locked(root):
+        try:
+            uv = _uv(root, tools, group)
+            _run([uv, "sync", "--frozen", "--inexact", "--group", group, "--project", str(root)], group)
+        finally:
+            _remove(tools)
+
+
+def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
+    """The Python that has a stack; its environment is made when it is not there.
 
     Args:
-        release: Newton release.
+        stack: Newton, and what was asked for with it.
         packages: Version by package that its earlier measurements were made with, to be installed again; a package
-            that is ``missing`` there gets the version that the release asks for.
+            that is ``missing`` there gets the version that Newton asked for when it came out.
     """
-    if package_versions()["newton"] == release:
+    installed = package_versions()
+    if installed["newton"] == stack.label.newton and dict(stack.label.pins).items() <= installed.items():
         return Path(sys.executable)
-    refuse_bad_release("NEWTON", release)
-    folder = root / f".venv-newton-{release}"
-    wanted = requirements((root / "pyproject.toml").read_text(encoding="utf-8"), {**packages, "newton": release})
-    if not (folder / READY).exists():
-        fill = partial(_fill_from_requirements, root, wanted)
-        _make(folder, f"NEWTON={release}", "\n".join(wanted).encode(), fill, root)
+    if not stack.newton:
+        raise UsageError(
+            f"NEWTON={stack.label} does not say where its code is; a path or git+https://HOST/newton.git@COMMIT does"
+        )
+    folder = environment_of(stack, root)
+    project = (root / "pyproject.toml").read_text(encoding="utf-8")
+    wanted = requirements(project, {**packages, **dict(stack.label.pins), "newton": stack.label.version})
+    named = f"newton[sim]=={stack.label.version}"
+    rest = [requirement for requirement in wanted if requirement != named]
+    source = "\n".join([stack.newton, *rest]).encode()
+    if stack.checkout:
+        source += (stack.checkout / "pyproject.toml").read_bytes()
+    if stack.checkout or not (folder / READY).exists():
+        _make(folder, f"NEWTON={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
+    _refuse_other(folder / "bin" / "python", stack, root)
     return folder / "bin" / "python"
+
+
+def environment_of(stack: Stack, root: Path = ROOT) -> Path:
+    """Where the environment of a stack lies; that of a checkout serves all that is edited in it."""
+    name = str(replace(stack.label, machine=""))
+    if stack.checkout:
+        pins = "".join(f"+{part}" for part in name.split("+")[2:])
+        name = f"{stack.checkout.name}-{hashlib.sha256(str(stack.checkout).encode()).hexdigest()[:7]}{pins}"
+    return root / f".venv-newton-{name}"
+
+
+def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
+    """UsageError unless what is installed is what was asked for."""
+    code = "import json; from report.records.identity import package_versions; print(json.dumps(package_versions()))"
+    done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise UsageError(f"NEWTON={stack.asked}: {python} does not run; remove its folder and it is made anew")
+    installed = json.loads(done.stdout)
+    wanted = {**dict(stack.label.pins), "newton": stack.label.newton}
+    for package, version in wanted.items():
+        found = installed[package]
+        if found.partition(f"{EDITED}.")[0] != version.removesuffix(EDITED):
+            folder = python.parent.parent.name
+            raise UsageError(f"{folder} has {package} {found} in place of {version}; remove it and it is made anew")
 
 
 def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
@@ -133,9 +180,21 @@ def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
         yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
 
 
-def _fill_from_requirements(root: Path, wanted: Sequence[str], uv: str, new: Path) -> "Commands":
-    python = str(new / "bin" / "python")
-    yield [uv, "pip", "install", "--python", python, "--group", f"{root / 'pyproject.toml'}:dev", *wanted], {}
+def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":
+    """Install Newton and the rest: packages that nobody named are those of the day on which it came out."""
+    pins = dict(stack.label.pins)
+    overrides = new / "overrides.txt"
+    overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
+    options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
+    options += ["--overrides", str(overrides)] if pins else []
+    if day := release_date(stack):
+        print(f"NEWTON={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
+        after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
+        options += ["--exclude-newer", after]
+        named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
+        options += [word for name in named for word in ("--exclude-newer-package", f"{name}={NEVER}")]
+    newton = ["--editable", f"{stack.checkout}[sim]"] if stack.checkout else [stack.newton]
+    yield [uv, "pip", "install", *options, *rest, *newton], {}
 
 
 def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:

@@ -1,14 +1,18 @@
 """Which report is meant: the project's folder, a Newton release and a profile."""
 
 import re
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from report import ROOT, ReportError
+from report.records.files import RecordError
+from report.records.label import Label, read_label
+from report.records.manifest import Manifest, read_manifest
 from report.records.record import record_path, results_folder
 
 PROFILES = ("full", "quick")
-FOLDER = re.compile(r"newton-([0-9]+(?:\.[0-9]+)*)")
 REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
 
@@ -17,7 +21,7 @@ class Project:
     """One report of one checkout."""
 
     release: str
-    """Newton release whose results are shown."""
+    """Label of the edition whose results are shown: mostly a Newton release."""
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
     root: Path = ROOT
@@ -41,13 +45,32 @@ class Project:
         return self.root / "templates"
 
     @property
+    def label(self) -> Label:
+        return read_label(self.release)
+
+    @property
+    def manifest(self) -> Manifest | None:
+        """What is known of the edition besides its records; None where nothing says, or nothing that can be read."""
+        with suppress(RecordError):
+            return read_manifest(self.results)
+
+    @property
     def releases(self) -> list[str]:
-        """The releases that have results, and this one, oldest first."""
-        found = {FOLDER.fullmatch(path.parent.name) for path in self.results.parent.glob("newton-*/*.json")}
-        return sorted({self.release, *(name[1] for name in found if name)}, key=_version)
+        """The editions that have results, and this one, by version and date."""
+        return sorted({self.release, *self._found()}, key=lambda release: self.of(release)._order())
+
+    def _found(self) -> Iterator[str]:
+        for folder in {path.parent for path in self.results.parent.glob("newton-*/*.json")}:
+            name = folder.name.removeprefix("newton-")
+            if read_label(name):
+                yield name
+
+    def _order(self) -> tuple:
+        manifest = self.manifest
+        return *self.label.order, manifest.date if manifest else "", self.release
 
     def of(self, release: str) -> "Project":
-        """The report of another release."""
+        """The report of another edition."""
         return replace(self, release=release, own_release=self.own_release or self.release)
 
     def record_path(self, section: str) -> Path:
@@ -70,7 +93,3 @@ def own_release(root: Path = ROOT) -> str:
     if not found:
         raise ReportError('pyproject.toml asks for no Newton release; a line "newton[sim]==1.4.0" does')
     return found[1]
-
-
-def _version(release: str) -> tuple[int, ...]:
-    return tuple(map(int, release.split(".")))

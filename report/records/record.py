@@ -64,6 +64,12 @@ class Record:
         return self.processor + (f" (driver {driver})" if driver else "")
 
     @property
+    def machine_in_full(self) -> str:
+        """All that must be the same for two times to be compared."""
+        cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
+        return cores if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
+
+    @property
     def time_text(self) -> str:
         """When it was measured, to the minute."""
         return datetime.fromisoformat(self.measured["date"]).strftime("%Y-%m-%d %H:%M %Z")

@@ -1,14 +1,16 @@
 """Status: which sections of which releases are fresh, and what changed for those that aren't."""
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 
 from report.records.files import RecordError
 from report.records.identity import MISSING, changes, identity_of, package_versions, sections
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.record import Record
+from report.records.sources import EDITED, checkout_source
 
 HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
 
@@ -52,21 +54,32 @@ def state_of(project: Project, section: str, packages: Mapping[str, str] | None 
 
 
 def expected_packages(project: Project) -> Mapping[str, str]:
-    """The package versions that the records of a release should have been measured with.
+    """The package versions that the records of an edition should have been measured with.
 
-    Of the release that is installed here these are the versions that are. Another release need not be installed to
-    be judged: its newest record says which versions of the other packages belong to it, so that a section measured
-    with others before is stale.
+    Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
+    its newest record says which versions of the other packages belong to it, so that a section measured with others
+    before is stale. A checkout counts as it lies there now.
     """
-    installed = package_versions()
-    if installed["newton"] == project.release:
+    label, installed = project.label, package_versions()
+    pins = dict(label.pins)
+    if installed["newton"] == label.newton and pins.items() <= installed.items():
         return installed
-    newest = max(_records(project), key=lambda record: record.measured["date"], default=None)
+    kept = [*records_of(project)] or [*records_of(project.of(str(replace(label, machine=""))))]
+    newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, "newton": project.release}
+    return {**others, **pins, "newton": _newton_now(project)}
 
 
-def _records(project: Project) -> Iterable[Record]:
+def _newton_now(project: Project) -> str:
+    """The version of an edition's Newton; of a checkout with edits, with the digest of its code."""
+    label, manifest = project.label, project.manifest
+    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.newton)).is_dir():
+        return f"{label.version}+{checkout_source(folder)}"
+    return label.newton
+
+
+def records_of(project: Project) -> Iterator[Record]:
+    """The records of an edition that can be read."""
     for section in sections(project.root):
         try:
             yield load_record(project.record_path(section))

@@ -10,7 +10,7 @@ from report.claims import Claim, at_least, at_most
 from report.deriving.timing import cell
 from report.figures import INK, SERIES, new_figure
 from report.format import format_number
-from report.names import case_html, name_of
+from report.names import case_html, name_of, worlds_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -114,7 +114,7 @@ def _table(counts: Sequence[int], times: Times, extra: Times) -> Table:
     cells: dict[tuple[str, int], Any] = dict(extra)
     columns: dict[str, list[Any]] = {}
     for count in counts:
-        worlds = f"{format_number(count)} {'world' if count == 1 else 'worlds'}"
+        worlds = worlds_name(count)
         columns[worlds] = [times[case, count] for case in CASES]
         columns[f"more, {worlds}"] = [cells.get((case, count), "") for case in CASES]
     return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, CASES), name="case")))

@@ -7,7 +7,6 @@ from report.claims import Claim, at_least, at_most, decreases, within
 from report.deriving.arithmetic import by_case, noise_floor, share, spread
 from report.deriving.variants import is_small
 from report.figures import FAINT, INK, SERIES, new_figure, say_value
-from report.format import format_number
 from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -119,8 +118,9 @@ def _draw_contacts(rows: list[Row]) -> Drawing:
         linewidth=0.6,
         label="carry none",
     )
-    for place, (carry, rest) in enumerate(zip(loaded, idle, strict=True)):
-        say_value(axes, carry + rest, place, f"{format_number(carry)} of {format_number(carry + rest)}")
+    for place, row in enumerate(there):
+        text = f"{row.mean_loaded_row_count.written} of {row.mean_row_count.written}"
+        say_value(axes, row.mean_row_count.value, place, text)
     axes.margins(x=0.2)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)

@@ -12,16 +12,13 @@ from report.claims import NEAR_NOISE, Claim, all_of, at_most, within
 from report.deriving.arithmetic import share, spread
 from report.figures import INK, SERIES, new_figure
 from report.names import name_of
-from report.noise import CONFIDENCE, PAIRS, tolerance
+from report.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 20
 page = "method"
-
-RESOLUTION = {"slip": 1e-3, "drift": 1e-4}
-"""Least difference [mm, mm/s] that counts, however well a machine repeats itself."""
 
 
 @dataclass(frozen=True)
@@ -92,18 +89,23 @@ def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quant
     formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
     bounds = [
         results.value(
-            f"{case.replace('-', '_')}_{metric}_tolerance", formula, lambda *cell: tolerance(cell), *of_case, unit=unit
+            f"{case.replace('-', '_')}_{metric}_tolerance",
+            formula,
+            lambda *cell: tolerance(cell),
+            *of_case,
+            unit=unit,
+            is_noise=True,
         )
         for case, of_case in cells.items()
     ]
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[metric], unit=unit)
-    return results.value(
-        f"{metric}_floor", "largest of the cases, and at least the resolution", max, *bounds, least, unit=unit
-    )
+    column = {"slip": "slip_mm", "drift": "drift_mm_s"}[metric]
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[column], unit=unit)
+    formula = "largest of the cases, and at least the resolution"
+    return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 
 
 def _spread(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
-    return spread(results, name, "largest minus smallest", cells, unit=unit)
+    return spread(results, name, "largest minus smallest", cells, unit=unit, is_noise=True)
 
 
 def _mean(results: Results, name: str, cells: Sequence[Quantity], unit: str) -> Value:
@@ -119,6 +121,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
             floor,
             *_of_case(groups, groups[0].case, f"{metric}s"),
             unit="%",
+            is_noise=True,
         )
         for metric, floor in (("slip", slip_floor), ("drift", drift_floor))
     }
@@ -156,6 +159,7 @@ def _batch_or_alone(
         spreads[batch],
         spreads[alone],
         unit="mm",
+        is_noise=True,
     )
     bound = results.chosen("alone_share_bound", "far less than what is looked for", 1.0, unit="%")
     return Claim(

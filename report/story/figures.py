@@ -8,8 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 from matplotlib.patches import Arc, Polygon, Rectangle
 
-from report.figures import FAINT, INK, SERIES, new_figure
-from report.format import format_number
+from report.figures import FAINT, INK, SERIES, new_figure, write
 from report.names import name_of
 from report.quantities import Quantity
 from report.results import Series
@@ -29,7 +28,7 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
     for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
         end = frame["x_mm"].iloc[-1], -frame["z_mm"].iloc[-1]
         _draw_grasp(axes, end, SERIES[1 - number])
-        axes.set_title(f"{name_of(case)}: slips {format_number(slips[case].value)} mm")
+        axes.set_title(f"{name_of(case)}: slips {write(slips[case])} mm")
         axes.plot(frame["x_mm"], -frame["z_mm"], color=INK, linewidth=1.0, linestyle="-", marker="")
     return drawing
 
@@ -57,15 +56,17 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     axes.set_axis_off()
 
 
-def draw_walk(traces: Mapping[str, Series]) -> Drawing:
-    """How far the cube is from where it was, each line named where it ends: there it is the slip."""
-    there = {case: trace.value for case, trace in traces.items() if trace.value is not None}
+def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
+    """How far the cube is from where it was, each line named where it ends: there it is the slip [mm]."""
+    there = {
+        case: trace.value for case, trace in traces.items() if trace.value is not None and slips[case].value is not None
+    }
     drawing, axes = new_figure(7.2, 2.9)
-    ways = [np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]], axis=1) for frame in there.values()]
-    colours, places = (SERIES[1], SERIES[0], SERIES[5]), _apart([way[-1] for way in ways])
-    for (case, frame), way, colour, place in zip(there.items(), ways, colours, places, strict=False):
+    colours, places = (SERIES[1], SERIES[0], SERIES[5]), _apart([slips[case].value for case in there])
+    for (case, frame), colour, place in zip(there.items(), colours, places, strict=False):
+        way = np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]], axis=1)
         axes.plot(frame["time_s"], way, color=colour, linestyle="-", marker="")
-        text = f"{name_of(case)}: {format_number(float(way[-1]))} mm"
+        text = f"{name_of(case)}: {write(slips[case], digits=2)} mm"
         axes.annotate(text, (frame["time_s"].iloc[-1], place), color=colour, fontsize=9, va="center", ha="right")
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.margins(x=0.01)
@@ -88,16 +89,17 @@ def _apart(ends: Sequence[float]) -> list[float]:
 
 def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
     """The largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
-    there = {name: share.value for name, share in shares.items() if share.value}
+    there = {name: share for name, share in shares.items() if share.value}
+    values = [share.value for share in there.values()]
     drawing, axes = new_figure(7.2, 1.1 + 0.3 * len(there))
     axes.set_xscale("log")
-    low = 0.5 * min(there.values())
-    for place, (name, value) in enumerate(there.items()):
+    low = 0.5 * min(values)
+    for place, (name, value) in enumerate(zip(there, values, strict=True)):
         colour = SERIES[1] if name == remedy else SERIES[0]
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
         axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
         axes.annotate(
-            f"{format_number(value, digits=2)} %",
+            f"{write(there[name], digits=2)} %",
             (value, place),
             xytext=(8, 0),
             textcoords="offset points",
@@ -111,7 +113,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
         axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
         _name_above(axes, bound.value, " a cause is beyond this", "left")
     axes.set_yticks(range(len(there)), list(there))
-    axes.set_xlim(low, 6.0 * max(*there.values(), 100.0))
+    axes.set_xlim(low, 6.0 * max(*values, 100.0))
     axes.set_ylim(len(there) - 0.5, -0.6)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")

@@ -1,13 +1,13 @@
 """What sections found, for pages that retell it; what a release lacks is said and not left out."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim
+from report.claims import FAILS, HOLDS, Claim
 from report.quantities import Quantity, absent
 from report.results import Series
 
@@ -21,7 +21,15 @@ class Found:
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        told = self.claim("reproduction", "slips")
+        return self._holds("reproduction", "slips")
+
+    @property
+    def does_hold(self) -> bool:
+        """Whether stiff pads hold it better."""
+        return self._holds("reproduction", "stiff_pads_hold")
+
+    def _holds(self, section: str, name: str) -> bool:
+        told = self.claim(section, name)
         return told is not None and told.outcome == HOLDS
 
     def claim(self, section: str, name: str) -> Claim | None:
@@ -41,6 +49,13 @@ class Found:
         chapter = self.chapters.get(section)
         row = chapter.results.row.get(case) if chapter else None
         return row[column] if row and column in row else self._absent(section, unit)
+
+    def titled(self, name: str) -> Claim:
+        """Whether the cube slips, and stiff pads hold it better."""
+        slips, held = self.claim("reproduction", "slips").outcome, self.claim("reproduction", "stiff_pads_hold").outcome
+        both = HOLDS if held == HOLDS else FAILS
+        outcome = both if slips == HOLDS else slips
+        return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
 
     def trace(self, section: str, case: str) -> Series:
         chapter = self.chapters.get(section)

@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 import pandas as pd
+from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import Claim, all_of
+from report.claims import HOLDS, Claim, all_of, at_most
 from report.names import section_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
@@ -22,7 +23,6 @@ SUSPECTS = {
 """What was suspected: section, value, and what was tried."""
 REMEDY = "stiff pads"
 TOLD = {
-    "title": ("reproduction", "slips"),
     "walks": ("reproduction", "slips"),
     "steady": ("reproduction", "drift_is_steady"),
     "needs_shake": ("reproduction", "needs_shaking"),
@@ -75,7 +75,7 @@ def story_of(chapters: Chapters) -> Section:
     return Section(
         tables={"suspects": _suspect_table(found)},
         figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
-        claims=[*claims, _grip(found), _cube_moves(found), _luck(found), _impratio(found)],
+        claims=[found.titled("title"), *claims, _grip(found), _cube_moves(found), _luck(found), _impratio(found)],
         unmeasured=unsaid,
     )
 
@@ -104,9 +104,13 @@ def _cube_moves(found: Found) -> Claim:
 def _walk(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads", "hold")
     traces = {case: found.trace("reproduction", case) for case in cases}
-    slips = [found.cell("reproduction", case, "slip_mm", "mm") for case in cases]
-    numbers = dict(zip(("shipped", "stiff", "hold"), slips, strict=True)) | {"walks": found.does_slip}
-    return Figure(draw=lambda: draw_walk(traces), sources=list(traces.values()), numbers=numbers)
+    slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
+    bound = found.value("reproduction", "slip_bound", "mm")
+    numbers = dict(zip(("shipped", "stiff", "hold"), slips.values(), strict=True)) | {
+        "walks": found.does_slip and found.does_hold,
+        "stays": all(at_most(slips[case], bound) == HOLDS for case in cases[:2]),
+    }
+    return Figure(draw=lambda: draw_walk(traces, slips), sources=list(traces.values()), numbers=numbers)
 
 
 def _shares(found: Found) -> dict[str, Quantity]:
@@ -123,8 +127,8 @@ def _suspect_figure(found: Found) -> Figure:
         sources=list(shares.values()),
         numbers={
             "remedy": shares[REMEDY],
-            "shares": ", ".join(f"{name} {share}" for name, share in shares.items()),
-            "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
+            "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
+            "ruled_out": all_of(*(at_most(share, bound) for name, share in shares.items() if name != REMEDY)).said,
         },
     )
 

@@ -1,4 +1,4 @@
-// The runs of the page: what report/replay.py packed, by columns, as whole numbers between a lowest and a highest value.
+// The runs of the page: what report/packed.py packed, by columns, as whole numbers between a lowest and a highest value.
 
 const WIDEST = 65535;
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import pandas as pd
 
-from report.format import format_number
+from report.names import worlds_name
 from report.parts import Table
 from report.quantities import Quantity, absent
 from report.results import Results, Row
@@ -62,8 +62,7 @@ def use_table(results: Results) -> Table:
         "held still": [way.row(results, "held").slip_mm for way in WAYS],
     }
     for count in WORLD_COUNTS:
-        label = f"frame, {format_number(count)} {'world' if count == 1 else 'worlds'}"
-        columns[label] = [_frame_ms(results, way, count) for way in WAYS]
+        columns[f"frame, {worlds_name(count)}"] = [_frame_ms(results, way, count) for way in WAYS]
     columns["may break"] = [way.may_break for way in WAYS]
     return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
 

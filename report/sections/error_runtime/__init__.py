@@ -1,6 +1,7 @@
 """Error against run time: the cheapest setting for an error, and what the expensive knobs buy."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import pandas as pd
 from markupsafe import Markup
@@ -143,7 +144,7 @@ def _settings(row: Row) -> Markup:
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
 
 
-def _numbered(columns: Mapping[str, Sequence[object]]) -> pd.DataFrame:
+def _numbered(columns: Mapping[str, Any]) -> pd.DataFrame:
     count = len(next(iter(columns.values())))
     return pd.DataFrame(
         columns, index=pd.Index([str(number) for number in range(1, count + 1)], name="#"), dtype=object

@@ -1,14 +1,14 @@
 """Error against run time as a diagram, and the run time of many worlds."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.deriving.timing import decade_axis, world_axis
-from report.figures import FAINT, INK, SERIES, new_figure
-from report.format import format_number
+from report.figures import FAINT, INK, SERIES, new_figure, write
 from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
@@ -58,7 +58,7 @@ def draw_grasp(points: Points) -> Drawing:
         side = "left" if pads == next(iter(PADS)) else "right"
         reference = points.reference(pads)
         if reference is not None and reference[GRASP].value:
-            _name_converged(axes, reference[GRASP].value, title, colour, side)
+            _name_converged(axes, reference[GRASP], title, colour, side)
         for backend in points.engines:
             _mark_both(axes, points, pads, backend, GRASP, colour, side)
     axes.set_xlabel("grasp error [mm/cycle]")
@@ -118,7 +118,7 @@ def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, s
     (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
     size = {"*": 130, "s": 34}[mark]
     axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
-    place = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
+    place: dict[str, Any] = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
     axes.annotate(text, (x, y), **place, textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
 
 
@@ -139,15 +139,15 @@ def _setting(row: Row) -> str:
 
 
 def _short(error: Quantity) -> str:
-    return format_number(error.value, digits=2)
+    return write(error, digits=2)
 
 
-def _name_converged(axes: Axes, x: float, title: str, colour: str, side: str) -> None:
+def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: str) -> None:
     """On one side of its line; the names of both lines stand in lines of their own."""
-    axes.axvline(x, color=colour, linestyle="--", linewidth=1.2, marker="")
-    place = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
-    at = (x, 0.985 if side == "right" else 0.91)
-    text = f"{title}, converged: {format_number(x, digits=2)}"
+    axes.axvline(found.value, color=colour, linestyle="--", linewidth=1.2, marker="")
+    place: dict[str, Any] = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
+    at = (found.value, 0.985 if side == "right" else 0.91)
+    text = f"{title}, converged: {write(found)}"
     axes.annotate(
         text,
         at,
@@ -174,7 +174,7 @@ def draw_worlds(
     if crossover.value is not None and one_core.value is not None:
         axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
         axes.annotate(
-            f"{format_number(round(crossover.value))} worlds",
+            f"{write(crossover)} worlds",
             (crossover.value, axes.get_ylim()[0]),
             xytext=(5, 6),
             textcoords="offset points",

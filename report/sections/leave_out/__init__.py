@@ -7,8 +7,7 @@ from dataclasses import replace
 from report.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
 from report.deriving.arithmetic import DEVICES, difference, noise_floor, ratio
 from report.deriving.timing import cell, frame_spread
-from report.format import format_number
-from report.names import case_html, cases_html
+from report.names import case_html, cases_html, worlds_name
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
@@ -73,9 +72,7 @@ def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: in
     times = []
     for case in (REFERENCE, ALL):
         row = row_of(variants, device, case, worlds)
-        times.append(
-            cell(results, row, "frame_ms", f"{case} in a batch of {format_number(worlds)} on a {DEVICES[device]}")
-        )
+        times.append(cell(results, row, "frame_ms", f"{case} in a batch of {worlds} on a {DEVICES[device]}"))
     formula = "time of a frame exactly as shipped over that without all that is unneeded"
     return ratio(results, f"{device}_gain_{worlds}", formula, *times)
 
@@ -191,7 +188,7 @@ def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
         _is_faster(results, variants, device, worlds, BASELINE, ALL),
         numbers={
             "baseline": case_html(BASELINE),
-            "worlds": f"{format_number(worlds)} world{'s' * (worlds > 1)}",
+            "worlds": worlds_name(worlds),
             "device": DEVICES[device],
             "before": before,
             "after": after,

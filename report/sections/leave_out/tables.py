@@ -9,8 +9,7 @@ from matplotlib.figure import Figure as Drawing
 
 from report.deriving.arithmetic import DEVICES
 from report.figures import INK, SERIES, new_figure, say_value
-from report.format import format_number
-from report.names import case_html, name_of
+from report.names import case_html, name_of, worlds_name
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -64,8 +63,7 @@ def cost_table(variants: Sequence[Variant]) -> Table:
     columns: dict[str, list] = {"on": [DEVICES[variant.device] for variant in variants]}
     for count in counts:
         rows = [variant.at(count) for variant in variants]
-        name = f"{format_number(count)} world{'s' * (count > 1)}"
-        columns[name] = [row.frame_ms if row else "" for row in rows]
+        columns[worlds_name(count)] = [row.frame_ms if row else "" for row in rows]
     columns["memory"] = [variant.run.buffer_bytes_per_world for variant in variants]
     index = pd.Index([case_html(variant.case) for variant in variants], name="case")
     return Table(pd.DataFrame(columns, index=index))
@@ -92,8 +90,8 @@ def _bits(variants: Sequence[Variant], variant: Variant) -> bool | str:
 
 def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Figure:
     times = Markup("; ").join(
-        Markup("{} on the {}, {} worlds: {}").format(
-            name_of(variant.case), DEVICES[device], format_number(worlds), variant.at(worlds).frame_ms
+        Markup("{} on the {}, {}: {}").format(
+            name_of(variant.case), DEVICES[device], worlds_name(worlds), variant.at(worlds).frame_ms
         )
         for device, worlds in dict.fromkeys((panels[0], panels[-1]))
         for variant in variants
@@ -126,7 +124,7 @@ def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -
                 axes.plot([low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=1, linewidth=1.2)
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")
         axes.set_xlim(left=0)
-        axes.set_title(f"{DEVICES[device]}\n{format_number(worlds)} world{'s' * (worlds > 1)}")
+        axes.set_title(f"{DEVICES[device]}\n{worlds_name(worlds)}")
         axes.grid(axis="y", visible=False)
     grid[0][0].set_yticks(range(len(names)), map(name_of, names))
     grid[0][0].invert_yaxis()

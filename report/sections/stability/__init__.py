@@ -8,7 +8,6 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.deriving.arithmetic import by_case, cell_or_absent
-from report.format import format_number
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
@@ -46,7 +45,7 @@ def derive(results: Results) -> Section:
             "overlap": _overlap_table(family(results, "overlap")),
         },
         figures={
-            "maps": _maps(critical, default_kd),
+            "maps": _maps(results, critical, default_kd),
             "steps": _figure(lambda: draw_steps(family(results, "steps")), family(results, "steps")),
             "plateau": _figure(lambda: draw_plateau(critical), critical),
             "loads": _loads(results),
@@ -81,12 +80,12 @@ def derive(results: Results) -> Section:
     )
 
 
-def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: str) -> Figure:
+def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup) -> Figure:
     sources = [row.step_ms for row in rows] or [absent("s", "it was not measured")]
     return Figure(draw=draw, sources=sources, numbers=numbers)
 
 
-def _maps(critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
+def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
     def clamped_from(ke: np.ndarray) -> np.ndarray:
         return 0.5 / np.sqrt(ke)
 
@@ -102,12 +101,19 @@ def _maps(critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
             ]
         )
 
-    ends = {name: sum(row["class"] == name for row in (*critical, *default_kd)) for name in CLASSES}
+    ends = [_ending_count(results, name, [*critical, *default_kd]) for name in CLASSES]
     return _figure(
         draw,
         [*critical, *default_kd] if critical and default_kd else [],
-        ends=", ".join(f"{number} {name}" for name, number in ends.items() if number),
+        ends=Markup(", ").join(
+            Markup("{} {}").format(count, name) for count, name in zip(ends, CLASSES, strict=True) if count.value
+        ),
     )
+
+
+def _ending_count(results: Results, name: str, rows: Sequence[Row]) -> Value:
+    steps = [row.step_ms for row in rows if row["class"] == name]
+    return results.value(f"maps_{name}_count", f"cells of both maps that are {name}", lambda *cell: len(cell), *steps)
 
 
 def _loads(results: Results) -> Figure:
@@ -137,7 +143,7 @@ def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value
         critical, plain = (by_ke[ke].get(name) for name in ("ke-critical", "ke-kd-100"))
         table.append([_step_cell(critical), _step_cell(plain), *(predicted[plain.case] if plain else ("", ""))])
     frame = pd.DataFrame(table, columns=["kd = 2√ke", "default kd", "predicted", "found over predicted"])
-    frame.index = pd.Index([format_number(ke) for ke in sorted(by_ke)], name="ke")
+    frame.index = pd.Index([next(iter(by_ke[ke].values())).pad_ke.bare for ke in sorted(by_ke)], name="ke")
     return Table(frame)
 
 
@@ -146,17 +152,18 @@ def _step_cell(row: Row | None) -> Quantity | str:
 
 
 def _clamp_table(rows: Sequence[Row]) -> Table:
-    ratios = sorted({row.timeconst_steps.value for row in rows}, reverse=True)
+    ratios = {row.timeconst_steps.value: row.timeconst_steps for row in rows}
     found = {(row.clamp, row.timeconst_steps.value): row for row in rows}
     table = [
         {
             label: _ending(found.get((clamp, ratio)))
             for clamp, label in (("off", "clamp off"), ("direct", "direct solref"))
         }
-        for ratio in ratios
+        for ratio in sorted(ratios, reverse=True)
     ]
     frame = pd.DataFrame(table, columns=["clamp off", "direct solref"])
-    frame.index = pd.Index([format_number(ratio) for ratio in ratios], name="timeconst over dt")
+    index = [ratios[ratio].bare for ratio in sorted(ratios, reverse=True)]
+    frame.index = pd.Index(index, name="timeconst over dt")
     return Table(frame)
 
 

@@ -11,8 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 
-from report.figures import FAINT, INK, MAP_INK, SERIES, is_narrow, new_figure, tick_125, tick_at, tick_decades
-from report.format import format_code, format_short
+from report.figures import FAINT, INK, MAP_INK, SERIES, is_narrow, new_figure, tick_125, tick_at, tick_decades, write
 from report.results import Row, Series
 from report.sections.stability.classes import CLASSES, is_stable
 
@@ -74,7 +73,7 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers
-            axes.text(x, y, format_short(row.creep_mm_s.value), ha="center", va="center", fontsize=7, color=MAP_INK)
+            axes.text(x, y, write(row.creep_mm_s, is_short=True), ha="center", va="center", fontsize=7, color=MAP_INK)
     tick_decades(axes.xaxis)
     tick_at(axes.yaxis, steps, digits=2)
 
@@ -141,7 +140,7 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
     steps = sorted({row.substeps.value for row in rows})
     for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
         mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
-        label = f"{format_code(mine[0].step_ms.value, digits=2)} ms"
+        label = f"{write(mine[0].step_ms, digits=2)} ms"
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
         x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure as Drawing
 from report.chapters import Releases
 from report.deriving.releases import Headline, cell, change, machines_differ, marked
 from report.figures import new_figure, say_value
-from report.format import format_number, unit_label
+from report.format import unit_label
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -200,15 +200,17 @@ def _apart(values: Sequence[float], step: float = 1.22) -> list[float]:
 def _draw_slips(releases: Releases) -> Drawing:
     drawing, axes = new_figure(7.2, 3.4)
     places = range(len(releases))
-    ends: list[tuple[int, float]] = []
+    ends: list[tuple[int, Quantity]] = []
     for headline in DRAWN:
-        cells = [cell(releases, release, headline).value for release in releases]
-        there = [(place, value) for place, value in zip(places, cells, strict=True) if value is not None]
+        cells = [cell(releases, release, headline) for release in releases]
+        there = [(place, found) for place, found in zip(places, cells, strict=True) if found.value is not None]
         if there:
-            axes.plot(*zip(*there, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
+            line = [(place, found.value) for place, found in there]
+            axes.plot(*zip(*line, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
             ends.append(there[-1])
-    for (place, value), height in zip(ends, _apart([value for _, value in ends]), strict=True):
-        say_value(axes, place, height, format_number(value))
+    heights = _apart([found.value for _, found in ends])
+    for (place, found), height in zip(ends, heights, strict=True):
+        say_value(axes, place, height, found.written)
     axes.set_yscale("log")
     axes.set_xticks(list(places), list(releases))
     axes.set_xlim(-0.3, len(releases) - 0.6)

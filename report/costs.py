@@ -1,0 +1,48 @@
+"""Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from report.chapters import Chapters
+from report.claims import Claim
+from report.noise import NOISE
+from report.records.record import Record
+
+COST = re.compile(
+    r"(frame|mjw_step)_ms(_p[0-9]+)?|ms_per_s(_p[0-9]+)?|(frames|world_substeps)_per_s|realtime_factor"
+    r"|(wall|build|capture)_s|(.*_)?bytes(_per_world)?"
+)
+"""Columns of costs; a length of a time step is none."""
+RUN_COLUMNS = ("frame_count", "world_count", "worlds")
+"""How much was run, which no cost is comparable without."""
+
+
+def is_cost(column: str) -> bool:
+    return bool(COST.fullmatch(column))
+
+
+def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
+    """What two costs must share to be compared: the machine, and how many frames and worlds."""
+    return record.machine_for_speed, *(row.get(column) for column in RUN_COLUMNS)
+
+
+def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
+    """What a claim turns on that is of the machine and not of the release: of costs, what they were measured on and
+    with; of the noise, the processor. Empty for a claim that has nothing of either."""
+    if section == NOISE:
+        return frozenset({(chapters[section].results.record.processor,)})
+    found = ((record, row) for record, row, column in cells_read(claim, chapters) if is_cost(column))
+    return frozenset(cost_terms(record, row) for record, row in found)
+
+
+def cells_read(claim: Claim, chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
+    """Record, row and column of each cell of the edition's own records that a claim turns on."""
+    records = {chapter.results.source: chapter.results.record for chapter in chapters.values()}
+    found = []
+    for pointer in sorted(claim.outcome.reads):
+        source, _, place = pointer.partition("#/rows/")
+        index, _, column = place.partition("/")
+        if place and source in records:
+            found.append((records[source], records[source].rows[int(index)], column))
+    return found

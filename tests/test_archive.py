@@ -1,0 +1,39 @@
+"""All data in one file: what it holds, and that it is the same again."""
+
+import csv
+import io
+import json
+from zipfile import ZipFile
+
+from report.check import check_site
+
+FOLDER = "shake-report-data/"
+
+
+def test_the_archive_holds_records_values_and_what_figures_draw(toy):
+    toy.build()
+    with ZipFile(toy.project.site / "data.zip") as archive:
+        files = {name.removeprefix(FOLDER): archive.read(name) for name in archive.namelist()}
+    own = "newton-1.4.0/"
+    named = ("toy.json", "toy.csv", "toy.stiff.csv.gz", "values.json")
+    assert set(files) == {"README.txt", "figures.csv", *(own + name for name in named)}
+    assert files[own + "toy.json"] == toy.record_path.read_bytes()
+    assert json.loads(files[own + "values.json"])["toy"]["gain"]["sources"] == [
+        "newton-1.4.0/toy.json#/rows/0/slip_mm",
+        "newton-1.4.0/toy.json#/rows/1/slip_mm",
+    ]
+    [drawn] = csv.DictReader(io.StringIO(files["figures.csv"].decode()))
+    assert (drawn["figure"], drawn["source"]) == ("toy-way", "newton-1.4.0/toy.stiff.csv.gz")
+    lines = [line.split() for line in files["README.txt"].decode().splitlines()]
+    assert ["slip_mm", "mm", "toy"] in lines
+    assert ["dropped", "-", "toy"] in lines
+
+
+def test_the_archive_is_linked_and_the_same_again(toy):
+    toy.build()
+    first = (toy.project.site / "data.zip").read_bytes()
+    assert 'href="data.zip"' in toy.page
+    assert check_site(toy.project.site) == []
+    toy.record_path.touch()
+    toy.build()
+    assert (toy.project.site / "data.zip").read_bytes() == first

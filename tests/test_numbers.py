@@ -1,0 +1,206 @@
+"""Numbers as people write them: the digits that their noise carries and never more, and what was chosen as it was."""
+
+import math
+import re
+from decimal import ROUND_HALF_UP, Decimal
+
+import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
+
+from report.check import check_site
+from report.figures import draw_svg, new_figure, write
+from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
+from report.noise import Floor, cell_noise, derived_noise
+from report.quantities import Quantity
+
+SIZES = st.floats(1e-12, 1e12)
+VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
+POWER = {sign: str(digit) for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}
+
+
+def read(text: str) -> Decimal:
+    """The number that a text says."""
+    mantissa, _, power = text.replace(MINUS, "-").replace(f"{THIN_SPACE}×{THIN_SPACE}10", "e").partition("e")
+    exponent = "".join(POWER.get(sign, sign) for sign in power) or "0"
+    if mantissa.startswith("10") and any(sign in POWER for sign in mantissa):
+        mantissa, exponent = "1", "".join(POWER.get(sign, sign) for sign in mantissa[2:])
+    return Decimal(f"{mantissa.replace(THIN_SPACE, '')}e{exponent}")
+
+
+def last_place(text: str) -> Decimal:
+    """What one more of the last digit would be worth; zeros at the end of a whole number may be no digits."""
+    number = read(text)
+    return Decimal(1).scaleb(number.as_tuple().exponent if "." in text else number.normalize().as_tuple().exponent)
+
+
+@pytest.mark.parametrize(
+    ("value", "noise", "text"),
+    [
+        (6.3617, 0.0048, "6.36"),
+        (0.3124, 0.0048, "0.31"),
+        (0.0037, 0.0052, f"<{THIN_SPACE}0.006"),
+        (-0.0037, 0.0052, f"<{THIN_SPACE}0.006"),
+        (20.3, 0.31, "20"),
+        (95.09, 0.08, "95.1"),
+        (7156287.3, 5e4, f"7{THIN_SPACE}200{THIN_SPACE}000"),
+        (0.0726, None, "0.073"),
+        (1.52e-5, None, f"1.5{THIN_SPACE}×{THIN_SPACE}10⁻⁵"),
+        (9.996, 0.001, "10.0"),
+        (11.45, 0.1, "11.5"),
+        (11.45, 0.0, "11.45"),
+        (60.0, 0.0, "60"),
+        (2.0, 0.0, "2"),
+        (0.2, 0.0, "0.2"),
+        (1e-10, 0.0, "10⁻¹⁰"),
+        (16.666666666666668, 0.0, "16.7"),
+        (0.0020000000949949026, 0.0, "0.002"),
+        (2500000.0, 0.0, f"2{THIN_SPACE}500{THIN_SPACE}000"),
+        (8, None, "8"),
+        (65917, None, f"65{THIN_SPACE}917"),
+        (0.0, 0.005, "0"),
+        (None, None, "n/a"),
+    ],
+)
+def test_a_number_as_people_write_it(value, noise, text):
+    assert format_number(value, noise=noise) == text
+
+
+@given(VALUES, SIZES)
+@example(0.004, 0.0011)
+@example(9.996, 0.0011)
+def test_no_digit_is_less_than_the_noise_carries(value, noise):
+    text = format_number(value, noise=noise)
+    if abs(value) <= noise:
+        assert text.startswith("<") and read(text[2:]) >= Decimal(repr(noise))
+        return
+    assert abs(read(text) - Decimal(repr(value))) <= last_place(text) / 2
+    digits = len(read(text).normalize().as_tuple().digits)
+    assert digits <= 3
+    assert digits == 1 or last_place(text) >= Decimal(repr(noise)) / 2 * Decimal("0.999999")
+
+
+@given(VALUES)
+def test_what_has_no_known_noise_has_two_digits(value):
+    text = format_number(value)
+    assert len(read(text).normalize().as_tuple().digits) <= 2
+    assert abs(read(text) - Decimal(repr(value))) <= last_place(text) / 2
+
+
+@given(st.integers(-(10**6), 10**6), st.integers(-4, 4))
+def test_what_was_typed_is_written_as_it_was(digits, power):
+    typed = Decimal(digits).scaleb(power)
+    assume(typed == 0 or typed.adjusted() < 12)
+    assert read(format_number(float(typed), noise=0.0)) == typed
+
+
+@given(st.integers(10, 989))
+@example(114)
+def test_halves_are_rounded_as_they_are_written(tenths):
+    """11.45 is no binary number, and the binary one near it may lie below the half."""
+    value = float(f"{tenths / 10:.1f}5")
+    assert read(format_number(value, noise=0.15)) == Decimal(repr(value)).quantize(Decimal("0.1"), ROUND_HALF_UP)
+
+
+@given(VALUES, st.one_of(st.none(), st.just(0.0), SIZES))
+def test_a_sign_is_only_lost_below_the_noise(value, noise):
+    text = format_number(value, noise=noise)
+    assert text.startswith(MINUS) == (value < 0 and not text.startswith("<"))
+    assert "-" not in text and "," not in text and " " not in text
+
+
+@given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))
+def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
+    noise = derived_noise(lambda a, b: a / b, [above, below], [share * above, other * below])
+    assert noise >= 0.999 * max(share, other) * above / below
+
+
+@given(VALUES, VALUES, SIZES)
+def test_a_difference_of_two_has_the_noise_of_one(a, b, noise):
+    assume(noise > 1e-6 * max(abs(a), abs(b)))
+    assert derived_noise(lambda a, b: a - b, [a, b], [noise, noise]) == pytest.approx(noise, rel=1e-6)
+
+
+@given(st.lists(st.floats(1.0, 2.0), min_size=2, max_size=20), st.floats(0.01, 1.0))
+def test_a_mean_has_less_noise_than_what_it_is_of(values, noise):
+    found = derived_noise(lambda *cells: sum(cells) / len(cells), values, [noise] * len(values))
+    assert found == pytest.approx(max(noise / math.sqrt(2 * len(values)), noise / len(values)), rel=1e-6)
+
+
+def test_what_is_computed_from_an_unknown_noise_has_none_that_is_known():
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
+
+
+def test_the_noise_of_a_cell():
+    floors = {"slip_mm": Floor(0.005, 6.4), "drift_mm_s": Floor(0.0, 0.5), "wall_s": Floor(0.0, 2.0)}
+    row = {"slip_mm": 6.36, "drift_mm_s": 0.5, "wall_s": 2.0, "pad_ke": 2.5e5, "creep_mm_s": 0.1, "row_count": 8}
+    found = {column: cell_noise(column, row, floors) for column in row}
+    assert found == {
+        "slip_mm": 0.005,
+        "drift_mm_s": 1e-4,  # what rounding does, however well a machine repeats itself
+        "wall_s": None,
+        "pad_ke": 0.0,
+        "creep_mm_s": None,
+        "row_count": 0.0,
+    }
+    assert cell_noise("slip_mm", {"slip_mm": 64.0}, floors) == pytest.approx(0.05), "larger values are noisier"
+
+
+def test_a_time_has_the_noise_of_its_own_frames():
+    row = {"frame_ms": 8.0, "frame_ms_p5": 7.8, "frame_ms_p95": 8.3, "repeat_count": 25, "frames_per_s": 125.0}
+    assert cell_noise("frame_ms", row, {}) == pytest.approx(1.25 * 0.5 / 5)
+    assert cell_noise("frames_per_s", row, {}) == pytest.approx(125.0 * 1.25 * 0.5 / 5 / 8.0)
+
+
+@given(SIZES, SIZES)
+def test_a_figure_may_write_a_number_shorter_and_no_other_way(value, noise):
+    found = spellings(value, noise)
+    assert found[0] == format_number(value, noise=noise)
+    for text in found:
+        assert text.startswith("<") or abs(read(text) - Decimal(repr(value))) <= last_place(text) / 2
+    assert {format_number(value), format_short(value)} <= set(spellings(value, None))
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(0.004, "<.01"), (0.014, ".01"), (0.096, "0.1"), (9.94, "9.9"), (9.96, "10"), (42.4, "42")]
+)
+def test_short_numbers(value, text):
+    assert format_short(value) == text
+
+
+def test_a_drawing_says_where_its_numbers_are_from():
+    slip = Quantity(6.3617, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", noise=0.005)
+
+    def draw():
+        drawing, axes = new_figure()
+        axes.plot([0.0, 6.36])
+        axes.set_yticks([6.36], ["6.36"])
+        axes.set_title(f"slips {write(slip)} mm")
+        return drawing
+
+    svg = draw_svg(draw, name="toy-way", alt="It moves 6.36 mm.", sources=[slip.source])
+    linked = re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg)
+    assert linked == [(slip.source, "slips 6.36 mm")], "the tick is a place and no measurement"
+    assert f'aria-label="It moves 6.36 mm." data-src="{slip.source}"' in svg
+
+
+def test_the_check_reads_drawings_and_their_words(toy):
+    toy.build()
+    assert check_site(toy.project.site) == []
+    page, label, source = toy.page, 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
+    for old, new, problem in (
+        (label, 'aria-label="It moves 0.32 mm."', "is not said by"),
+        (label, 'aria-label="It moves 0.3 mm."', "is not said by"),
+        (label, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
+        ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
+        ("</svg>", f'<text data-src="{source}/0/slip_mm">7 mm</text></svg>', "is not said by"),
+        ("</svg>", f'<text data-src="{source}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
+        ("</svg>", f'<text data-src="{source}/0/slip_mm">6 mm</text></svg>', ""),
+        ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
+        ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
+    ):
+        assert old in page
+        toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
+        found = check_site(toy.project.site)
+        assert any(problem in line for line in found) if problem else found == [], new

@@ -1,0 +1,56 @@
+"""The headline measured again, beside what is tracked."""
+
+from dataclasses import replace
+
+import pytest
+
+from report import ReportError
+from report.editions import Edition, derive_edition
+from report.page import Templates
+from report.records.project import Project, own_release
+from report.verdict import compared, text_of
+
+SHIPPED, STIFF = 6.361221372938125, 0.3135540111002037
+"""What is tracked [mm], from the GPU that the noise was measured on."""
+GPU = {"device": "cuda", "gpu": "NVIDIA H200", "cpu": "A processor"}
+CPU = {"device": "cpu", "gpu": None, "cpu": "A processor"}
+
+
+@pytest.fixture(scope="module")
+def edition() -> Edition:
+    project = Project(own_release())
+    return derive_edition(project, Templates(project.templates))
+
+
+def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
+    rows = [{"case": "as-shipped", "slip_mm": shipped}, {"case": "stiff-pads", "slip_mm": stiff}]
+    if shipped is None:
+        rows[0]["slip_mm_reason"] = "it broke down"
+    return {"machine": machine, "rows": rows, "compile_s": 1.0, "measure_s": 20.0}
+
+
+@pytest.mark.parametrize(
+    ("machine", "shipped", "said", "agrees"),
+    [
+        (GPU, SHIPPED, "agrees; on NVIDIA H200", True),
+        (GPU, SHIPPED + 0.006, "(noise) near the bound: measure again; on NVIDIA H200", True),
+        (GPU, SHIPPED + 0.015, "differs; on NVIDIA H200", False),
+        (CPU, SHIPPED + 0.015, "(devices) agrees; on NVIDIA H200", True),
+        (CPU, SHIPPED + 0.1, "differs; on NVIDIA H200", False),
+        (CPU, None, "differs (it broke down); on NVIDIA H200", False),
+    ],
+)
+def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(edition, machine, shipped, said, agrees):
+    comparisons = compared(edition, found(machine, shipped))
+    first = next(comparison for comparison in comparisons if comparison.place == "NVIDIA H200")
+    assert said.split() == first.text.split()[-len(said.split()) :]
+    assert first.agrees is agrees
+    text = text_of(edition, found(machine, shipped), comparisons)
+    assert "devices: 0.02" in text, "the tracked run on another CPU has no noise of its own"
+    assert ("noise: the largest difference among 72 runs" in text) == (machine == GPU)
+    assert ("with stiff pads the slip is 20" in text) == (shipped is not None)
+
+
+def test_a_release_that_was_not_measured_so_is_refused(edition):
+    with pytest.raises(ReportError, match="no results of reproduction and noise"):
+        compared(replace(edition, chapters={}), found(CPU, SHIPPED))

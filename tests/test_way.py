@@ -1,0 +1,59 @@
+"""The way of a number, from the page back to rows, cases and command."""
+
+import pytest
+
+from report import UsageError
+from report.editions import editions_of
+from report.page import Templates
+from report.settings import from_shipped
+from report.way import Ways
+
+ROWS = (
+    {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
+    {"case": "stiff", "frame_count": 900, "slip_mm": 0.3, "pad_ke": 2.5e5, "dropped": False},
+)
+
+
+def ways(toy) -> Ways:
+    templates = Templates(toy.project.templates)
+    return Ways(toy.project, editions_of(toy.project, templates), templates)
+
+
+def test_a_value_leads_to_page_rows_settings_and_command(toy):
+    toy.measure(ROWS)
+    lines = [line.strip() for line in ways(toy).text("toy.gain").splitlines()]
+    assert lines[0] == "toy.gain: 20.0 (20.0)"
+    for line in (
+        "is          soft over stiff",
+        "printed at  evidence.html#toy",
+        "decides     toy.helps: holds",
+        "from newton-1.4.0/toy.json",
+        "row 0, case soft",
+        "slip_mm = 6.0 mm, noise 0.3 mm (its frames, 5th to 95th percentile)",
+        "the scene as shipped",
+        "row 1, case stiff",
+        "the scene as shipped, but for pad_ke 250000.0",
+        "measured on A processor, 2026-01-02 03:04 UTC, newton 1.4.0, commit abc",
+        "again by    make rerun SECTION=toy DEVICE=cpu",
+    ):
+        assert line in lines
+    assert "noise       1.00, all together, when each moves by its own; of 1 numbers none was measured" in lines
+
+
+def test_a_number_of_the_page_is_found_by_its_pointer(toy):
+    text = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    assert "printed at  evidence.html#toy-way" in text, "in the caption of a figure"
+    assert "row 1, case stiff" in text
+    assert ways(toy).text("values.json#/toy/gain").partition(": ")[2] == ways(toy).text("toy.gain").partition(": ")[2]
+
+
+@pytest.mark.parametrize("name", ["toy.gian", "toy", "", "newton-1.4.0/toy.json#/rows/7/slip_mm", "other.gain"])
+def test_an_unknown_value_names_those_near_it_in_one_line(toy, name):
+    with pytest.raises(UsageError, match=r"near it: .*toy\.gain") as refused:
+        ways(toy).text(name)
+    assert "\n" not in str(refused.value)
+
+
+def test_what_differs_from_the_scene_as_shipped():
+    row = {"case": "x", "backend": "warp", "cube_gap_m": 0.1, "shake_amplitude_m": 0.0, "slip_mm": 1.0}
+    assert from_shipped(row) == {"shake_amplitude_m": 0.0}
