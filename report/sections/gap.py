@@ -6,7 +6,7 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, at_least, at_most, decreases, within
 from report.deriving.arithmetic import by_case, noise_floor, share, spread
 from report.deriving.variants import is_small
-from report.figures import FAINT, INK, SERIES, new_figure, say_value
+from report.figures import FAINT, INK, SERIES, new_figure, say_value, write
 from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -119,7 +119,7 @@ def _draw_contacts(rows: list[Row]) -> Drawing:
         label="carry none",
     )
     for place, row in enumerate(there):
-        text = f"{row.mean_loaded_row_count.written} of {row.mean_row_count.written}"
+        text = f"{write(row.mean_loaded_row_count)} of {write(row.mean_row_count)}"
         say_value(axes, row.mean_row_count.value, place, text)
     axes.margins(x=0.2)
     axes.invert_yaxis()

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 
 from report.chapters import Releases
 from report.deriving.releases import Headline, cell, change, machines_differ, marked
-from report.figures import new_figure, say_value
+from report.figures import new_figure, say_value, write
 from report.format import unit_label
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
@@ -210,7 +210,7 @@ def _draw_slips(releases: Releases) -> Drawing:
             ends.append(there[-1])
     heights = _apart([found.value for _, found in ends])
     for (place, found), height in zip(ends, heights, strict=True):
-        say_value(axes, place, height, found.written)
+        say_value(axes, place, height, write(found))
     axes.set_yscale("log")
     axes.set_xticks(list(places), list(releases))
     axes.set_xlim(-0.3, len(releases) - 0.6)
