@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
+from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
@@ -184,6 +185,11 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
     return drawing, grid.squeeze()[()] if squeeze else grid
+
+
+def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
+    """The value of a mark or a bar, ``gap`` points to the right of it."""
+    axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
 
 
 def is_narrow() -> bool:

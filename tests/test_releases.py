@@ -299,7 +299,7 @@ def test_claims_that_turned_are_said_in_both_ways(upgraded):
     upgraded.build()
     turned = (upgraded.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
     assert "toy</a>: whether it helps" in turned
-    assert "True in 1.4.0:</b> It helps" in turned and "Not true in 1.8.0:</b> It does not" in turned
+    assert "In 1.4.0:</b> It helps" in turned and "In 1.8.0:</b> It does not" in turned
     assert 'data-src="values.json#/toy/gain"' in turned
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in turned
     assert check_site(upgraded.project.site) == []
