@@ -98,9 +98,10 @@ class Edition:
         return text.prose(anchor, {**known, **names})
 
 
-def editions_of(project: Project, templates: Templates) -> dict[str, Edition]:
-    """What the results of every release make, oldest first."""
-    derived = {release: derive_edition(project.of(release), templates) for release in project.releases}
+def editions_of(project: Project, templates: Templates, among: Sequence[str] | None = None) -> dict[str, Edition]:
+    """What the results of every release make, oldest first; ``among``: of these alone."""
+    shown = project.releases if among is None else among
+    derived = {release: derive_edition(project.of(release), templates) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
     return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
 

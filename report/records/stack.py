@@ -5,7 +5,7 @@ import os
 import re
 import tempfile
 import urllib.request
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -108,12 +108,24 @@ def _read_pins(text: str) -> Sequence[tuple[str, str]]:
 
 @cache
 def release_date(stack: Stack) -> str:
-    """The day, as 2026-11-11, on which what was asked for came out; empty where the index does not say.
-
-    The index is asked as PEP 700 has it.
-    """
+    """The day, as 2026-11-11, on which what was asked for came out; empty where the index does not say."""
     if stack.date or not stack.newton.startswith("newton[sim]=="):
         return stack.date
+    return _index_dates().get(stack.label.version, "")
+
+
+def releases_between(older: Label, newer: Label) -> list[str]:
+    """The releases of the index between two, oldest first; candidates and development versions are none."""
+    found = [label for version in _index_dates() if (label := read_label(version))]
+    finals = [label for label in found if label.version.replace(".", "").isdigit()]
+    return [
+        str(label) for label in sorted(finals, key=lambda label: label.order) if older.order < label.order < newer.order
+    ]
+
+
+@cache
+def _index_dates() -> Mapping[str, str]:
+    """The day of each version that the index has, which is asked as PEP 700 has it; none where it can't be reached."""
     index = next(filter(None, map(os.environ.get, INDEX_VARIABLES)), INDEX)
     request = urllib.request.Request(
         f"{index.rstrip('/')}/newton/", headers={"Accept": "application/vnd.pypi.simple.v1+json"}
@@ -122,10 +134,10 @@ def release_date(stack: Stack) -> str:
         with urllib.request.urlopen(request, timeout=30) as answer:
             files = json.load(answer)["files"]
     except (OSError, ValueError, KeyError):
-        return ""
-    dates = [
-        file.get("upload-time", "")[:10]
-        for file in files
-        if (name := WHEEL.fullmatch(file["filename"])) and full_version(name["version"]) == stack.label.version
-    ]
-    return min(filter(None, dates), default="")
+        return {}
+    found = [(name["version"], file) for file in files if (name := WHEEL.fullmatch(file["filename"]))]
+    return {
+        full_version(version): file["upload-time"][:10]
+        for version, file in found
+        if "upload-time" in file and not file.get("yanked")
+    }
