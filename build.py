@@ -189,6 +189,31 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     return 0
 
 
+def newest(project: Project, arguments: argparse.Namespace) -> int:
+    """Print, for a workflow, what the index has of Newton, or else of one other package, that is newer than all here."""
+    from report.records.label import read_label
+    from report.records.stack import releases_of
+    from report.records.status import records_of
+
+    known = [each for profile in PROFILES for each in _editions(replace(project, profile=profile))]
+    latest = [read_label(release) for release in releases_of("newton")[-1:]]
+    if latest and all(label.order > each.label.order for label in latest for each in known):
+        print(f"newton={latest[0]}\nwith=")
+        return 0
+    newton = max((each.label for each in known), key=lambda label: label.order).version
+    for package in ("warp-lang", "mujoco-warp"):
+        used = {record.identity.packages[package] for each in known for record in records_of(each)}
+        for version in releases_of(package)[-1:]:
+            if version not in used:
+                print(f"newton={newton}\nwith={package}=={version}")
+                return 0
+    return 0
+
+
+def _editions(project: Project) -> list[Project]:
+    return [project.of(release) for release in project.releases]
+
+
 def judge(project: Project, arguments: argparse.Namespace) -> int:
     """Say for git bisect whether Newton is as the first end is (0) or as the last (1); 125 where it can't be told."""
     from report.bisect import CANNOT_TELL, Bisection
@@ -452,6 +477,7 @@ COMMANDS = {
     bisect: ("claim", "value", "a", "b", "device"),
     judge: ("claim", "value", "newton", "first", "last", "device", "profile"),
     history: ("claim", "value", "profile"),
+    newest: (),
     retire: ("newton", "with", "address"),
     check: ("newton", "with", "profile", "format", "strict"),
     diff: ("a", "b", "profile", "format", "values"),

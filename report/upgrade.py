@@ -6,6 +6,7 @@ from report.claims import HOLDS
 from report.compare import Comparison, Move
 from report.deriving.releases import Headline, cell
 from report.editions import Edition
+from report.records.measure import seconds_known
 from report.records.project import Project
 
 DECIDING = ("reproduction", "contact_source", "upgrade", "noise")
@@ -20,17 +21,8 @@ NAMED = 4
 
 
 def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> float:
-    """How long the sections may take [s], by the records that there are of the same kind of device and profile."""
-    from report.records.status import records_of
-
-    found: dict[str, float] = {}
-    for release in project.releases:
-        for record in records_of(project.of(release)):
-            if record.machine.get("device") == device and record.section in sections:
-                found[record.section] = record.measured["seconds"]
-    if found.keys() >= set(sections):
-        return sum(found.values())
-    return CPU_SECONDS[project.profile] if device == "cpu" else sum(found.values())
+    """How long the sections may take [s], by what they took before."""
+    return seconds_known(project, device, sections) or CPU_SECONDS[project.profile] * len(sections) / len(DECIDING)
 
 
 def base_of(project: Project) -> str | None:
