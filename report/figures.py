@@ -87,7 +87,7 @@ LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
 _told: ContextVar[dict[str, list[str]] | None] = ContextVar("told", default=None)
-"""Numbers of the figure that is being drawn as they are written, and where those written so are from, in their order."""
+"""Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
