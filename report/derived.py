@@ -68,6 +68,8 @@ def derive_section(results: Results, releases: Releases) -> Section:
     except (AssertionError, ImportError, NameError) as error:  # whatever was measured, this is none of it
         raise ReportError(f"{outline.source}: {' '.join(str(error).split())} ({_line_of(error)})") from error
     except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        if isinstance(error, AttributeError | TypeError) and "NoneType" not in str(error):
+            raise  # no missing number makes these of anything else: the section's code is wrong
         what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
         raise LostError(f"its record lacks what the section is about ({what})") from error
     if not isinstance(section, Section):
