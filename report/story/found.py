@@ -71,12 +71,15 @@ class Found:
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
 
     def stale_mark(self, reads: frozenset[str]) -> Markup:
-        """A link to the section that was measured before its code changed, where pointers lead into one."""
+        """A link to the section that was measured before its code changed, where pointers lead into one.
+
+        It is no stop of the keyboard, which the section's own mark and the contents lead to as well.
+        """
         stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
         for chapter in stale:
             place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
             if any(pointer.startswith(place) for pointer in reads):
-                return Markup(' <a class="badge" href="#{}">stale</a>').format(chapter.name)
+                return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
         return Markup("")
 
     def marked(self, claim: Claim, page: str) -> Markup:
