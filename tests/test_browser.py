@@ -111,6 +111,13 @@ def test_the_settings_of_the_fix_are_on_the_first_screen(site, tab):
     assert settings["y"] + settings["height"] < tab.viewport_size["height"]
 
 
+@pytest.mark.parametrize("tab", [("phone", "light")], indirect=True, ids="-".join)
+def test_the_whole_answer_is_on_two_screens_of_a_phone(site, tab):
+    open_page(tab, site / "index.html")
+    answers = tab.locator("#front-three-questions ~ p").nth(2).bounding_box()
+    assert answers["y"] + answers["height"] < 2 * tab.viewport_size["height"]
+
+
 def test_nothing_moves_by_itself(site, tab):
     fetched: list[str] = []
     tab.on("request", lambda request: fetched.append(request.url.rpartition("/")[2]))
