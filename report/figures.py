@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
+from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
@@ -131,15 +132,14 @@ def plain_labels(*, digits: int = 6) -> FuncFormatter:
     return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
 
 
-def write(quantity: Quantity, *, digits: int = 3, is_short: bool = False) -> str:
+def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """A number as text of the figure that is being drawn, which then says where it is from.
 
     Args:
         quantity: The number; its unit is said by the text around it.
-        digits: At most so many significant digits.
         is_short: Whether there is room for no more than four characters.
     """
-    text = format_short(quantity.value) if is_short else quantity.in_digits(digits)
+    text = format_short(quantity.value) if is_short else quantity.written
     told = _told.get()
     if told is not None and quantity.source:
         told[text] = quantity.source
@@ -185,6 +185,11 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
     return drawing, grid.squeeze()[()] if squeeze else grid
+
+
+def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
+    """The value of a mark or a bar, ``gap`` points to the right of it."""
+    axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
 
 
 def is_narrow() -> bool:

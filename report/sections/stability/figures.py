@@ -141,7 +141,7 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
     steps = sorted({row.substeps.value for row in rows})
     for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
         mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
-        label = f"{write(mine[0].step_ms, digits=2)} ms"
+        label = f"{write(mine[0].step_ms)} ms"
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
         x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
