@@ -53,6 +53,11 @@ def is_problem(message: "sync_api.ConsoleMessage") -> bool:
     return message.type in ("error", "warning") and "GL Driver Message" not in message.text
 
 
+def is_lost(request: "sync_api.Request") -> bool:
+    """Not what the browser gives up when it goes on to another page."""
+    return request.failure != "net::ERR_ABORTED"
+
+
 @pytest.fixture
 def tab(browser, request) -> Iterator["sync_api.Page"]:
     """A tab of the screen and the colour scheme that a test asks for, which must raise no error."""
@@ -65,7 +70,7 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     problems: list[str] = []
     tab.on("console", lambda message: problems.append(message.text) if is_problem(message) else None)
     tab.on("pageerror", lambda error: problems.append(str(error)))
-    tab.on("requestfailed", lambda request: problems.append(f"{request.url} could not be fetched"))
+    tab.on("requestfailed", lambda request: problems.append(request.url) if is_lost(request) else None)
     yield tab
     context.close()
     assert problems == []
