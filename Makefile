@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON WITH DEVICE PROFILE A B FORMAT VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
+GIVEN := SECTION NEWTON WITH SINCE DEVICE PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -22,7 +22,8 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun clips check diff trace verify publish serve test worlds torture lint help
+.PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test worlds \
+        torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]
@@ -36,6 +37,18 @@ status: $(READY) ## Say which sections are fresh, and what changed for the other
 
 rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON WITH DEVICE PROFILE ADDRESS]
 	$(RUN) rerun
+
+upgrade: $(READY) ## Measure what decides, a few minutes on a GPU, and say what changed [NEWTON WITH SINCE DEVICE PROFILE FORMAT]
+	$(RUN) upgrade
+
+bisect: $(READY) ## Find the release or commit, and the package, that changed a claim or a value [CLAIM VALUE A B DEVICE]
+	$(RUN) bisect
+
+history: $(READY) ## Print a claim or a value over all editions, or the headlines [CLAIM VALUE PROFILE]
+	$(RUN) history
+
+retire: $(READY) ## Remove results, environment and page of an edition [NEWTON WITH]
+	$(RUN) retire
 
 clips: $(READY) ## Make the clips from the kept poses, in minutes on a GPU [NEWTON DEVICE PROFILE]
 	$(RUN) clips
@@ -55,7 +68,7 @@ verify: $(READY) ## Measure the headline again, in a minute or three, beside wha
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish
 
-serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
+serve: $(READY) ## Serve site/ at http://127.0.0.1:8000, and build it again on every change [PORT NEWTON PROFILE]
 	$(RUN) serve
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
@@ -82,7 +95,10 @@ help: ## Print this
 	@echo 'A=1.4.0 B=1.8.0         editions to compare; 1.8.0@cpu is that of another machine'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
-	@echo 'VALUE=stiffness.improvement  a value of the page, as site/data/values.json names it'
+	@echo 'SINCE=1.8.0             edition to hold an upgrade against; otherwise the one before'
+	@echo 'CLAIM=reproduction.slips     claim to follow'
+	@echo 'VALUE=stiffness.improvement  a value of the page, as site/data/values.json names it, or one of a row,'
+	@echo '                        as reproduction.as-shipped.slip_mm'
 	@echo 'FORMAT=json|markdown    what diff and check print, for a program or a pull request'
 	@echo 'VALUES=all              let diff list every value that moved'
 	@echo 'STRICT=1                let check fail when anything cannot be trusted'

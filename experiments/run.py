@@ -9,16 +9,23 @@ import platform
 import re
 import subprocess
 import sys
+import threading
 import time
 import traceback
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 from datetime import datetime, timezone
 from pathlib import Path
 from types import ModuleType
 
 import warp as wp
+from tqdm import tqdm
 
+from experiments.case import AS_SHIPPED
 from experiments.kernels import compile_for
 from experiments.measurement import Conditions
+from experiments.simulation import Simulation
 from report import ROOT, ReportError
 from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from report.records.devices import NO_CUDA
@@ -30,6 +37,7 @@ from report.records.record import Record, write_record
 from report.records.sources import EDITED
 from report.records.traces import packed
 
+OLDEST = "newton 1.3.0, with the packages of its day, is the oldest release that can"
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
@@ -49,11 +57,19 @@ def main() -> int:
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
+    with progress(arguments.seconds):
+        return measure_all(project, modules, device)
+
+
+def measure_all(project: Project, modules: Mapping[str, ModuleType], device: wp.Device) -> int:
+    """Measure the sections, one line each, and return the exit status."""
     failures = 0
-    print("Kernels that this machine has not compiled yet come first, for a minute or so.")
-    compile_first(device)
+    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
+    if reason := compile_first(device):
+        print(f"newton {package_versions()['newton']} cannot run the scene: {reason}; {OLDEST}", file=sys.stderr)
+        return 2
     for number, (section, module) in enumerate(modules.items(), start=1):
-        print(f"[{number}/{len(modules)}] {section}")
+        tqdm.write(f"[{number}/{len(modules)}] {section}")
         try:
             measure_section(project, section, module, device)
         except Exception as error:  # one section's fault must not cost the others
@@ -79,15 +95,43 @@ def reason_of(error: Exception) -> str:
     return said or type(error).__name__
 
 
-def compile_first(device: wp.Device) -> None:
-    """Compile what all sections need on all cores. What goes wrong here is said, and left to the measurement."""
+@contextmanager
+def progress(seconds: float) -> Iterator[None]:
+    """One bar for all that is measured, by the time that it took before; none where nobody looks, as in a log."""
+    form = "{percentage:3.0f} %|{bar}| {elapsed} of about {total_time}" if seconds else "{elapsed}"
+    form = form.replace("{total_time}", f"{seconds / 60:.0f} min")
+    done = threading.Event()
+    with tqdm(total=max(seconds, 1.0), bar_format=form, disable=not sys.stderr.isatty()) as bar:
+
+        def tick() -> None:
+            while not done.wait(1.0):
+                bar.update(min(1.0, bar.total - bar.n))
+                bar.refresh()
+
+        threading.Thread(target=tick, daemon=True).start()
+        try:
+            yield
+        finally:
+            done.set()
+
+
+def compile_first(device: wp.Device) -> str:
+    """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
+
+    What else goes wrong here is said, and left to the measurement.
+    """
     start = time.perf_counter()
     try:
         count = compile_for(device)
     except Exception as error:  # a new release may build its kernels in another way
+        try:
+            Simulation([replace(AS_SHIPPED, frame_count=1)], device)
+        except (AttributeError, ImportError, TypeError) as missing:
+            return " ".join(str(missing).split())[:200]
         print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
-        return
-    print(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
+        return ""
+    tqdm.write(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
+    return ""
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -95,13 +139,15 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
+    parser.add_argument("--seconds", type=float, default=0.0, help="how long it took before, for the bar")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     return parser.parse_args()
 
 
 def measuring_device(name: str | None) -> wp.Device:
     """The device to measure on; ReportError when it is not there."""
-    wp.config.log_level = wp.LOG_WARNING
+    if hasattr(wp, "LOG_WARNING"):  # Warp of old releases has none, and they are told what else they lack
+        wp.config.log_level = wp.LOG_WARNING
     wp.init()
     if name is None:
         name = "cuda" if wp.is_cuda_available() else "cpu"
@@ -153,7 +199,7 @@ def measure_section(project: Project, section: str, module: ModuleType, device: 
     )
     path = project.record_path(section)
     write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
-    print(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
+    tqdm.write(f"{section}: {len(record.rows)} rows in {record.measured['seconds']:.0f} s → {path}")
 
 
 def now() -> str:

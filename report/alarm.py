@@ -71,18 +71,29 @@ def _check_parts(found: Check) -> dict[str, Any]:
 def diff_said(found: Comparison, form: str, *, all_values: bool) -> str:
     """The comparison as text, markdown or json, every value that moved in it or only how many did."""
     if form == "json":
-        return _json(
-            "diff",
-            found.is_alarm,
-            a=found.releases[0],
-            b=found.releases[1],
-            faults=[vars(fault) for fault in found.faults],
-            flips=[_flip_data(flip) for flip in found.flips],
-            moved=_sums(found.moves),
-            moves=[_move_data(move) for move in found.moves],
-            notes=found.notes,
-        )
+        return _json("diff", found.is_alarm, **_diff_parts(found))
     return _diff_in_markdown(found) if form == "markdown" else _diff_in_text(found, all_values=all_values)
+
+
+def _diff_parts(found: Comparison) -> dict[str, Any]:
+    return {
+        "a": found.releases[0],
+        "b": found.releases[1],
+        "faults": [vars(fault) for fault in found.faults],
+        "flips": [_flip_data(flip) for flip in found.flips],
+        "moved": _sums(found.moves),
+        "moves": [_move_data(move) for move in found.moves],
+        "notes": found.notes,
+    }
+
+
+def upgrade_said(found: Comparison, verdict: Sequence[str], form: str) -> str:
+    """The verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+    if form == "json":
+        return _json("upgrade", found.is_alarm, verdict=list(verdict), **_diff_parts(found))
+    if form == "markdown":
+        return _cut("\n".join([*(f"- {_escaped(line)}" for line in verdict), "", _diff_in_markdown(found)]))
+    return "\n".join(verdict)
 
 
 def _diff_in_text(found: Comparison, *, all_values: bool) -> str:

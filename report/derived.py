@@ -59,15 +59,22 @@ def outline_of(section: str) -> Outline:
 
 def derive_section(results: Results, releases: Releases) -> Section:
     """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
-    section = results.record.section
+    outline = outline_of(results.record.section)
     try:
-        derive = import_module(f"report.sections.{section}").derive
-        return derive(results, releases) if outline_of(section).compares else derive(results)
-    except ReportError:
+        derive = import_module(f"report.sections.{results.record.section}").derive
+        section = derive(results, releases) if outline.compares else derive(results)
+    except (ReportError, OSError):
         raise
+    except (AssertionError, ImportError, NameError) as error:  # whatever was measured, this is none of it
+        raise ReportError(f"{outline.source}: {' '.join(str(error).split())} ({_line_of(error)})") from error
     except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+        if isinstance(error, AttributeError | TypeError) and "NoneType" not in str(error):
+            raise  # no missing number makes these of anything else: the section's code is wrong
         what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
         raise LostError(f"its record lacks what the section is about ({what})") from error
+    if not isinstance(section, Section):
+        raise ReportError(f"{outline.source}: derive returns a {type(section).__name__}, and not a Section")
+    return section
 
 
 def _line_of(error: Exception) -> str:

@@ -109,10 +109,13 @@ class Edition:
         return self.keeper.made((project.profile, project.release, name), code, (), reads, make).section
 
 
-def editions_of(project: Project, templates: Templates, keeper: Keeper | None = None) -> dict[str, Edition]:
-    """What the results of every release make, oldest first."""
+def editions_of(
+    project: Project, templates: Templates, keeper: Keeper | None = None, among: Sequence[str] | None = None
+) -> dict[str, Edition]:
+    """What the results of every release make, oldest first; ``among``: of these alone."""
     keeper = keeper or Keeper()
-    derived = {release: derive_edition(project.of(release), templates, keeper) for release in project.releases}
+    shown = project.releases if among is None else among
+    derived = {release: derive_edition(project.of(release), templates, keeper) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
     return {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
 

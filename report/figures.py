@@ -18,11 +18,13 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 from matplotlib.ticker import (
+    AutoLocator,
     FixedLocator,
     FuncFormatter,
     LogFormatter,
     LogFormatterMathtext,
     LogLocator,
+    MaxNLocator,
     NullFormatter,
     NullLocator,
 )
@@ -79,6 +81,8 @@ NARROW_WIDTH = 3.6
 """Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
 LEAST_SIZE = 7.0
 """Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
+MOST_TICKS = 5
+"""Steps between ticks along a narrow figure."""
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
@@ -128,15 +132,14 @@ def plain_labels(*, digits: int = 6) -> FuncFormatter:
     return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
 
 
-def write(quantity: Quantity, *, digits: int = 3, is_short: bool = False) -> str:
+def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """A number as text of the figure that is being drawn, which then says where it is from.
 
     Args:
         quantity: The number; its unit is said by the text around it.
-        digits: At most so many significant digits.
         is_short: Whether there is room for no more than four characters.
     """
-    text = format_short(quantity.value) if is_short else quantity.in_digits(digits)
+    text = format_short(quantity.value) if is_short else quantity.written
     told = _told.get()
     if told is not None and quantity.source:
         told[text] = quantity.source
@@ -229,8 +232,12 @@ def _fit_narrow(drawing: Drawing) -> None:
             axes.set_yticks(axes.get_yticks(), [textwrap.fill(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(_folded(axes.get_title("left")), fontsize=9)
+        if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
+            axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for label in (axes.xaxis.label, axes.yaxis.label):
             label.set(text=_folded(label.get_text()), fontsize=9)
+    if drawing.get_supxlabel():
+        drawing.supxlabel(_folded(drawing.get_supxlabel()), fontsize=9)
     for text in drawing.findobj(Text):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
 
@@ -299,7 +306,7 @@ def _linked(svg: str, told: Mapping[str, str]) -> str:
             found, rest = [], text
             for number in longest_first:
                 rest, count = numbers[number].subn("", rest)
-                found += [told[number]] * bool(count)
+                found += [told[number]] * count
             if found:
                 return str(
                     Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))

@@ -113,7 +113,7 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
         return 0.0
     low, high = (row.get(timed + edge) for edge in EDGES)
     if None not in (low, high) and row.get(timed):
-        share = MEDIAN * (high - low) / math.sqrt(row.get("repeat_count") or 1) / row[timed]
+        share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:
         return None

@@ -171,7 +171,7 @@ def _label(line: Line) -> str:
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
     """What it is and how far, above it."""
     axes.annotate(
-        f"{name_of(row.case)}: {write(row.slip_mm, digits=2)}",
+        f"{name_of(row.case)}: {write(row.slip_mm)}",
         (row.slip_mm.value, place),
         xytext=(-3, 5),
         textcoords="offset points",

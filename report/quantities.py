@@ -45,10 +45,6 @@ class Quantity:
         """The number as people write it, without its unit."""
         return format_number(self.value, noise=self.noise)
 
-    def in_digits(self, digits: int) -> str:
-        """The same, in at most so many significant digits."""
-        return format_number(self.value, noise=self.noise, digits=digits)
-
     @property
     def code(self) -> Markup:
         """The number as it is typed into a program."""

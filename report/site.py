@@ -27,15 +27,14 @@ from report.quantities import VALUES_FILE
 from report.records.cache import Cache
 from report.records.files import locked
 from report.records.identity import files_digest, package_versions, sources_kept
-from report.records.project import Project
-from report.records.status import State
+from report.records.project import INPUTS, Project
+from report.records.status import State, newton_now
 from report.records.traces import BYTE_LIMIT, traces_of
 from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
 
-INPUTS = ("experiments", "report", "templates", "assets", "results")
-"""Folders that a page is made from."""
 OTHER_INPUTS = ("CITATION.cff", "LICENSE")
+"""Files that the site is made from, besides the folders."""
 WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 """Packages that have a part in it, besides those that decide what is drawn."""
 BUILT = "site"
@@ -112,7 +111,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         if kept := cache.get(BUILT, (digest, _site_digest(project.site))):
             return kept
         with sources_kept(project.root):
-            keeper, templates = Keeper(project.root), Templates(project.templates)
+            keeper, templates = Keeper(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, keeper)
             _write_site(fresh, project, editions, templates, address, keeper)
         replace(project.site, fresh)
@@ -141,6 +140,8 @@ def _write_site(
     links = {release: _links(editions, places, release) for release in editions}
     leaves = {release: _leaves(editions[release], templates, links[release]) for release in editions}
     drawn = _draw(leaves, keeper)
+    chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
+    tables = {chapter.results.source: rows_csv(chapter.results.record.rows) for chapter in chapters}
     for release in editions:
         here = folder / places[release]
         names = {
@@ -157,7 +158,7 @@ def _write_site(
         }
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
-        _write_data(here / "data", release, editions)
+        _write_data(here / "data", release, editions, tables)
         write_replay(here, editions[release], templates)
     write_surroundings(folder, editions, places, templates, address, keeper)
     (folder / ".gitkeep").touch()
@@ -261,8 +262,11 @@ def _write_pages(folder: Path, edition: Edition, pages: Mapping[str, str]) -> No
             path.write_text(download.text, encoding="utf-8")
 
 
-def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> None:
-    """All that the page of the release ``shown`` names: its own results and values, and those of the others."""
+def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> None:
+    """All that the page of the release ``shown`` names: its own results and values, and those of the others.
+
+    ``tables`` are the rows of each record, by its file.
+    """
     for release, edition in editions.items():
         own = release == shown
         for chapter in edition.chapters.values():
@@ -271,7 +275,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
-            (there / f"{path.stem}.csv").write_bytes(rows_csv(chapter.results.record.rows))
+            (there / f"{path.stem}.csv").write_bytes(tables[chapter.results.source])
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
         values = {chapter.name: chapter.values for chapter in chapters}
@@ -288,13 +292,12 @@ def _local(text: str, release: str) -> str:
 
 def _digest(project: Project, address: str) -> str:
     """Of all that the pages are made from."""
-    digests = [
-        files_digest(_inputs(root, folders), root)
-        for root, folders in {ROOT: INPUTS[:-1], project.root: INPUTS}.items()  # often the same
-    ]
+    roots = {ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
+    digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
-    made_from = (place, address, package_versions(), surroundings(), versions, digests)
+    checkouts = [newton_now(project.of(release)) for release in project.releases]  # may be edited, and lie elsewhere
+    made_from = (place, address, package_versions(), surroundings(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

@@ -29,6 +29,7 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
     [
         (["rerun", "--section", "nothing"], "reproduction"),
         (["rerun", "--section", ""], "reproduction"),
+        (["rerun", "--section", "scene"], "there is no report/sections/scene.py; use one of"),
         (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
         (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
         (["check", "--section", "nothing"], "--section nothing"),

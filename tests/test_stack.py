@@ -111,6 +111,8 @@ def test_a_wheel_is_called_after_its_content(tmp_path):
     wheel.write_bytes(b"two")
     stack_of.cache_clear()
     assert stack_of(str(wheel)).label != first.label
+    nightly = stack_of(f"https://example.org/nightly/{wheel.name}")
+    assert str(nightly.label).startswith("1.9.0.dev5+w") and nightly.newton.startswith("newton[sim] @ https://")
 
 
 def test_with_names_packages(tmp_path):

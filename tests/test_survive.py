@@ -20,6 +20,7 @@ from report.check import check_site
 from report.drawing import draw_all
 from report.editions import editions_of
 from report.page import Templates
+from report.records.cache import FOLDER
 from report.records.environment import requirements
 from report.records.files import RecordError, locked, settle
 from report.records.reading import load_record
@@ -261,6 +262,7 @@ def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeyp
     for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
         monkeypatch.setitem(matplotlib.rcParams, name, value)
     shutil.rmtree(toy.project.site)
+    shutil.rmtree(toy.project.root / FOLDER)
     toy.build()
     assert (toy.page, (toy.project.site / CARD).read_bytes()) == before
 

@@ -33,11 +33,23 @@ def measure(project: Project, stack: Stack, sections: Sequence[str], device: str
     kept = kept_by(project, device)
     refuse_unwritable(kept.results)
     try:
-        options = ("--device", device, "--profile", project.profile, "--edition", kept.release)
+        seconds = str(seconds_known(project, device, sections))
+        options = ("--device", device, "--profile", project.profile, "--edition", kept.release, "--seconds", seconds)
         _run(kept, stack, "experiments.run", *sections, *options)
     finally:
         _note_measured(kept, stack)
     return kept
+
+
+def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
+    """How long these sections took the last time [s], on such a device and in this profile; 0 unless all are known."""
+    found = {
+        record.section: record.measured["seconds"]
+        for release in project.releases
+        for record in records_of(project.of(release))
+        if record.machine.get("device") == device
+    }
+    return sum(found[section] for section in sections) if found.keys() >= set(sections) else 0.0
 
 
 def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
@@ -57,7 +69,8 @@ def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
     # It ends with this process: nobody would know of it otherwise.
     beginning = partial(end_with, os.getpid())
     command = [str(python), "-m", module, *options]
-    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning).returncode
+    quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one bar for all
+    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning, env=quiet).returncode
     if status == UNFIT:
         raise UsageError("")  # it has said why
     if status:

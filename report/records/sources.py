@@ -23,10 +23,13 @@ def source_of(package: str) -> str:
     found = json.loads(said) if said else {}
     if "vcs_info" in found:
         return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
-    path = Path(unquote(urlparse(found.get("url", "")).path))
+    address = found.get("url", "")
+    path = Path(unquote(urlparse(address).path))
     if "dir_info" in found:
         return checkout_source(path)
-    return wheel_source(path) if found else ""
+    if address and not address.startswith("file:"):
+        return address_source(address)
+    return wheel_source(path) if address else ""
 
 
 def checkout_source(folder: Path) -> str:
@@ -41,6 +44,11 @@ def checkout_source(folder: Path) -> str:
 
 def wheel_source(path: Path) -> str:
     return f"w{digest_of([path], path.parent)}"
+
+
+def address_source(address: str) -> str:
+    """Of a wheel that is fetched: another one has another address."""
+    return f"w{hashlib.sha256(address.encode()).hexdigest()[:SHORT_COMMIT]}"
 
 
 def digest_of(paths: list[Path], root: Path) -> str:

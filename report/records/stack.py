@@ -5,16 +5,17 @@ import os
 import re
 import tempfile
 import urllib.request
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
 from report import UsageError
 from report.records.label import SHORT, VERSION, Label, full_version, read_label
-from report.records.sources import SHORT_COMMIT, checkout_source, git, wheel_source
+from report.records.sources import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
 
 WHEEL = re.compile(rf"newton-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
+WHEEL_ADDRESS = re.compile(rf"https?://[^\s@]+/{WHEEL.pattern}")
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
@@ -52,6 +53,8 @@ def _newton_of(asked: str, option: str) -> Stack:
     if not asked:
         raise UsageError(f"{option}= names no Newton; {option}=1.8.0 does")
     path, _, reference = asked.rpartition("@")
+    if there := WHEEL_ADDRESS.fullmatch(asked):
+        return Stack(Label(full_version(there["version"]), address_source(asked)), f"newton[sim] @ {asked}", asked)
     if asked.startswith("git+"):
         address = path.removeprefix("git+") if ADDRESS.fullmatch(path.removeprefix("git+")) else ""
         if address and REFERENCE.fullmatch(reference):
@@ -108,24 +111,37 @@ def _read_pins(text: str) -> Sequence[tuple[str, str]]:
 
 @cache
 def release_date(stack: Stack) -> str:
-    """The day, as 2026-11-11, on which what was asked for came out; empty where the index does not say.
-
-    The index is asked as PEP 700 has it.
-    """
+    """The day, as 2026-11-11, on which what was asked for came out; empty where the index does not say."""
     if stack.date or not stack.newton.startswith("newton[sim]=="):
         return stack.date
+    return _index_dates("newton").get(stack.label.version, "")
+
+
+def releases_between(older: Label, newer: Label) -> list[str]:
+    """The releases of the index between two, oldest first; candidates and development versions are none."""
+    found = [read_label(version) for version in releases_of("newton")]
+    return [str(label) for label in found if older.order < label.order < newer.order]
+
+
+def releases_of(package: str) -> list[str]:
+    """The releases of a package that the index has, oldest first."""
+    found = [label for version in _index_dates(package) if (label := read_label(version))]
+    finals = [label for label in found if label.version.replace(".", "").isdigit()]
+    return [str(label) for label in sorted(finals, key=lambda label: label.order)]
+
+
+@cache
+def _index_dates(package: str) -> Mapping[str, str]:
+    """The day of each version that the index has, which is asked as PEP 700 has it; none where it can't be reached."""
     index = next(filter(None, map(os.environ.get, INDEX_VARIABLES)), INDEX)
     request = urllib.request.Request(
-        f"{index.rstrip('/')}/newton/", headers={"Accept": "application/vnd.pypi.simple.v1+json"}
+        f"{index.rstrip('/')}/{package}/", headers={"Accept": "application/vnd.pypi.simple.v1+json"}
     )
     try:
         with urllib.request.urlopen(request, timeout=30) as answer:
             files = json.load(answer)["files"]
     except (OSError, ValueError, KeyError):
-        return ""
-    dates = [
-        file.get("upload-time", "")[:10]
-        for file in files
-        if (name := WHEEL.fullmatch(file["filename"])) and full_version(name["version"]) == stack.label.version
-    ]
-    return min(filter(None, dates), default="")
+        return {}
+    wheels = [file for file in files if file["filename"].endswith(".whl") and not file.get("yanked")]
+    found = [(file["filename"].split("-")[1], file.get("upload-time", "")[:10]) for file in wheels]
+    return {full_version(version): day for version, day in found if VERSION.fullmatch(version)}

@@ -48,9 +48,6 @@ def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
     _scene(results, shipped)
     traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
-    for name, trace in traces.items():
-        formula = "displacement along the main axis at the end of the shake"
-        results.value(f"{name}_along", formula, lambda frame: frame["along_mm"].iloc[-1], trace, unit="mm")
     slips = _slips(results, shipped)
     claims = [
         slips,

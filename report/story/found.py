@@ -71,7 +71,10 @@ class Found:
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
 
     def stale_mark(self, reads: frozenset[str]) -> Markup:
-        """A link to the section that was measured before its code changed, where pointers lead into one."""
+        """A link to the section that was measured before its code changed, where pointers lead into one.
+
+        It is no stop of the keyboard, which the section's own mark and the contents lead to as well.
+        """
         stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
         for chapter in stale:
             place = chapter.results.source.removesuffix("json")  # its traces begin with it as well

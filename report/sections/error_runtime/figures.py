@@ -128,18 +128,14 @@ def _mark_both(
     """The shipped setting and the recommended one, each with its error."""
     shipped, better = points.shipped(pads, backend), points.recommended(pads, backend)
     if shipped is not None and shipped[error].value:
-        _mark(axes, shipped, error, "*", _short(shipped[error]), colour, side)
+        _mark(axes, shipped, error, "*", write(shipped[error]), colour, side)
     if better is not None and better[error].value:
-        _mark(axes, better, error, "s", f"{_setting(better)}: {_short(better[error])}", colour, side)
+        _mark(axes, better, error, "s", f"{_setting(better)}: {write(better[error])}", colour, side)
 
 
 def _setting(row: Row) -> str:
     """What is set, without pads and engine."""
     return ", ".join(name_of(row.case).split(", ")[2:])
-
-
-def _short(error: Quantity) -> str:
-    return write(error, digits=2)
 
 
 def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: str) -> None:

@@ -109,7 +109,7 @@ def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
 
 
 def points_of(results: Results) -> Points:
-    settings = [row for row in results.rows if row.method not in ("reference", "worlds")]
+    settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
     # The numerical error compares settings of one model; the grasp error compares everything.
     counted = [row for row in settings if counts(row)]
     own_model = [row for row in counted if is_own_model(row)]

@@ -270,7 +270,7 @@ def neighbours(results: Results) -> Claim:
 
 
 def repeats_agree(results: Results) -> Claim:
-    rows = [row for row in results.rows if row.repeat_count.value > 1]
+    rows = [row for row in results.rows if (row.repeat_count.value or 0) > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
     split_count = count(results, "split_count", "cases whose repeats end in different classes", split)
     none = results.chosen("split_bound", "none", 0)

@@ -138,10 +138,10 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")
     floor = noise_floor(results, "slip_floor")
+    numbers: Mapping[str, Quantity] = {"spread": difference, "floor": floor}
+    outcome = within(difference, floor)
     gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
-    gain = at_least(*gained)
-    return Claim(
-        "flat_below_clamp",
-        within(difference, floor) if gain == HOLDS else NO_GAIN.having_read(*gained, difference, floor),
-        numbers={"clamp": clamp, "spread": difference, "floor": floor},
-    )
+    if at_least(*gained) != HOLDS:
+        outcome = NO_GAIN.having_read(*gained, difference, floor)
+        numbers = told(absent("mm", NO_GAIN.reason), numbers)
+    return Claim("flat_below_clamp", outcome, numbers={"clamp": clamp, **numbers})

@@ -1,0 +1,92 @@
+"""Upgrade: what a few sections say of a new Newton, in five lines: what flipped, what moved, why, and what to do."""
+
+from collections.abc import Sequence
+
+from report.claims import HOLDS
+from report.compare import Comparison, Move
+from report.deriving.releases import Headline, cell
+from report.editions import Edition
+from report.records.measure import seconds_known
+from report.records.project import Project
+
+DECIDING = ("reproduction", "contact_source", "upgrade", "noise")
+"""Sections that tell most in least time."""
+CPU_SECONDS = {"full": 770, "quick": 170}
+"""What they take on two cores of a CPU, where no record says."""
+SLIP = Headline("slip as shipped", "reproduction", "as-shipped", "slip_mm", "mm")
+CAUSE = ("upgrade", "cause")
+"""The claim that says why, where it holds."""
+NAMED = 4
+"""Claims that are named in the verdict."""
+
+
+def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> float:
+    """How long the sections may take [s], by what they took before."""
+    return seconds_known(project, device, sections) or CPU_SECONDS[project.profile] * len(sections) / len(DECIDING)
+
+
+def base_of(project: Project) -> str | None:
+    """The edition before this one that has what decides; None where there is none in this profile."""
+    order = project.releases
+    before = order[: order.index(project.release)]
+    there = [release for release in before if _has_deciding(project.of(release))]
+    return there[-1] if there else None
+
+
+def _has_deciding(project: Project) -> bool:
+    return all(project.record_path(section).exists() for section in DECIDING)
+
+
+def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
+    """The lines, worst first."""
+    a, b = found.releases
+    lines = [f"Newton {b} against {a}: {_measured(after)}"]
+    if found.faults:
+        lines.append(f"can't be trusted: {_few([fault.text for fault in found.faults])}")
+    flips = [
+        f"{flip.section}.{flip.before.name} {flip.before.outcome.said} → {flip.after.outcome.said}"
+        for flip in found.flips
+    ]
+    lines.append(f"flipped: {_few(flips) if flips else 'no claim'}")
+    lines.append(f"moved: {_moved(found.moves, before, after)}")
+    lines.append(f"why: {_why(after) if flips else 'nothing to explain'}")
+    lines.append(f"what to do: {_advice(found)}")
+    return lines
+
+
+def _measured(edition: Edition) -> str:
+    records = [chapter.results.record for name, chapter in edition.chapters.items() if name in DECIDING]
+    machines = sorted({record.machine_text for record in records})
+    seconds = sum(record.measured["seconds"] for record in records)
+    profile = "" if edition.project.profile == "full" else f", {edition.project.profile}"
+    return f"{', '.join(record.section for record in records)} on {' and '.join(machines)}, {seconds:.0f} s{profile}"
+
+
+def _few(names: Sequence[str]) -> str:
+    more = f"; and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return "; ".join(names[:NAMED]) + more
+
+
+def _moved(moves: Sequence[Move], before: Edition, after: Edition) -> str:
+    chapters = {"a": before.chapters, "b": after.chapters}
+    slips = [cell(chapters, side, SLIP) for side in chapters]
+    worse = sum(move.verdict == "worse" and not move.is_near for move in moves)
+    better = sum(move.verdict == "better" and not move.is_near for move in moves)
+    return f"{SLIP.label} {slips[0]} → {slips[1]}; {len(moves)} values beyond the noise, {better} better, {worse} worse"
+
+
+def _why(after: Edition) -> str:
+    section, name = CAUSE
+    claims = after.chapters[section].section.claims if section in after.chapters else ()
+    told = [claim for claim in claims if claim.name == name and claim.outcome == HOLDS]
+    return told[0].text if told else "the sections that were measured do not say"
+
+
+def _advice(found: Comparison) -> str:
+    a, b = found.releases
+    if found.faults:
+        return "look at what can't be trusted first; nothing else can be said"
+    if found.flips:
+        flip = found.flips[0]
+        return f"make bisect CLAIM={flip.section}.{flip.before.name} A={a} B={b} finds which change did it"
+    return "nothing; make report measures the rest"

@@ -1,0 +1,140 @@
+"""Bisect, history and retire: on records that are there already, and on a small repository."""
+
+import subprocess
+import sys
+from argparse import Namespace
+from dataclasses import replace
+
+import pytest
+from conftest import ROWS, Toy
+from test_stack import checkout, git  # noqa: F401
+
+import build
+from report import UsageError, bisect
+from report.bisect import Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
+from report.check import check_site
+from report.editions import editions_of
+from report.history import history
+from report.page import Templates
+from report.records.manifest import Manifest, write_manifest
+from report.records.record import write_record
+from report.records.stack import stack_of
+
+SOFT, STIFF = ROWS
+WORSE = ({**SOFT, "slip_mm": 0.4}, STIFF)
+"""With these rows the toy's claim fails."""
+OLD = {"warp-lang": "1.15.0", "mujoco-warp": "3.10.0", "mujoco": "3.10.0"}
+NEW = {"warp-lang": "1.16.0", "mujoco-warp": "3.11.0", "mujoco": "3.11.0"}
+
+
+@pytest.mark.parametrize("count", [2, 3, 8, 9])
+def test_the_first_change_is_found_wherever_it_is(count):
+    for change in range(1, count):
+        assert first_change(range(count), lambda point, change=change: point < change) == (change - 1, change, [])
+
+
+def test_what_cannot_tell_is_passed_over_and_named():
+    cannot = {3, 4}
+    found = first_change(range(8), lambda point: None if point in cannot else point < 4)
+    assert found == (2, 5, [3, 4])
+
+
+def keep(toy: Toy, release: str, rows, packages: dict[str, str]) -> None:
+    """What a release gave, as if it had been measured."""
+    side = toy.of(release)
+    newton = release.partition("+")[0]
+    record = side.record(rows)
+    identity = replace(record.identity, packages={"newton": newton, **packages})
+    write_record(side.record_path, replace(record, identity=identity))
+
+
+@pytest.fixture
+def search(toy, monkeypatch) -> Bisection:
+    """The toy's claim holds up to 1.5.0 and fails from 1.6.0 on."""
+    monkeypatch.setattr(bisect, "releases_between", lambda first, last: ["1.5.0", "1.6.0", "1.7.0"])
+    for release, rows, packages in (("1.5.0", ROWS, OLD), ("1.6.0", WORSE, NEW), ("1.7.0", WORSE, NEW)):
+        keep(toy, release, rows, packages)
+    keep(toy, "1.8.0", WORSE, NEW)
+    return Bisection(toy.project, Question("toy.helps", True), "cpu", Templates(toy.project.templates))
+
+
+def test_the_release_and_then_newton_itself(toy, search, capsys):
+    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()
+    assert said[0] == "toy.helps changes between 1.5.0 and 1.6.0"
+    assert said[1].startswith("newton 1.6.0 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
+    assert "1.7.0" not in capsys.readouterr().out, "what lies behind the change is not asked"
+
+
+def test_or_another_package_of_it(toy, search):
+    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
+    keep(toy, "1.5.0+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    keep(toy, "1.5.0+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()[1]
+    assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.0 does so too")
+
+
+def test_a_value_is_followed_as_well(toy, search):
+    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    search = replace(search, question=Question("toy.soft.slip_mm", False))
+    assert bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).startswith(
+        "toy.soft.slip_mm changes between 1.5.0"
+    )
+
+
+def test_there_is_nothing_to_find_between_ends_that_agree(search):
+    with pytest.raises(UsageError, match="holds at A and holds at B"):
+        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.0"))
+
+
+def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
+    code = checkout / "newton/__init__.py"
+    commits = []
+    for value in range(2, 8):
+        code.write_text(f"x = {value}\n")
+        git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
+        commits.append(git(checkout, "rev-parse", "--short", "HEAD"))
+    clone = tmp_path / "clone"
+    judge = [
+        sys.executable,
+        "-c",
+        f"import sys; sys.path[:0] = [{str(clone)!r}]; import newton; sys.exit(newton.x >= 5)",
+    ]
+    for _ in range(2):  # again, as after an interruption
+        found = bisect_commits(checkout, "HEAD~6", "main", judge, clone)
+        assert found.startswith(commits[3]) and found.endswith("x is 5")
+        subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
+
+
+def test_commits_of_one_repository_are_seen_as_such(checkout):  # noqa: F811
+    first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
+    assert common_repository(first, last) == (checkout, "HEAD", "main")
+    assert common_repository(first, stack_of("1.8.0")) is None
+
+
+def test_a_history_has_every_edition_and_says_what_moved(toy, search):
+    editions = editions_of(toy.project, Templates(toy.project.templates))
+    lines = history(editions, Question("toy.soft.slip_mm", False)).splitlines()
+    assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.0", "6.362"], ["1.6.0", "0.4", "better"]]
+    lines = history(editions, Question("toy.helps", True)).splitlines()
+    assert [line.split() for line in lines[1:4]] == [
+        ["1.4.0", "holds"],
+        ["1.5.0", "holds"],
+        ["1.6.0", "fails", "flipped"],
+    ]
+
+
+def test_a_retired_edition_leaves_no_link(toy, search, capsys):
+    toy.build()
+    stack = stack_of("1.6.0")
+    side = toy.project.of("1.6.0")
+    write_manifest(side.results, Manifest("1.6.0"))
+    (toy.project.root / ".venv-newton-1.6.0").mkdir()
+    assert build.retire(side, Namespace(stack=stack, address="")) == 0
+    assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
+    site = toy.project.site
+    assert not (site / "newton-1.6.0").exists() and "1.6.0" not in toy.front and check_site(site) == []
+    with pytest.raises(UsageError, match="neither results"):
+        build.retire(side, Namespace(stack=stack, address=""))
+    with pytest.raises(UsageError, match="stays"):
+        build.retire(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))
