@@ -190,7 +190,7 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def newest(project: Project, arguments: argparse.Namespace) -> int:
-    """Print, for a workflow, what the index has of Newton, or else of one other package, that is newer than all here."""
+    """Print, for a workflow, what the index has of Newton, or else of one other package, newer than all here."""
     from report.records.label import read_label
     from report.records.stack import releases_of
     from report.records.status import records_of
