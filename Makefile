@@ -22,7 +22,7 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test torture lint help
+.PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test worlds torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]
@@ -67,11 +67,14 @@ verify: $(READY) ## Measure the headline again, in a minute or three, beside wha
 publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages of git's origin [TARGET]
 	$(RUN) publish
 
-serve: $(READY) ## Serve site/ at http://127.0.0.1:8000 [PORT]
+serve: $(READY) ## Serve site/ at http://127.0.0.1:8000, and build it again on every change [PORT NEWTON PROFILE]
 	$(RUN) serve
 
 test: $(READY) ## Run the tests, which need no GPU [NEWTON]
 	$(RUN) test
+
+worlds: $(READY) ## Build the site as it would be if something else had been measured, and check it
+	$(RUN) worlds
 
 torture: $(READY) ## Run what is too slow for the tests: kill, fill and damage, into docs/reliability.md
 	$(RUN) torture

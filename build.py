@@ -15,16 +15,15 @@ import subprocess
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 
-from report import ReportError, UsageError
+from report import ROOT, ReportError, UsageError
 from report.records.clips import clips_state
 from report.records.columns import UNPRINTABLE
 from report.records.devices import DEVICES, NO_CUDA, has_cuda, measuring_device
 from report.records.environment import add_group, environment_of, python_of
 from report.records.files import settle
-from report.records.identity import sections
+from report.records.identity import sections, sources_kept
 from report.records.measure import measure, measure_headline
 from report.records.project import PROFILES, Project, own_release
 from report.records.stack import Stack, stack_of
@@ -33,6 +32,7 @@ from report.records.status import expected_packages, states_of, status_matrix, s
 if TYPE_CHECKING:
     from report.bisect import Question
     from report.editions import Edition
+    from report.site import Built
 
 
 def main() -> int:
@@ -48,7 +48,8 @@ def main() -> int:
         arguments.stack = stack_of(arguments.newton.asked if arguments.newton else own, arguments.pins)
         project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
         settle(project.results.parent)
-        result = arguments.run(project, arguments)
+        with sources_kept(project.root):
+            result = arguments.run(project, arguments)
         print(end="", flush=True)
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
@@ -156,7 +157,7 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
             side = measure(side, stack, [section for section in DECIDING if section in lacking], device)
         sides.append(side)
     names = [side.release for side in sides]
-    editions = editions_of(project, Templates(project.templates), names)
+    editions = editions_of(project, Templates(project.templates), among=names)
     comparison = compare(*(editions[name] for name in names))
     print(upgrade_said(comparison, verdict(comparison, *(editions[name] for name in names)), arguments.format))
     if arguments.format == "text":
@@ -324,20 +325,26 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
+def worlds(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site of each altered world, and write anew what it says otherwise, into tests/worlds/."""
+    return subprocess.run([sys.executable, "-m", "tests.worlds"], cwd=project.root, check=False).returncode
+
+
 def torture(project: Project, arguments: argparse.Namespace) -> int:
     """Kill, fill and damage whatever there is, and write how that went into docs/reliability.md."""
     return subprocess.run([sys.executable, "-m", "tests.torture"], cwd=project.root, check=False).returncode
 
 
 def serve(project: Project, arguments: argparse.Namespace) -> int:
-    """Serve the site until Ctrl-C."""
-    handler = partial(SimpleHTTPRequestHandler, directory=project.site)
-    try:
-        server = ThreadingHTTPServer(("127.0.0.1", arguments.port), handler)
-    except OSError as error:
-        raise UsageError(f"PORT={arguments.port} can't be served at: {error.strerror}; PORT=8001 may be free") from None
+    """Serve the site until Ctrl-C, and build it again whenever something changes."""
+    from report.serving import Server
+
+    _refuse_unmeasured(project, arguments.stack)
+    server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
-    server.serve_forever()
+    # In a process of its own, since what changes may be the program.
+    command = [sys.executable, "build.py", "page", "--newton", arguments.stack.asked, "--profile", project.profile]
+    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
 
 
@@ -345,24 +352,23 @@ def _build(project: Project, address: str) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
     from report.site import build
 
-    editions = build(project, address)
-    edition = editions[project.release]
-    stale = [name for name, chapter in edition.chapters.items() if chapter.state.notes]
-    missing = [state.section for state in edition.left_out if state.kind == "missing"]
-    lacking = [*missing, *(state.section for state in edition.left_out if state.kind != "missing"), *stale]
+    releases = build(project, address)
+    built = releases[project.release]
+    missing = [state.section for state in built.left_out if state.kind == "missing"]
+    lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
     device = measuring_device(None, "full") or "cpu"
-    for words, names in (("not measured", missing), ("stale", stale)):
+    for words, names in (("not measured", missing), ("stale", built.stale)):
         if names:
             print(f"{words}: {', '.join(names)}")
     if lacking:
         print(f"{project.rerun(lacking[0], None if device == 'cuda' else device)} measures one of them")
     print(f"built {project.site / 'index.html'}")
-    return _say_damage(editions.values()), bool(lacking)
+    return _say_damage(releases.values()), bool(lacking)
 
 
-def _say_damage(editions: "Iterable[Edition]") -> bool:
+def _say_damage(releases: "Iterable[Edition | Built]") -> bool:
     """Name each record that can't be trusted; whether there is one."""
-    damaged = [state for edition in editions for state in edition.left_out if state.kind == "damaged"]
+    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
     for state in damaged:
         print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
     return bool(damaged)
@@ -392,6 +398,8 @@ def _question(arguments: argparse.Namespace) -> "Question":
 def _section(name: str) -> str:
     if name not in sections():
         fault = f"SECTION={name} is no section" if name else "SECTION is missing"
+        if name.isidentifier() and (ROOT / "experiments" / f"{name}.py").is_file():
+            fault += f": there is no report/sections/{name}.py"
         raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
 
@@ -484,8 +492,9 @@ COMMANDS = {
     trace: ("value", "newton", "profile"),
     verify: ("newton", "device"),
     publish: ("target",),
-    serve: ("port",),
+    serve: ("port", "newton", "profile"),
     test: ("newton", "with"),
+    worlds: (),
     torture: (),
 }
 """What there is to run, and the options that each has."""

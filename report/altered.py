@@ -9,10 +9,9 @@ import pandas as pd
 
 from report.chapters import Chapters
 from report.editions import derive_section, editions_of
-from report.noise import NOISE, Floor, noise_floors
+from report.noise import NOISE, noise_floors
 from report.page import Templates
 from report.parts import Section
-from report.quantities import Value
 from report.records.columns import REASON
 from report.records.project import Project, own_release
 from report.records.record import Record
@@ -98,17 +97,6 @@ class World:
 
         Sections between an altered one and this one stay as they are.
         """
-        _, section = self._derived(release, name, records, traces)
-        text = self.templates.text(f"sections/{name}.md.j2")
-        return section.worded(name, text.name, text.words)
-
-    def values(self, release: str, name: str, records: Mapping[str, Record]) -> Mapping[str, Value]:
-        """What a section derives of these records, by name."""
-        return self._derived(release, name, records, {})[0].derived
-
-    def _derived(
-        self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]
-    ) -> tuple[Results, Section]:
         releases = {
             each: {
                 section: replace(chapter, results=self._results(each, section, records, traces))
@@ -121,18 +109,18 @@ class World:
         results = self._bare(release, name, records, traces)
         releases[release][name] = replace(releases[release][name], results=results)
         others = {other: releases[release][other].results for other in results.others}
-        return results, derive_section(replace(results, others=others), releases)
+        section = derive_section(replace(results, others=others), releases)
+        text = self.templates.text(f"sections/{name}.md.j2")
+        return section.worded(name, text.name, text.words)
 
     def _bare(
         self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]
     ) -> AlteredResults:
         kept = self.releases[release][name].results
         record = records.get(kept.source, kept.record)
-        return AlteredResults(record, kept.path, kept.others, {}, self._floors(release, records), traces)
-
-    def _floors(self, release: str, records: Mapping[str, Record]) -> Mapping[str, Floor]:
-        there = [chapter.results for name, chapter in self.releases[release].items() if name == NOISE]
-        return noise_floors(records.get(results.source, results.record) for results in there)
+        noise = records.get(f"{kept.path.parent.name}/{NOISE}.json")
+        floors = noise_floors([noise]) if noise else kept.floors
+        return AlteredResults(record, kept.path, kept.others, {}, floors, traces)
 
     def _results(self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]) -> Results:
         results = self._bare(release, name, records, traces)

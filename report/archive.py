@@ -3,12 +3,11 @@
 import csv
 import io
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
-
-import pandas as pd
 
 from report.chapters import Chapter
 from report.editions import Edition
@@ -59,8 +58,7 @@ def _data_files(editions: Mapping[str, Edition]) -> Iterator[tuple[str, bytes]]:
             path = chapter.results.path
             for file in (path, *traces_of(path, chapter.results.record)):
                 yield f"{path.parent.name}/{file.name}", file.read_bytes()
-            table = pd.DataFrame(chapter.results.record.rows).to_csv(index=False, lineterminator="\n")
-            yield f"{path.parent.name}/{path.stem}.csv", table.encode()
+            yield f"{path.parent.name}/{path.stem}.csv", rows_csv(chapter.results.record.rows)
         values = {chapter.name: chapter.values for chapter in edition.chapters.values()}
         text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
         yield f"newton-{release}/{VALUES_FILE}", f"{text}\n".encode()
@@ -93,7 +91,13 @@ def _columns(editions: Mapping[str, Edition]) -> list[Column]:
     ]
 
 
-def _csv(head: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> bytes:
+def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
+    """Rows as a table; what a row lacks is empty."""
+    columns = tuple(dict.fromkeys(column for row in rows for column in row))
+    return _csv(columns, (tuple(map(row.get, columns)) for row in rows))
+
+
+def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(head)

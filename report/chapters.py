@@ -26,6 +26,8 @@ class Chapter:
     """Where it is shown."""
     compares: bool = False
     """Whether it compares releases, so that what it derives is of one page alone."""
+    digest: str = ""
+    """Of all that it was made from, as far as others read it; empty where nothing is kept."""
 
     @property
     def name(self) -> str:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from report.quantities import Quantity
 from report.records.clips import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
 from report.records.project import Project
 from report.records.status import State
@@ -34,13 +35,14 @@ class Clips:
         row = self.results.row[case]
         return Markup(
             '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
-            'src="{}" aria-label="{}"></video><figcaption>{}</figcaption></figure>'
+            'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'
         ).format(
             row.width_px.value,
             row.height_px.value,
             self._address(row.poster),
             self._address(row.file),
             f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}.",
+            self._sources(row),
             self._marked(caption),
         )
 
@@ -48,8 +50,8 @@ class Clips:
         """The long exposure, which leads to ``link``, where there is one."""
         row, first = self.results.row[STILL], self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
-        image = Markup('<img src="{}" width="{}" height="{}" alt="{}" loading="lazy">').format(
-            self.picture, row.width_px.value, row.height_px.value, alt
+        image = Markup('<img src="{}" width="{}" height="{}" alt="{}"{} loading="lazy">').format(
+            self.picture, row.width_px.value, row.height_px.value, alt, self._sources(first)
         )
         linked = Markup('<a href="{}">{}</a>').format(link, image) if link else image
         caption = self._marked(caption)
@@ -65,9 +67,17 @@ class Clips:
         notes = "; ".join(self.state.notes)
         return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
 
+    def _moved(self, row: Row) -> dict[str, Quantity]:
+        """The runs of a clip, and how far the cube has moved at its end."""
+        return {name.replace("-", " "): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+
+    def _sources(self, row: Row) -> Markup:
+        there = [slip.source for slip in self._moved(row).values() if slip.value is not None]
+        return Markup(' data-src="{}"').format(" ".join(there)) if there else Markup("")
+
     def _said(self, row: Row) -> str:
-        """The runs of a clip, and what is read out at its end."""
-        moved = {name.replace("-", " "): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        """What is read out at the end of a clip."""
+        moved = self._moved(row)
         return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
 
     def _address(self, name: str) -> str:

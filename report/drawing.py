@@ -1,31 +1,39 @@
 """Drawing: all figures of a build at once, on every processor that there is."""
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from report.parts import Figure
+from report.parts import Figure, Pictures
 from report.records.processes import workers
 
 _figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
 
 
-def draw_all(figures: Sequence[Figure]) -> list[Markup]:
-    """Each figure as HTML, in their order."""
+def draw_all(figures: Sequence[Figure]) -> list[Pictures]:
+    """Each figure as it is drawn, in their order."""
     global _figures
     count = min(_processor_count(), len(figures))
     if count < 2:
-        return [figure.drawn() for figure in figures]
+        return [(figure.picture(is_narrow=False), figure.picture(is_narrow=True)) for figure in figures]
     _figures = figures
-    with workers(count, "fork") as pool:
-        return list(pool.map(_draw, range(len(figures))))
+    with workers(count, "fork", _begin) as pool:
+        drawn = list(pool.map(_draw, range(2 * len(figures))))
+    return list(zip(drawn[::2], drawn[1::2], strict=True))
+
+
+def _begin() -> None:
+    """Look for garbage seldom: a drawing makes many objects, and few that nobody needs any more."""
+    gc.freeze()
+    gc.set_threshold(100_000)
 
 
 def _draw(index: int) -> Markup:
-    return _figures[index].drawn()
+    return _figures[index // 2].picture(is_narrow=bool(index % 2))
 
 
 def _processor_count() -> int:

@@ -1,39 +1,34 @@
 """Editions: every section of a release that has results is derived and put into words; nothing is drawn yet."""
 
-import inspect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from hashlib import sha256
 from importlib import import_module
-from pathlib import Path
-from traceback import extract_tb
-from types import ModuleType
 from typing import Any
 
-from report import ReportError
+from report import ROOT, ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.clips import Clips, clips_of
+from report.derived import LostError, Noted, Outline, Reads, derive_section, outline_of
+from report.keeping import Derivation, Keeper, Made
 from report.noise import NOISE, noise_floors
-from report.packed import replayed_runs
 from report.page import Prose, Templates, Text
-from report.pages import DEFAULT, FRONT, PAGES, REPLAY, Page, page_named
+from report.pages import FRONT, PAGES, REPLAY, Page
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
+from report.records.identity import files_digest
 from report.records.project import Project
 from report.records.status import State, states_of
+from report.records.traces import traces_of
 from report.results import Results, ResultsError
+from report.story.cards import cards_of
 from report.story.found import Found
-from report.story.front import cards_of, front_of
-from report.story.story import story_of
 
-RETOLD = {"front": front_of, "story": story_of}
-"""By template: what retells the findings of the sections in claims of its own."""
-
-
-class LostError(ReportError):
-    """A record from which nothing of its section can be derived; the message is one line."""
+RETOLD = ("front", "story")
+"""Templates of which a module of report/story/ retells the findings of the sections, in claims of its own."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +39,7 @@ class Edition:
     chapters: Chapters
     left_out: Sequence[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
+    keeper: Keeper = field(default_factory=Keeper)
 
     @property
     def pages(self) -> dict[Page, list[Chapter]]:
@@ -60,20 +56,26 @@ class Edition:
     @cached_property
     def replay(self) -> dict[str, Any] | None:
         """The runs of its replay; None where they are not kept."""
-        return replayed_runs(self.chapters)
+        if "poses" not in self.chapters:
+            return None
+        project, results = self.project, self.chapters["poses"].results
+        name, code = f"{project.profile}.{project.release}.replay", ROOT / "report" / "packed.py"
+        return self.keeper.value(name, code, [_results_digest(results)], lambda: _replayed(results))
 
     def unmeasured(self, page: Page) -> list[State]:
         """The sections of a page, or of all for the front page, that have not been measured."""
         missing = [state for state in self.left_out if state.kind == "missing"]
-        return [state for state in missing if page in (FRONT, _page(_module(state.section)))]
+        return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
-        return [self._text(templates.text(template), names) for template in page.texts]
+        levels = [1] + [2] * (len(page.texts) - 1)  # the first has the title of the page
+        texts = zip(page.texts, levels, strict=True)
+        return [self._text(templates.text(template), names, level) for template, level in texts]
 
-    def _text(self, text: Text, names: Mapping[str, Any]) -> Prose:
+    def _text(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
-        section = RETOLD[anchor](self.chapters) if anchor in RETOLD else Section()
+        section = self._retold(anchor) if anchor in RETOLD else Section()
         if not section.claims:  # where the shake test was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
@@ -95,91 +97,122 @@ class Edition:
             "table": _finder(anchor, "table", section.tables),
             "figure": _finder(anchor, "figure", section.figures),
         }
-        return text.prose(anchor, {**known, **names})
+        return text.prose(anchor, {**known, **names}, level)
+
+    def _retold(self, name: str) -> Section:
+        def make(reads: Reads) -> Derivation:
+            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads)), {}
+
+        project = self.project
+        code = ROOT / "report" / "story" / f"{name}.py"
+        reads = Reads({"": self.chapters}, {("", name): chapter.digest for name, chapter in self.chapters.items()})
+        return self.keeper.made((project.profile, project.release, name), code, (), reads, make).section
 
 
-def editions_of(project: Project, templates: Templates, among: Sequence[str] | None = None) -> dict[str, Edition]:
+def editions_of(
+    project: Project, templates: Templates, keeper: Keeper | None = None, among: Sequence[str] | None = None
+) -> dict[str, Edition]:
     """What the results of every release make, oldest first; ``among``: of these alone."""
+    keeper = keeper or Keeper()
     shown = project.releases if among is None else among
-    derived = {release: derive_edition(project.of(release), templates) for release in shown}
+    derived = {release: derive_edition(project.of(release), templates, keeper) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
-    return {release: _compared(edition, releases, templates) for release, edition in derived.items()}
+    return {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
 
 
-def derive_edition(project: Project, templates: Templates) -> Edition:
+def derive_edition(project: Project, templates: Templates, keeper: Keeper | None = None) -> Edition:
     """What the results of one release make by themselves: a section that compares releases has its results alone."""
+    keeper = keeper or Keeper()
     states = states_of(project)
     left_out = [state for state in states if not state.record]
-    modules = [(state, _module(state.section)) for state in states if state.record]
-    floors = noise_floors(state.record for state, _ in modules if state.section == NOISE)
+    outlines = [(state, outline_of(state.section)) for state in states if state.record]
+    floors = noise_floors(state.record for state, _ in outlines if state.section == NOISE)
     found: dict[str, Chapter] = {}
-    for state, module in sorted(modules, key=lambda pair: pair[1].order):
+    for state, outline in sorted(outlines, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
         results = Results(state.record, project.record_path(state.section), others, floors=floors)
         try:
-            if _compares(module):
-                chapter = Chapter(state, results, Section(), {}, None, _page(module), compares=True)
+            if outline.compares:
+                digest = _results_digest(results)
+                chapter = Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
             else:
-                chapter = _chapter(project, state, results, derive_section(results, {}), templates, found)
+                made = _made(project, results, outline, found, {}, keeper)
+                chapter = _chapter(project, state, results, outline, made, templates, found)
+                keeper.tell(project.release, chapter.section, chapter.name)
         except Exception as error:
             left_out.append(_left_out(project, state, error))
         else:
             found[state.section] = chapter
-    return Edition(project, found, left_out)
+    return Edition(project, found, left_out, keeper)
 
 
-def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
+def _compared(edition: Edition, releases: Releases, templates: Templates, keeper: Keeper) -> Edition:
     """The same with the sections that compare releases."""
     chapters, left_out = dict(edition.chapters), list(edition.left_out)
+    project = edition.project
     for name, chapter in edition.chapters.items():
         if chapter.compares:
-            results = replace(chapter.results, derived={})  # what is derived here is of this page alone
+            results, outline = chapter.results, outline_of(name)
             try:
-                section = derive_section(results, releases)
-                made = _chapter(edition.project, chapter.state, results, section, templates, edition.chapters)
-                chapters[name] = replace(made, compares=True)
+                before = {each: edition.chapters[each] for each in results.others}
+                made = _made(project, results, outline, before, releases, keeper)
+                full = _chapter(project, chapter.state, results, outline, made, templates, edition.chapters)
+                chapters[name] = replace(full, compares=True)
             except Exception as error:
                 left_out.append(_left_out(edition.project, chapter.state, error))
                 del chapters[name]
     refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
-    return Edition(edition.project, chapters, left_out)
+    return Edition(edition.project, chapters, left_out, keeper)
 
 
-def derive_section(results: Results, releases: Releases) -> Section:
-    """What a section makes of its results, its words not yet said; one that compares releases has them as well."""
-    module = _module(results.record.section)
-    try:
-        return module.derive(results, releases) if _compares(module) else module.derive(results)
-    except ReportError:
-        raise
-    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
-        what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
-        raise LostError(f"its record lacks what the section is about ({what})") from error
+def _made(
+    project: Project, results: Results, outline: Outline, before: Chapters, releases: Releases, keeper: Keeper
+) -> Made:
+    """What a section makes of its results, and of those of the sections before it, or of all releases."""
+
+    def make(reads: Reads) -> Derivation:
+        given = replace(results, others=Noted(reads), derived={})
+        return derive_section(given, {release: Noted(reads, release) for release in releases}), given.derived
+
+    places: dict[str, Mapping[str, Any]] = {"": results.others, **releases}
+    digests = {("", name): chapter.digest for name, chapter in before.items()}
+    for release, chapters in releases.items():
+        digests |= {(release, name): chapter.digest for name, chapter in chapters.items()}
+    place = project.profile, project.release, results.record.section
+    given = [_results_digest(results), repr(sorted(results.floors.items()))]
+    return keeper.made(place, outline.file, given, Reads(places, digests), make)
+
+
+def _results_digest(results: Results) -> str:
+    """Of a record and its traces."""
+    folder = results.path.parent
+    return files_digest([results.path, *traces_of(results.path, results.record)], folder) + folder.name
+
+
+def _replayed(results: Results) -> dict[str, Any] | None:
+    from report.packed import replayed_runs  # it takes NumPy, which takes long to import
+
+    return replayed_runs(results)
 
 
 def _chapter(
-    project: Project, state: State, results: Results, section: Section, templates: Templates, before: Chapters
+    project: Project,
+    state: State,
+    results: Results,
+    outline: Outline,
+    made: Made,
+    templates: Templates,
+    before: Chapters,
 ) -> Chapter:
     name = state.section
-    module = _module(name)
+    results = replace(results, derived=dict(made.values))
     text = templates.text(f"sections/{name}.md.j2")
-    source = f"report/sections/{name}/" if hasattr(module, "__path__") else f"report/sections/{name}.py"
-    section = section.worded(name, text.name, text.words, Making(source, project.rerun(name)))
+    section = made.section.worded(name, text.name, text.words, Making(outline.source, project.rerun(name)))
     names = _names(results, section, before)
-    return Chapter(state, results, section, names, text.prose(name, names), _page(module))
-
-
-def _module(section: str) -> ModuleType:
-    return import_module(f"report.sections.{section}")
-
-
-def _page(module: ModuleType) -> Page:
-    return page_named(getattr(module, "page", DEFAULT), module.__name__)
-
-
-def _compares(module: ModuleType) -> bool:
-    """Whether a section compares releases: its ``derive`` then takes them as a second argument."""
-    return len(inspect.signature(module.derive).parameters) > 1
+    # Others read its claims, whose outcomes its words have a part in, and none of its words.
+    outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
+    digest = sha256(repr((made.digest, outcomes, state.notes)).encode()).hexdigest()
+    return Chapter(state, results, section, names, text.prose(name, names), outline.page, digest=digest)
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
@@ -194,12 +227,6 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
     place = "" if isinstance(error, RecordError) else f"{place_of(project.record_path(state.section))}: "
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
-
-
-def _line_of(error: Exception) -> str:
-    """Where an error was raised, for whoever has to mend it."""
-    where = extract_tb(error.__traceback__)[-1]
-    return f"{Path(where.filename).name}:{where.lineno}"
 
 
 def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:

@@ -12,16 +12,19 @@ from typing import Any
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
+from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 from matplotlib.ticker import (
+    AutoLocator,
     FixedLocator,
     FuncFormatter,
     LogFormatter,
     LogFormatterMathtext,
     LogLocator,
+    MaxNLocator,
     NullFormatter,
     NullLocator,
 )
@@ -78,6 +81,8 @@ NARROW_WIDTH = 3.6
 """Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
 LEAST_SIZE = 7.0
 """Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
+MOST_TICKS = 5
+"""Steps between ticks along a narrow figure."""
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
@@ -127,15 +132,14 @@ def plain_labels(*, digits: int = 6) -> FuncFormatter:
     return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
 
 
-def write(quantity: Quantity, *, digits: int = 3, is_short: bool = False) -> str:
+def write(quantity: Quantity, *, is_short: bool = False) -> str:
     """A number as text of the figure that is being drawn, which then says where it is from.
 
     Args:
         quantity: The number; its unit is said by the text around it.
-        digits: At most so many significant digits.
         is_short: Whether there is room for no more than four characters.
     """
-    text = format_short(quantity.value) if is_short else quantity.in_digits(digits)
+    text = format_short(quantity.value) if is_short else quantity.written
     told = _told.get()
     if told is not None and quantity.source:
         told[text] = quantity.source
@@ -183,6 +187,11 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
     return drawing, grid.squeeze()[()] if squeeze else grid
 
 
+def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
+    """The value of a mark or a bar, ``gap`` points to the right of it."""
+    axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
+
+
 def is_narrow() -> bool:
     """Whether a figure is being drawn for a narrow screen."""
     return _is_narrow.get()
@@ -223,8 +232,12 @@ def _fit_narrow(drawing: Drawing) -> None:
             axes.set_yticks(axes.get_yticks(), [textwrap.fill(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(_folded(axes.get_title("left")), fontsize=9)
+        if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
+            axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for label in (axes.xaxis.label, axes.yaxis.label):
             label.set(text=_folded(label.get_text()), fontsize=9)
+    if drawing.get_supxlabel():
+        drawing.supxlabel(_folded(drawing.get_supxlabel()), fontsize=9)
     for text in drawing.findobj(Text):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
 
@@ -242,15 +255,8 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str, sources: Sequence[str] = ()) -> Markup:
-    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes.
-
-    Args:
-        draw: Draws it.
-        name: How its ids begin.
-        alt: What it says to whoever can't see it.
-        sources: Pointers to the numbers in that, in their order.
-    """
+def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
+    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
     with own_style({"svg.hashsalt": name}), _telling() as told:
         buffer = io.StringIO()
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
@@ -266,9 +272,8 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str, alt: str, sources: Seque
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     kind = "narrow" if is_narrow() else "broad"
-    opening = Markup('<svg class="{}" viewBox="{}" role="img" aria-label="{}"{}>')
-    links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
-    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1], alt, links), svg, count=1).strip())
+    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
 
 
 @contextmanager

@@ -25,14 +25,13 @@ def unit_label(unit: str) -> str:
     return LABELS.get(unit, unit)
 
 
-def format_number(value: float | int | None, *, noise: float | None = None, digits: int = DIGITS_KNOWN) -> str:
+def format_number(value: float | int | None, *, noise: float | None = None) -> str:
     """``value`` as people write it.
 
     Args:
         value: Measured, counted or chosen; what is counted, an integer, is written in full.
         noise: How far apart two measurements of it come out, in its unit; None where nobody knows, and 0 for what was
             chosen, or computed from nothing but what was.
-        digits: At most so many significant digits of what is measured, where there is little room.
     """
     if value is None:
         return ABSENT
@@ -45,16 +44,21 @@ def format_number(value: float | int | None, *, noise: float | None = None, digi
         return _format_chosen(value)
     if noise and abs(value) <= noise:
         return f"<{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
-    return _format_decimal(rounded(value, noise, digits=digits))
+    return _format_decimal(rounded(value, noise))
 
 
-def rounded(value: float, noise: float | None, *, digits: int = DIGITS_KNOWN) -> Decimal:
+def format_most(value: float | int | None, *, noise: float | None = None) -> str:
+    """``value`` as what something is at most, or what it is within: for one below the noise that is the noise."""
+    return format_number(value, noise=noise).removeprefix(f"<{THIN_SPACE}")
+
+
+def rounded(value: float, noise: float | None) -> Decimal:
     """``value`` to the last digit that it carries, halves away from zero as its shortest decimal has them.
 
     Two runs are apart by the noise, so that one is off by half of it, and the last digit is worth at least that. What
     is beyond the noise has one digit in any case.
     """
-    digits = min(digits, DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
+    digits = DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN
     exact = Decimal(repr(value))
     place = exact.adjusted() + 1 - digits
     if noise:
@@ -85,10 +89,9 @@ def format_short(value: float) -> str:
 
 
 def spellings(value: float | int | None, noise: float | None) -> list[str]:
-    """All ways in which a figure may write a number, those with most digits first."""
-    found = [format_number(value, noise=noise, digits=digits) for digits in range(DIGITS_KNOWN, 0, -1)]
+    """All ways in which a figure may write a number."""
     is_short = noise is None and value is not None and value >= 0
-    return list(dict.fromkeys([*found, format_short(value)] if is_short else found))
+    return [format_number(value, noise=noise), *([format_short(value)] if is_short else [])]
 
 
 def whole(text: str) -> re.Pattern:

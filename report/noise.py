@@ -109,11 +109,11 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
     value, timed = row[column], RATES.get(column, column)
     if value is None:
         return None
-    if is_exact(column) or isinstance(value, int):
+    if is_exact(column, row) or isinstance(value, int):
         return 0.0
     low, high = (row.get(timed + edge) for edge in EDGES)
     if None not in (low, high) and row.get(timed):
-        share = MEDIAN * (high - low) / math.sqrt(row.get("repeat_count") or 1) / row[timed]
+        share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:
         return None

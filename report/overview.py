@@ -26,10 +26,11 @@ NO_EFFECT = 0.1
 LINE_HEIGHT = 0.38
 """Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+DROPPED = "dropped"
 MARKS = {
     "the baseline's shake": DOT,
     "another shake or duration": DOT | {"markerfacecolor": "none"},
-    "dropped": DOT | {"marker": "x", "color": INK, "markersize": 5},
+    DROPPED: DOT | {"marker": "x", "color": INK, "markersize": 5},
 }
 
 
@@ -121,7 +122,7 @@ def _distance(row: Row, other: Row) -> float:
 
 def _mark(row: Row, baseline: Row) -> str:
     if "dropped" in row and row.dropped:
-        return "dropped"
+        return DROPPED
     said = [(row[name].value, baseline[name].value) for name in SHAKE if name in row and name in baseline]
     same = all(math.isclose(*pair, rel_tol=SHAKE_TOLERANCE) for pair in said)
     return "the baseline's shake" if same else "another shake or duration"
@@ -137,6 +138,7 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     axes.set_xscale("log")
     axes.set_ylim(len(lines) - 0.3, -0.8)
     _draw_dots(axes, lines, baseline)
+    _draw_dropped(axes, lines, baseline)
     for place, line in enumerate(lines):
         if line.farthest:
             _name_farthest(axes, place, line.farthest)
@@ -169,7 +171,7 @@ def _label(line: Line) -> str:
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
     """What it is and how far, above it."""
     axes.annotate(
-        f"{name_of(row.case)}: {write(row.slip_mm, digits=2)}",
+        f"{name_of(row.case)}: {write(row.slip_mm)}",
         (row.slip_mm.value, place),
         xytext=(-3, 5),
         textcoords="offset points",
@@ -181,11 +183,28 @@ def _draw_dots(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
     marks: dict[str, list[tuple[float, int]]] = {}
     for place, line in enumerate(lines):
         for row in line.rows:
-            if row.slip_mm.value is not None:
-                marks.setdefault(_mark(row, baseline), []).append((row.slip_mm.value, place))
+            if row.slip_mm.value is not None and (mark := _mark(row, baseline)) != DROPPED:
+                marks.setdefault(mark, []).append((row.slip_mm.value, place))
     for mark, dots in marks.items():
         axes.plot(*zip(*dots, strict=True), **MARKS[mark])
+    slips = [slip for dots in marks.values() for slip, _ in dots]
+    axes.set_xlim(0.7 * min(slips), 3.0 * max(slips))
+
+
+def _draw_dropped(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
+    """At the edge, with their number: how far away a dropped cube lies says nothing."""
+    for place, line in enumerate(lines):
+        count = sum(row.slip_mm.value is not None and _mark(row, baseline) == DROPPED for row in line.rows)
+        if count:
+            axes.plot([0.97], [place], transform=axes.get_yaxis_transform(), **MARKS[DROPPED])
+            above: dict[str, Any] = {
+                "xycoords": ("axes fraction", "data"),
+                "xytext": (0, 5),
+                "textcoords": "offset points",
+                "ha": "right",
+            }
+            axes.annotate(f"{count} dropped", (0.99, place), fontsize=8, **above)
 
 
 def _legend(axes: Axes) -> list[Any]:
-    return [axes.plot([], [], **style, label=mark)[0] for mark, style in MARKS.items()]
+    return [axes.plot([], [], **style, label=mark)[0] for mark, style in MARKS.items() if mark != DROPPED]

@@ -8,17 +8,11 @@ from typing import Any
 import numpy as np
 
 from report import ReportError
-from report.chapters import Chapters
+from report.pages import SHAKES
 from report.records.kept import kept_run
 from report.records.traces import load_trace, trace_path
 from report.results import Results
 
-SHAKES = {
-    "3 cm": {"as-shipped": "as shipped", "stiff-pads": "stiff pads"},
-    "10 cm": {"as-shipped-10cm": "as shipped", "stiff-pads-10cm": "stiff pads"},
-    "held still": {"hold-60s": "as shipped, held still"},
-}
-"""What can be chosen, and the runs that it shows, by case."""
 SAMPLE_RATE_HZ = 30
 COLUMNS = (
     *(f"joint_{number}" for number in range(9)),
@@ -31,12 +25,10 @@ COLUMNS = (
 WIDEST = 65535
 
 
-def replayed_runs(chapters: Chapters) -> dict[str, Any] | None:
+def replayed_runs(results: Results) -> dict[str, Any] | None:
     """The runs of a release's replay, packed; None where not all of them are kept and whole."""
-    if "poses" not in chapters:
-        return None
     try:
-        return packed_runs(chapters["poses"].results)
+        return packed_runs(results)
     except (ReportError, LookupError, TypeError, ValueError):
         return None
 

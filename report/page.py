@@ -1,10 +1,14 @@
 """The page: templates of Markdown with values in it, made into HTML."""
 
+import marshal
 import re
 import secrets
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache as once
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +29,9 @@ from markupsafe import Markup, escape
 
 from report import ReportError
 from report.parts import Figure
+from report.records.cache import Cache
 from report.stated import StatedTag, references
-from report.words import Wording, WordTags, wordings
+from report.words import Wording, WordTags, refuse_typed, worded
 
 # What a template prints passes Markdown as a token between two private characters and is put back afterwards,
 # so that no value, case name or table is ever taken for Markdown. Alone in its paragraph it may be a block.
@@ -34,8 +39,8 @@ from report.words import Wording, WordTags, wordings
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 TOKEN = re.compile(f"(<p>)?{OPEN}([0-9]+){CLOSE}(?(1)</p>)")
 BLOCK = ("<figure", "<p")
-TITLE = re.compile(r"\s*<h2[^>]*>.*?</h2>", re.DOTALL)
-HEADING = re.compile(r'(<(h[3-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
+TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
+HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 
@@ -71,13 +76,13 @@ class Text:
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
 
-    def prose(self, anchor: str, names: Mapping[str, Any]) -> Prose:
-        """Render it; its first line is its title, and ids of further headings begin with ``anchor``."""
+    def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
+        """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
         printed: list[Any] = []
         with _named(self.name):
             text = self.template.render({**names, "printed": printed})
         headings = {
-            "baselevel": 2,
+            "baselevel": level,
             "slugify": lambda title, separator: f"{anchor}-{slugify(TOKEN.sub(_number, title), separator)}",
         }
         markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
@@ -92,9 +97,15 @@ class Text:
 
 
 class Templates:
-    """The templates of one project; a name that does not exist is an error."""
+    """The templates of one project; a name that does not exist is an error.
 
-    def __init__(self, folder: Path):
+    Args:
+        folder: Where they are.
+        cache: What was compiled before, which takes a while.
+    """
+
+    def __init__(self, folder: Path, cache: Cache | None = None):
+        self._cache = cache
         self._layout = Environment(
             loader=FileSystemLoader(folder),
             undefined=StrictUndefined,
@@ -103,7 +114,8 @@ class Templates:
             lstrip_blocks=True,
         )
         self._prose = self._layout.overlay(finalize=_as_token)
-        self._layout.globals["references"] = references(folder)
+        self._references = references(folder)
+        self._layout.globals["references"] = self._references
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
@@ -117,7 +129,19 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._prose.loader.get_source(self._prose, name)
-        parsed = self._prose.parse(source, name, path)
+        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), source
+        entry = f"template.{name.replace('/', '.')}"
+        found = self._cache and self._cache.get(entry, made_from)
+        if not found:
+            if name.startswith("sections/"):
+                refuse_typed(source)
+            parsed = self._prose.parse(source, name, path)
+            words = worded(self._prose, parsed, f"templates/{name}")
+            found = marshal.dumps(self._prose.compile(parsed, name, path)), words
+            if self._cache:
+                self._cache.put(entry, made_from, found)
+        code, words = found
+        template = Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -126,15 +150,18 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()), printed)
 
-        words = wordings(self._prose, parsed, f"templates/{name}", render)
-        code = self._prose.compile(parsed, name, path)
-        template = Template.from_code(self._prose, code, self._prose.make_globals(None))
-        return Text(name, template, words)
+        return Text(name, template, {what: each.wording(render) for what, each in words.items()})
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
+
+
+@once
+def _own_code() -> tuple[bytes, ...]:
+    """What decides what becomes of a template."""
+    return tuple(Path(__file__).with_name(name).read_bytes() for name in ("page.py", "words.py", "stated.py"))
 
 
 @contextmanager
@@ -143,7 +170,7 @@ def _named(template: str) -> Iterator[None]:
     try:
         yield
     except TemplateNotFound as error:
-        raise ReportError(f"there is no templates/{error.message}") from None
+        raise ReportError(f"there is no templates/{error.name}") from None
     except TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
     except TemplateError as error:

@@ -38,6 +38,12 @@ PAGES = (
 )
 REPLAY = "replay.html"
 """Beside these: the kept runs, on a page by itself."""
+SHAKES = {
+    "3 cm": {"as-shipped": "as shipped", "stiff-pads": "stiff pads"},
+    "10 cm": {"as-shipped-10cm": "as shipped", "stiff-pads-10cm": "stiff pads"},
+    "held still": {"hold-60s": "as shipped, held still"},
+}
+"""What can be chosen on the page of the replay, and the runs that it shows, by case."""
 DEFAULT = "evidence"
 """The page of a section that names none."""
 

@@ -4,21 +4,25 @@ import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import pandas as pd
 from markupsafe import Markup
-from matplotlib.figure import Figure as Drawing
 
 from report import ReportError
 from report.claims import Claim
-from report.figures import draw_svg, narrow_screen
 from report.quantities import VALUES_FILE, Quantity
 from report.results import Series
-from report.tables import table_html
 from report.words import Wording
 
+if TYPE_CHECKING:  # these take long to import, and what is kept from before needs none of them
+    import pandas as pd
+    from matplotlib.figure import Figure as Drawing
+
+Pictures = tuple[Markup, Markup]
+"""A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
 TAG = re.compile("<[^>]*>")
+ROLE = Markup('role="img"')
+"""In a drawn figure: what it says to whoever can't see it comes behind."""
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Where a number is from that there is."""
 
@@ -27,15 +31,24 @@ SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 class Table:
     """A table whose cells are Quantities, text, or yes and no; the index names the rows."""
 
-    frame: pd.DataFrame
+    frame: "pd.DataFrame | Markup"
+    """The HTML of it where it is kept."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """What its caption can name."""
     wording: Wording | None = None
 
     def __html__(self) -> Markup:
         return Markup('<figure class="table"><figcaption>{}</figcaption>{}</figure>').format(
-            _caption(self), table_html(self.frame)
+            _caption(self), self.settled().frame
         )
+
+    def settled(self) -> "Table":
+        """The same as it is kept."""
+        if isinstance(self.frame, Markup):
+            return self
+        from report.tables import table_html
+
+        return replace(self, frame=table_html(self.frame))
 
 
 @dataclass(frozen=True)
@@ -52,7 +65,8 @@ class Making:
 class Figure:
     """A figure, which is drawn only after everything else has been checked."""
 
-    draw: Callable[[], Drawing]
+    draw: "Callable[[], Drawing] | None"
+    """None where it is kept as it was drawn."""
     sources: Sequence[Quantity | Series]
     """What it draws; when none of it exists the page says why in place of the figure."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
@@ -61,8 +75,33 @@ class Figure:
     anchor: str = ""
     """Its id, unique on the page."""
     making: Making | None = None
+    pictures: Pictures | None = None
+    """None where it is not kept, and still to be drawn."""
 
-    def drawn(self) -> Markup:
+    @property
+    def is_there(self) -> bool:
+        """Whether anything of what it draws exists."""
+        return any(source.value is not None for source in self.sources)
+
+    def settled(self, pictures: Pictures | None) -> "Figure":
+        """The same as it is kept once it is drawn: of its series no more than whether they are there."""
+        sources = [
+            replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
+            for source in self.sources
+        ]
+        return replace(self, draw=None, sources=sources, pictures=pictures)
+
+    def picture(self, *, is_narrow: bool) -> Markup:
+        """Draw it for one kind of screen."""
+        from report.figures import draw_svg, narrow_screen
+
+        if not is_narrow:
+            return draw_svg(self.draw, name=self.anchor)
+        with narrow_screen():
+            return draw_svg(self.draw, name=f"narrow-{self.anchor}")
+
+    def html(self, pictures: Pictures | None) -> Markup:
+        """What the page shows, with the figure as it is drawn, where anything of it exists."""
         assert self.making, f"no one says how the figure {self.anchor} comes about"
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
@@ -79,21 +118,23 @@ class Figure:
             '<figure id="{}">{}{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
             "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
-        ).format(self.anchor, *self._drawings(), _caption(self), links, self.making.source, self.making.command)
+        ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.making.source, self.making.command)
 
     @property
     def undrawn(self) -> Markup:
         """Its caption, for whoever only reads."""
         return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
 
-    def _drawings(self) -> tuple[Markup, Markup]:
-        """For broad screens and for narrow ones; the stylesheet shows one of them."""
+    def _spoken(self, pictures: Pictures | None) -> Pictures:
+        """The pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
+        assert pictures, f"the figure {self.anchor} is not drawn yet"
         words = self.wording("alt", self.numbers)
         alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
-        broad = draw_svg(self.draw, name=self.anchor, alt=alt, sources=sources)
-        with narrow_screen():
-            return broad, draw_svg(self.draw, name=f"narrow-{self.anchor}", alt=alt, sources=sources)
+        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
+        label = Markup('{} aria-label="{}"{}').format(ROLE, alt, links)
+        broad, narrow = (picture.replace(ROLE, label, 1) for picture in pictures)
+        return broad, narrow
 
 
 @dataclass(frozen=True)
@@ -124,6 +165,12 @@ class Section:
     downloads: Sequence[Download] = ()
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
+
+    def settled(self, pictures: Mapping[str, Pictures | None]) -> "Section":
+        """The same as it is kept once its figures are drawn, by their names."""
+        tables = {name: thing.settled() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
+        figures = {name: figure.settled(pictures[name]) for name, figure in self.figures.items()}
+        return replace(self, tables=tables, figures=figures)
 
     def worded(
         self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None

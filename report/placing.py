@@ -2,14 +2,15 @@
 
 import ctypes
 import errno
+import filecmp
 import os
 import secrets
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from report.records.files import locked
+from report.records.files import is_own_file, locked
 
 AT_FDCWD, RENAME_EXCHANGE = -100, 2
 """From linux/fcntl.h and linux/fs.h."""
@@ -35,8 +36,16 @@ def aside(folder: Path) -> Iterator[Path]:
 def replace(folder: Path, fresh: Path) -> None:
     """Let ``fresh`` take the place of ``folder``; what was there is at ``fresh`` afterwards.
 
-    A folder that can't be moved, as one that is mounted, gets the contents, its pages last.
+    Files that are the same stay those that were there. A folder that can't be moved, as one that is mounted, gets the
+    contents, its pages last.
     """
+    for path in fresh.rglob("*"):
+        there = folder / path.relative_to(fresh)
+        if path.is_file() and _is_same(path, there):
+            part = path.with_name(f".{path.name}.part")
+            with suppress(OSError):  # of a file system without such links, or of another one
+                os.link(there, part)
+                os.replace(part, path)
     if not folder.exists():
         os.rename(fresh, folder)
     elif not _exchange(folder, fresh):
@@ -61,6 +70,8 @@ def _move_into(folder: Path, fresh: Path) -> None:
     files = sorted((path for path in fresh.rglob("*") if path.is_file()), key=lambda path: path.suffix == ".html")
     for path in files:
         place = folder / path.relative_to(fresh)
+        if _is_same(path, place):
+            continue
         if place.is_dir() and not place.is_symlink():
             shutil.rmtree(place)
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -74,6 +85,10 @@ def _move_into(folder: Path, fresh: Path) -> None:
                 path.rmdir()
         elif path.relative_to(folder) not in kept:
             path.unlink()
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    return is_own_file(other) and filecmp.cmp(one, other, shallow=False)
 
 
 def remove(path: Path) -> None:

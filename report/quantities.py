@@ -6,10 +6,12 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from report.format import format_code, format_number, unit_label
+from report.format import format_code, format_most, format_number, unit_label
 from report.records.record import Origin
 
 VALUES_FILE = "values.json"
+MOST, SAME, AS_MUCH = "most", "the same", "as much"
+"""How the page says that a number is written as a bound, and a number that is written like another one."""
 
 
 @dataclass(frozen=True)
@@ -43,19 +45,30 @@ class Quantity:
         """The number as people write it, without its unit."""
         return format_number(self.value, noise=self.noise)
 
-    def in_digits(self, digits: int) -> str:
-        """The same, in at most so many significant digits."""
-        return format_number(self.value, noise=self.noise, digits=digits)
-
     @property
     def code(self) -> Markup:
         """The number as it is typed into a program."""
         return self._written(format_code(self.value))
 
-    def _written(self, text: str) -> Markup:
+    @property
+    def most(self) -> Markup:
+        """The number with its unit, where the words say *at most* or *within*."""
+        return self._with_unit(self._written(format_most(self.value, noise=self.noise), ("data-as", MOST)))
+
+    def beside(self, other: "Quantity", same: str = SAME) -> Markup:
+        """The number with its unit, or ``same`` where it is written like ``other``, which the sentence has before."""
+        is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
+        return self._written(same, ("data-as", other.source)) if is_same and other.source else self.__html__()
+
+    def against(self, other: "Quantity") -> Markup:
+        """The number with its unit, or *as much*."""
+        return self.beside(other, AS_MUCH)
+
+    def _written(self, text: str, *more: tuple[str, str]) -> Markup:
         if not self.source:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
+        attributes |= dict(more)
         if self._hint:
             attributes["title"] = self._hint
         written = Markup("").join(Markup(' {}="{}"').format(*pair) for pair in attributes.items())
@@ -66,8 +79,11 @@ class Quantity:
         return self.reason
 
     def __html__(self) -> Markup:
+        return self._with_unit(self.bare)
+
+    def _with_unit(self, number: Markup) -> Markup:
         label = "" if self.value is None else unit_label(self.unit)
-        return self.bare + (Markup("&nbsp;") + label if label else "")
+        return number + (Markup("&nbsp;") + label if label else "")
 
     def __str__(self) -> str:
         label = "" if self.value is None else unit_label(self.unit)

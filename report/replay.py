@@ -14,9 +14,8 @@ from report import ROOT
 from report.chapters import Chapter
 from report.clips import Clips
 from report.editions import Edition
-from report.packed import SHAKES
 from report.page import Templates
-from report.pages import REPLAY
+from report.pages import REPLAY, SHAKES
 from report.records.project import Project
 
 SCRIPT = "assets/replay/replay.js"

@@ -8,9 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
-
-import pandas as pd
+from typing import TYPE_CHECKING, Any
 
 from report import ReportError
 from report.noise import Floor, cell_noise, derived_noise
@@ -19,6 +17,9 @@ from report.records.columns import REASON
 from report.records.record import Origin, Record
 from report.records.traces import load_trace, trace_path
 from report.settings import case_settings
+
+if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+    import pandas as pd
 
 
 class ResultsError(ReportError):
@@ -29,7 +30,7 @@ class ResultsError(ReportError):
 class Series:
     """A per-frame series, or the reason why there is none."""
 
-    value: pd.DataFrame | None
+    value: "pd.DataFrame | None"
     source: str
     reason: str = ""
     origins: frozenset[Origin] = frozenset()
@@ -217,6 +218,8 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
+        if "empty" in str(error):  # of max, min and means, which are given what is left of a damaged record
+            return None, "nothing of what was measured is left to compute it from"
         # A damaged record may hold what no measurement gives, such as a coordinate twice.
         return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
     if isinstance(value, complex):

@@ -17,7 +17,7 @@ RATIOS = {"step_ms", "timeconst_steps", "cube_mass_kg", "grip_ratio"}
 """What parameters of a case make together."""
 GIVEN = {
     *("dampratio", "dmin", "dmax", "friction", "friction_timeconst_s", "friction_dampratio"),
-    *("timeconst_s", "timeconst_ms", "substep_ms", "timestep", "used", "used_m", "used_s"),
+    *("timeconst_s", "timeconst_ms", "friction_damping_per_s", "substep_ms", "timestep", "used_m", "used_s", "value"),
     *("largest_step_ms", "failing_step_ms"),
 }
 """What the engine was given, made from settings or chosen among steps: exact, though a section may be about it."""
@@ -54,9 +54,9 @@ def _parameters() -> Mapping[str, ast.expr | None]:
     return {name: named[value.id] if isinstance(value, ast.Name) else value for name, value in fields.items()}
 
 
-def is_exact(column: str) -> bool:
-    """Whether a column holds what was set, or made from nothing but that, and so has no noise."""
-    return column in settings() or column in GIVEN
+def is_exact(column: str, row: Mapping[str, Any]) -> bool:
+    """Whether a column of a row holds what was set, or made from nothing but that, and so has no noise."""
+    return column in settings() or column in GIVEN or (column == "used" and "authored" in row)
 
 
 def is_setting(pointer: str) -> bool:

@@ -7,31 +7,38 @@ import shutil
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
 from markupsafe import Markup
 
+from report import ROOT
+from report.archive import rows_csv
 from report.chapters import Chapter
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
+from report.keeping import Keeper, surroundings
 from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates
 from report.pages import FRONT, Page
 from report.placing import aside, replace
 from report.quantities import VALUES_FILE
+from report.records.cache import Cache
 from report.records.files import locked
-from report.records.identity import files_digest, package_versions
-from report.records.project import Project
+from report.records.identity import files_digest, package_versions, sources_kept
+from report.records.project import INPUTS, Project
+from report.records.status import State, newton_now
 from report.records.traces import BYTE_LIMIT, traces_of
 from report.replay import write_replay
 from report.surroundings import ASSETS, citation, write_surroundings
 
-INPUTS = ("experiments", "report", "templates", "assets", "results")
-"""Folders that a page is made from."""
-DIGEST_FILE = ".inputs"
-"""Beside the pages of a release: the digest of all that they were made from."""
+OTHER_INPUTS = ("CITATION.cff", "LICENSE")
+"""Files that the site is made from, besides the folders."""
+WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
+"""Packages that have a part in it, besides those that decide what is drawn."""
+BUILT = "site"
+"""What is kept of the last build."""
 ID = re.compile(r' id="([^"]+)"')
 INNER_LINK = re.compile(r'(?<= href=")#([^"]+)')
 
@@ -79,37 +86,63 @@ class Link:
         return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
 
 
-def build(project: Project, address: str = "") -> dict[str, Edition]:
-    """Write the site and return the edition of each release; until the site is whole, the one that was there stays.
+@dataclass(frozen=True)
+class Built:
+    """What the pages of a release lack."""
 
-    Its pages are the first of the site; those of other releases that have results lie in a folder each, and are
-    written only when something that they are made from has changed.
+    stale: Sequence[str]
+    """Sections that are shown as they were measured before something changed."""
+    left_out: Sequence[State]
+
+
+def build(project: Project, address: str = "") -> dict[str, Built]:
+    """Write the site and say what it lacks, by release; until the site is whole, the one that was there stays.
+
+    Its pages are the first of the site; those of other releases that have results lie in a folder each. What was made
+    before from the same is not made again, and files that would be the same stay.
 
     Args:
         project: What to show.
         address: Where the site will lie, with a slash at its end; empty where that is not known.
     """
-    templates = Templates(project.templates)
+    cache = Cache(project.root)
     with aside(project.site) as fresh, locked(project.results.parent, alone=False):
-        editions = editions_of(project, templates)
-        _write_site(fresh, project, editions, templates, address)
+        digest = _digest(project, address)
+        if kept := cache.get(BUILT, (digest, _site_digest(project.site))):
+            return kept
+        with sources_kept(project.root):
+            keeper, templates = Keeper(project.root), Templates(project.templates, cache)
+            editions = editions_of(project, templates, keeper)
+            _write_site(fresh, project, editions, templates, address, keeper)
         replace(project.site, fresh)
-    return editions
+        built = {release: _built(edition) for release, edition in editions.items()}
+        cache.put(BUILT, (digest, _site_digest(project.site)), built)
+    return built
+
+
+def _built(edition: Edition) -> Built:
+    return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
+
+
+def _site_digest(folder: Path) -> str:
+    return files_digest(folder.rglob("*"), folder)
 
 
 def _write_site(
-    folder: Path, project: Project, editions: Mapping[str, Edition], templates: Templates, address: str
+    folder: Path,
+    project: Project,
+    editions: Mapping[str, Edition],
+    templates: Templates,
+    address: str,
+    keeper: Keeper,
 ) -> None:
-    digest = _digest(project, address)
     places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
-    kept = [release for release, place in places.items() if place and _read_digest(project.site / place) == digest]
-    for release in kept:
-        shutil.copytree(project.site / places[release], folder / places[release])
-    to_write = [release for release in editions if release not in kept]
-    links = {release: _links(editions, places, release) for release in to_write}
-    leaves = {release: _leaves(editions[release], templates, links[release]) for release in to_write}
-    drawn = _draw(leaves)
-    for release in to_write:
+    links = {release: _links(editions, places, release) for release in editions}
+    leaves = {release: _leaves(editions[release], templates, links[release]) for release in editions}
+    drawn = _draw(leaves, keeper)
+    chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
+    tables = {chapter.results.source: rows_csv(chapter.results.record.rows) for chapter in chapters}
+    for release in editions:
         here = folder / places[release]
         names = {
             "edition": editions[release],
@@ -125,10 +158,9 @@ def _write_site(
         }
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
-        _write_data(here / "data", release, editions)
+        _write_data(here / "data", release, editions, tables)
         write_replay(here, editions[release], templates)
-        (here / DIGEST_FILE).write_text(digest, encoding="utf-8")
-    write_surroundings(folder, editions, places, templates, address)
+    write_surroundings(folder, editions, places, templates, address, keeper)
     (folder / ".gitkeep").touch()
 
 
@@ -150,12 +182,15 @@ def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -
     """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
     leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
     parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
-    return {
-        place: part.html({figure.anchor: figure.undrawn for figure in part.figures}) for place, part in parts.items()
-    }
+    return {place: _told(part) for place, part in parts.items()}
 
 
-def _draw(leaves: Mapping[str, Sequence[Leaf]]) -> dict[str, dict[str, Markup]]:
+def _told(part: Prose) -> Markup:
+    figures = {figure.anchor: figure.undrawn for figure in part.figures}
+    return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
+
+
+def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dict[str, Markup]]:
     """The figures of each release by their ids; one that several pages show is drawn once."""
     placed = {
         (release, figure.anchor): figure
@@ -164,9 +199,21 @@ def _draw(leaves: Mapping[str, Sequence[Leaf]]) -> dict[str, dict[str, Markup]]:
         for prose in leaf.parts
         for figure in prose.figures
     }
+    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
+    # A section is kept with all of its figures, those as well that are not shown as long as something else is.
+    others = {
+        (release, anchor): figure
+        for release, found in leaves.items()
+        for leaf in found
+        for prose in leaf.parts
+        for anchor, figure in keeper.figures(release, prose.anchor).items()
+    }
+    to_draw = {place: figure for place, figure in (others | placed).items() if figure.is_there and not figure.pictures}
+    pictures |= zip(to_draw, draw_all(list(to_draw.values())), strict=True)
+    keeper.keep(pictures)
     drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
-    for (release, anchor), html in zip(placed, draw_all(list(placed.values())), strict=True):
-        drawn[release][anchor] = html
+    for (release, anchor), figure in placed.items():
+        drawn[release][anchor] = figure.html(pictures.get((release, anchor)))
     return drawn
 
 
@@ -215,8 +262,11 @@ def _write_pages(folder: Path, edition: Edition, pages: Mapping[str, str]) -> No
             path.write_text(download.text, encoding="utf-8")
 
 
-def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> None:
-    """All that the page of the release ``shown`` names: its own results and values, and those of the others."""
+def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> None:
+    """All that the page of the release ``shown`` names: its own results and values, and those of the others.
+
+    ``tables`` are the rows of each record, by its file.
+    """
     for release, edition in editions.items():
         own = release == shown
         for chapter in edition.chapters.values():
@@ -225,8 +275,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition]) -> No
             there.mkdir(parents=True, exist_ok=True)
             for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
-            rows = pd.DataFrame(chapter.results.record.rows)
-            rows.to_csv(there / f"{path.stem}.csv", index=False, lineterminator="\n")
+            (there / f"{path.stem}.csv").write_bytes(tables[chapter.results.source])
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
         values = {chapter.name: chapter.values for chapter in chapters}
@@ -243,18 +292,17 @@ def _local(text: str, release: str) -> str:
 
 def _digest(project: Project, address: str) -> str:
     """Of all that the pages are made from."""
-    files = (path for folder in INPUTS for path in (project.root / folder).rglob("*"))
-    sources = [path for path in files if "__pycache__" not in path.parts and path.is_file()]
-    sources = [
-        path for path in sources if path.stat().st_size <= BYTE_LIMIT
-    ]  # larger ones are refused by their readers
+    roots = {ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
+    digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
-    made_from = (place, address, package_versions(), files_digest(sources, project.root))
+    versions = [metadata.version(name) for name in WRITING_PACKAGES]
+    checkouts = [newton_now(project.of(release)) for release in project.releases]  # may be edited, and lie elsewhere
+    made_from = (place, address, package_versions(), surroundings(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 
-def _read_digest(folder: Path) -> str | None:
-    try:
-        return (folder / DIGEST_FILE).read_text(encoding="utf-8")
-    except OSError:
-        return None
+def _inputs(root: Path, folders: Sequence[str]) -> list[Path]:
+    files = [root / name for name in OTHER_INPUTS]
+    files += (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
+    # Larger ones are refused by their readers.
+    return [path for path in files if path.is_file() and path.stat().st_size <= BYTE_LIMIT]

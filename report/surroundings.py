@@ -8,15 +8,11 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure as Drawing
-
 from report import ROOT
 from report.archive import ARCHIVE, write_archive
 from report.compare import flips
 from report.editions import Edition
-from report.figures import INK, SERIES, own_style
-from report.overview import BASELINE
+from report.keeping import Keeper
 from report.page import Templates
 from report.quantities import Quantity
 
@@ -26,8 +22,8 @@ CARD = "card.png"
 TEXTS = {"404.html": "404.html.j2", "robots.txt": "robots.txt.j2", "sitemap.xml": "sitemap.xml.j2"}
 FEED = "feed.xml"
 CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
-FIXED = "stiff-pads"
-"""The case that the picture shows beside the baseline."""
+CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
+"""What the picture shows of each release, by its name there."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +50,12 @@ def citation() -> dict[str, str]:
 
 
 def write_surroundings(
-    folder: Path, editions: Mapping[str, Edition], places: Mapping[str, str], templates: Templates, address: str
+    folder: Path,
+    editions: Mapping[str, Edition],
+    places: Mapping[str, str],
+    templates: Templates,
+    address: str,
+    keeper: Keeper,
 ) -> None:
     """Write all that the site has once.
 
@@ -64,6 +65,7 @@ def write_surroundings(
         places: Where the pages of each lie in the site.
         templates: Those of the project.
         address: Where the site will lie; empty where that is not known.
+        keeper: What was made before.
     """
     pages = [f"{places[name]}{page.file}" for name, edition in editions.items() for page in edition.pages]
     names = {"address": address, "pages": sorted(pages), "citation": citation(), "feed": FEED}
@@ -72,7 +74,10 @@ def write_surroundings(
     entries = sorted(_entries(editions, places), key=lambda entry: entry.updated, reverse=True)
     (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
     shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
-    _draw_card(folder / CARD, editions)
+    slips = {release: _slips(edition) for release, edition in editions.items()}
+    given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
+    card = keeper.value("card", ROOT / "report" / "card.py", given, lambda: _card(slips))
+    (folder / CARD).write_bytes(card)
     write_archive(folder / ARCHIVE, editions, templates)
 
 
@@ -101,32 +106,15 @@ def _date(text: str) -> str:
     return datetime.fromisoformat(text).isoformat(timespec="seconds")
 
 
-def _draw_card(path: Path, editions: Mapping[str, Edition]) -> None:
-    """The picture that others show with a link: the slip of every release, as shipped and fixed."""
-    slips = {release: _slips(edition) for release, edition in editions.items()}
-    with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
-        drawing = Drawing(figsize=(12, 6.3), dpi=100)
-        axes = drawing.subplots()
-        for place, pair in enumerate(slips.values()):
-            for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
-                if slip is not None and slip.value is not None:
-                    axes.barh(place + shift, slip.value, height=0.34, color=SERIES[1 - number], label=label)
-                    axes.text(slip.value, place + shift, f" {slip}", va="center", fontsize=22, color=INK)
-        axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
-        axes.invert_yaxis()
-        axes.margins(x=0.2)
-        axes.grid(visible=False)
-        axes.tick_params(bottom=False, labelbottom=False)
-        axes.spines[["bottom", "left"]].set_visible(False)
-        axes.set_title("Slip of a grasped cube in a shake test", fontsize=30, pad=24)
-        handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-        drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
-        FigureCanvasAgg(drawing).print_png(path, metadata={"Software": None})
+def _card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
+    from report.card import draw_card  # it takes Matplotlib, which takes long to import
+
+    return draw_card(slips)
 
 
 def _slips(edition: Edition) -> dict[str, Quantity | None]:
-    found: dict[str, Quantity | None] = {"as shipped": None, "stiff pads": None}
-    for label, case in zip(found, (BASELINE, FIXED), strict=True):
+    found: dict[str, Quantity | None] = {}
+    for label, case in CARD_CASES.items():
         rows = (chapter.results.row for chapter in edition.chapters.values())
         there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
         found[label] = next((row.slip_mm for row in there), None)

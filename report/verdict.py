@@ -94,8 +94,9 @@ def _lines(edition: Edition, found: Mapping[str, Any], comparisons: Sequence[Com
     if shipped and stiff:
         yield f"\nwith stiff pads the slip is {shipped / stiff:.1f} times less; tracked: {values['stiff_gain']}"
     if any(comparison.is_same_place for comparison in comparisons):
-        runs = len(edition.chapters["noise"].results.rows)
-        yield f"noise: the largest difference among {runs} runs on this processor (noise.slip_floor)"
+        noise = edition.chapters["noise"].results
+        runs = f"{len(noise.rows)} runs on this processor"
+        yield f"noise: {noise.derived['slip_floor']}, by {runs} (noise.slip_floor)"
     if not all(comparison.is_same_place for comparison in comparisons):
         yield f"devices: {values['engine_bound']}, chosen for other devices, whose noise is not known"
         yield f"  (reproduction.engine_bound); the tracked ones are {values['engine_difference']} apart"

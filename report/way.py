@@ -2,28 +2,25 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
 from report import UsageError
-from report.altered import Cell, World
+from report.altered import Cell
 from report.chapters import Chapter
 from report.editions import Edition
 from report.format import unit_label
-from report.noise import NOISE, Floor, noise_floors
+from report.noise import NOISE
 from report.page import Templates
 from report.quantities import VALUES_FILE, Quantity, Value
-from report.records.columns import is_number
 from report.records.project import Project
 from report.records.record import Record
 from report.settings import from_shipped, is_setting
 from report.site import undrawn
 
 PLACE = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
-CELLS_MOVED = 60
-"""Of a value that is read from more measured numbers than that, none is moved to see what noise does to it."""
 
 
 @dataclass(frozen=True)
@@ -93,56 +90,23 @@ class Ways:
                     yield f"  made of     {_name(value)}, {_said(value)}: {value.formula}"
         cells = [pointer for pointer in _leaves(found) if not is_setting(pointer)]
         yield f"  n           {len(cells)} measured numbers and traces"
-        if isinstance(found, Value) and cells:
-            yield f"  noise       {self._noise_of(found, cells)}"
+        if cells:
+            whence = ", by that of what it is made of" if isinstance(found, Value) else ""
+            known = "not known" if found.noise is None else _in_unit(found.noise, found.unit)
+            yield f"  noise       {known}{whence}"
 
-    def _noise_of(self, found: Value, pointers: Sequence[str]) -> str:
-        """How far the value goes when each number that it is read from moves by its noise, all taken together."""
-        cells = [cell for cell in map(Cell, pointers) if not cell.is_trace and "/rows/" in cell.pointer]
-        moves = {cell: self._noise(cell) for cell in cells}
-        known = {cell: noise for cell, noise in moves.items() if noise is not None}
-        if not known or len(known) > CELLS_MOVED or found.value is None:
-            return f"not told: of {len(pointers)} measured numbers {len(known)} have one"
-        moved = [self._moved(found, cell, noise) for cell, noise in known.items()]
-        there = [abs(value - found.value) for value in moved if value is not None]
-        rest = f"; of {len(pointers) - len(known)} numbers none was measured" if len(known) < len(pointers) else ""
-        return f"{replace(found, value=sum(there))}, all together, when each moves by its own{rest}"
-
-    def _moved(self, found: Value, cell: Cell, by: float) -> float | None:
-        """The value where one number of a record is larger by its noise."""
-        record = self._records[cell.file].results.record
-        index, column = cell.place
-        rows = [*record.rows]
-        rows[index] = {**rows[index], column: rows[index][column] + by}
-        release, section, name = _parts(found)
-        world = World({name: edition.chapters for name, edition in self.editions.items()}, self.templates)
-        return world.values(release, section, {cell.file: replace(record, rows=rows)})[name].value
-
-    def _noise(self, cell: Cell) -> float | None:
-        """How far apart runs of one case are in this number; of a time, how far frames of the run spread."""
-        index, column = cell.place
-        row = self._records[cell.file].results.record.rows[index]
-        edges = row.get(f"{column}_p5"), row.get(f"{column}_p95")
-        if all(map(is_number, edges)):
-            return edges[1] - edges[0]
-        floors = self._floors(cell.file)
-        return floors[column].at(row[column]) if column in floors and is_number(row[column]) else None
-
-    def _noise_said(self, cell: Cell, unit: str) -> str:
-        noise = None if is_setting(cell.pointer) else self._noise(cell)
-        if noise is None:
+    def _noise_of(self, cell: Cell) -> str:
+        """The noise of a number of a record, and whence it is known; empty where it is not."""
+        found = self._cell(cell.pointer)
+        if not (found and found.noise):
             return ""
         index, column = cell.place
         if f"{column}_p5" in self._records[cell.file].results.record.rows[index]:
-            whence = "its frames, 5th to 95th percentile"
+            whence = "its frames"
         else:
             runs = self._records[f"{cell.file.partition('/')[0]}/{NOISE}.json"].results.record.rows
             whence = f"section {NOISE}, n {len(runs)}"
-        return f", noise {f'{noise:.2g} {unit}'.strip()} ({whence})"
-
-    def _floors(self, file: str) -> Mapping[str, Floor]:
-        noise = self._records.get(f"{file.partition('/')[0]}/{NOISE}.json")
-        return noise_floors([noise.results.record]) if noise else {}
+        return f", noise {_in_unit(found.noise, found.unit)} ({whence})"
 
     def _on_pages(self, found: Quantity) -> Iterator[str]:
         pages = undrawn(self.editions, self.templates, self.project.release)
@@ -184,8 +148,7 @@ class Ways:
         yield f"  row {index}, case {row['case']}"
         for cell in cells:
             column = cell.place[1]
-            unit = unit_label(record.units[column])
-            yield f"    {column} = {row[column]} {unit}".rstrip() + self._noise_said(cell, unit)
+            yield f"    {column} = {row[column]} {unit_label(record.units[column])}".rstrip() + self._noise_of(cell)
         yield f"    {_settings(row)}"
         yield f"    n: {_runs(row)}"
 
@@ -200,20 +163,18 @@ def _place(pointer: str) -> tuple[str, int, str]:
     return (cell.file, *cell.place) if "/rows/" in pointer else (cell.file, -1, pointer)
 
 
-def _parts(value: Value) -> tuple[str, str, str]:
-    """Release, section and name of a value."""
-    folder, _, pointer = value.source.partition("/")
-    _, section, name = pointer.split("/", 2)
-    return folder.removeprefix("newton-"), section, name
-
-
 def _name(value: Value) -> str:
-    return ".".join(_parts(value)[1:])
+    """Section and name."""
+    return ".".join(value.source.split("/", 3)[2:])
 
 
 def _said(found: Quantity) -> str:
     """As the page prints it, and with all its digits."""
     return f"not there, for {found.reason}" if found.value is None else f"{found} ({found.value!r})"
+
+
+def _in_unit(noise: float, unit: str) -> str:
+    return f"{noise:.2g} {unit_label(unit)}".rstrip()
 
 
 def _settings(row: Mapping[str, Any]) -> str:

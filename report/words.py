@@ -15,10 +15,11 @@ A claim may have ``{% opposite %}`` beside ``{% fails %}``, for a test that show
 Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, cast
+from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
 from jinja2.ext import Extension
@@ -38,6 +39,10 @@ OPTIONAL = {"opposite", "because"}
 SEPARATOR = "__"
 """Between kind, name and part in the name of the block that Jinja keeps a part as."""
 
+
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
+TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
+"""A number with the unit of one that is measured."""
 
 Part = Callable[[Mapping[str, Any]], Markup]
 """One part as a function of what it can name."""
@@ -94,6 +99,15 @@ class WordTags(Extension):
         return [nodes.If(nodes.Const(False), blocks, [], [], lineno=kind.lineno), shown]
 
 
+def refuse_typed(source: str) -> None:
+    """TemplateSyntaxError for a number that is typed into the words of a template, where a measured one belongs."""
+    words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
+    if found := TYPED.search(words):
+        line = words.count("\n", 0, found.start()) + 1
+        number = " ".join(found[0].split())
+        raise TemplateSyntaxError(f"{number} is typed; name the number that was measured or chosen", line)
+
+
 def _is_blank(body: list[nodes.Node]) -> bool:
     found = [node for output in body for node in getattr(output, "nodes", [output])]
     return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
@@ -103,27 +117,37 @@ def _has_part(blocks: list[nodes.Block], part: str) -> bool:
     return any(block.name.rpartition(SEPARATOR)[2] == part for block in blocks)
 
 
-def wordings(
-    environment: Environment, parsed: nodes.Template, place: str, render: Callable[[str, Mapping[str, Any]], Markup]
-) -> dict[tuple[str, str], Wording]:
+@dataclass(frozen=True)
+class Worded:
+    """What a template says of one claim, figure or table, before it is known how that is rendered."""
+
+    place: str
+    blocks: Mapping[str, str]
+    """Names of its blocks by part."""
+    names: frozenset[str]
+
+    def wording(self, render: Callable[[str, Mapping[str, Any]], Markup]) -> Wording:
+        """The same with its parts; ``render`` renders the block of the given name with the given names."""
+        return Wording(self.place, {part: partial(render, block) for part, block in self.blocks.items()}, self.names)
+
+
+def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Worded]:
     """What a parsed template says, by kind and name.
 
     Args:
         environment: What it was parsed with.
         parsed: The template.
         place: Its path, to name in errors.
-        render: Renders the block of the given name with the given names.
     """
-    found: dict[tuple[str, str], Wording] = {}
+    found: dict[tuple[str, str], Worded] = {}
     for kind, name, part, block in _blocks(parsed):
         body = nodes.Template(block.body)
         body.set_environment(environment)
         names = find_undeclared_variables(body)
-        known = found.get((kind, name), Wording(f"{place}:{block.lineno}", {}, frozenset()))
-        if part in known.parts:
+        known = found.get((kind, name), Worded(f"{place}:{block.lineno}", {}, frozenset()))
+        if part in known.blocks:
             raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
-        parts = {**known.parts, part: cast(Part, partial(render, block.name))}
-        found[kind, name] = Wording(known.place, parts, known.names | names)
+        found[kind, name] = Worded(known.place, {**known.blocks, part: block.name}, known.names | names)
     return found
 
 

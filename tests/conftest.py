@@ -2,6 +2,7 @@
 
 import importlib
 import shutil
+import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -73,6 +74,15 @@ def slip():
     """How far it slips."""
     return 1.0
 '''
+REPORT = """
+import sys
+from pathlib import Path
+from report.records.project import Project, own_release
+from report.site import build
+
+build(Project(own_release(), root=Path(sys.argv[1])))
+sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
+"""
 EXPERIMENT = """from experiments.scene import slip
 
 
@@ -187,6 +197,17 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.measure()
     yield toy
     forget_sections()
+
+
+@pytest.fixture(scope="session")
+def tracked_site(tmp_path_factory) -> Path:
+    """The site of what is tracked, apart from the checkout's own; what builds it must not import the simulator."""
+    root = tmp_path_factory.mktemp("tracked")
+    for name in ("experiments", "report", "templates", "assets", "results", "pyproject.toml"):
+        (root / name).symlink_to(ROOT / name)
+    done = subprocess.run([sys.executable, "-c", REPORT, root], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return root / "site"
 
 
 @pytest.fixture(scope="session")

@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 from report import ROOT
-from report.check import Reading, check_self_contained
+from report.check import check_self_contained
 from report.editions import derive_edition
-from report.packed import SHAKES, packed_runs
+from report.packed import packed_runs
 from report.page import Templates
-from report.pages import REPLAY
+from report.pages import REPLAY, SHAKES
+from report.reading import Reading
 from report.records.project import Project
 from report.records.reading import load_record
 from report.records.traces import trace_path

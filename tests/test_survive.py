@@ -20,6 +20,7 @@ from report.check import check_site
 from report.drawing import draw_all
 from report.editions import editions_of
 from report.page import Templates
+from report.records.cache import FOLDER
 from report.records.environment import requirements
 from report.records.files import RecordError, locked, settle
 from report.records.reading import load_record
@@ -159,7 +160,7 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
-    def drawn(self):
+    def picture(self, *, is_narrow):
         os.kill(os.getpid(), signal.SIGKILL)
 
 
@@ -261,6 +262,7 @@ def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeyp
     for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
         monkeypatch.setitem(matplotlib.rcParams, name, value)
     shutil.rmtree(toy.project.site)
+    shutil.rmtree(toy.project.root / FOLDER)
     toy.build()
     assert (toy.page, (toy.project.site / CARD).read_bytes()) == before
 

@@ -1,21 +1,31 @@
 """The tracked results: what is measured is shown, and whatever comes out next time can be said."""
 
 import random
+import re
 import shutil
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from markupsafe import escape
 
 from report import ROOT
-from report.claims import FAILS, HOLDS, Outcome
+from report.claims import FAILS, HOLDS, Claim, Outcome
 from report.compare import flips
+from report.derived import derive_section, outline_of
 from report.editions import derive_edition, editions_of
+from report.keeping import READ_BY_NAME, files_of
 from report.page import Templates
 from report.parts import Figure
 from report.records.project import Project, own_release
 from report.records.record import write_record
+from report.story.front import front_of
+from report.story.story import story_of
 
+NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
+"""A number with a unit."""
+TWICE = Path(__file__).parent / "sentences" / "twice.txt"
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
 
 
@@ -54,6 +64,22 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
                 assert len(set(said)) == 3
 
 
+def test_no_sentence_says_an_equal_number_twice(editions):
+    """It says *the same* instead; the list has those that have to, with a reason each."""
+    found = set()
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            for claim in chapter.section.claims:
+                for sentence in re.split(r"(?<=\.) (?=[A-Z])", str(claim.sentence)):
+                    numbers = [
+                        number for number in NUMBER.findall(sentence) if number[0] not in ("n/a", "the same", "as much")
+                    ]
+                    if len(numbers) > len(set(numbers)):
+                        found.add(f"{edition.project.release} {chapter.name}.{claim.name}")
+    lines = TWICE.read_text(encoding="utf-8").splitlines()
+    assert found == {line.partition("#")[0].strip() for line in lines}
+
+
 def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
     """The row as another measurement of the same might have it: runs differ by up to the noise."""
     if row.get("backend") == "mujoco" or row.get("device") == "cpu" or row["case"].startswith("double-"):
@@ -82,3 +108,43 @@ def test_no_claim_flips_by_noise_alone(release, tmp_path):
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
     assert [flip.text for flip in flips(before, after)] == []
+
+
+def test_what_is_derived_has_read_no_words(editions, monkeypatch):
+    """Else it would have to be derived again whenever a word changes."""
+
+    def said(claim: Claim, part: str) -> None:
+        raise AssertionError(f"the words of {claim.name} are read")
+
+    monkeypatch.setattr(Claim, "said", said)
+    releases = {edition.project.release: edition.chapters for edition in editions}
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            derive_section(replace(chapter.results, derived={}), releases)
+        front_of(edition.chapters)
+        story_of(edition.chapters)
+
+
+def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
+    """What a section reads besides its own record and traces, those of others, and modules."""
+    opened: set[Path] = set()
+    read: set[str] = set()
+    is_watching = True
+
+    def watch(event: str, arguments: tuple) -> None:
+        if is_watching and event == "open" and isinstance(arguments[0], str | Path):
+            opened.add(Path(arguments[0]).absolute())
+
+    sys.addaudithook(watch)
+    releases = {edition.project.release: edition.chapters for edition in editions}
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            opened.clear()
+            derive_section(replace(chapter.results, derived={}), releases)
+            inside = {path.relative_to(ROOT).as_posix() for path in opened if path.is_relative_to(ROOT)}
+            known = {*files_of(outline_of(chapter.name).file), *READ_BY_NAME}
+            others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}
+            assert others <= known, f"{chapter.name} reads {sorted(others - known)}"
+            read |= others
+    assert "assets/fix/contact_bias.py" in read
+    is_watching = False

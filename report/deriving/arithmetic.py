@@ -1,10 +1,10 @@
-"""What several sections share. The underscore keeps it from being taken for a section."""
+"""What several sections share."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
-import numpy as np
-import pandas as pd
-
+from report.claims import FAILS, Outcome, at_most
 from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
@@ -49,7 +49,7 @@ def spread(
     return results.value(
         name,
         formula,
-        lambda *found: max(found) - min(found) if found else np.nan,
+        lambda *found: max(found) - min(found) if found else math.nan,
         *cells,
         unit=unit,
         is_noise=is_noise,
@@ -70,6 +70,16 @@ def noise_floor(results: Results, name: str) -> Quantity:
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
 
 
+def resolved(noise: Quantity, bound: Quantity) -> Outcome:
+    """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
+    found = at_most(noise, bound)
+    return (
+        found
+        if found != FAILS
+        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
+    )
+
+
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
     """A value that an earlier section derived; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
@@ -87,6 +97,8 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    import pandas as pd  # it takes long, and what is kept from before needs none of it
+
     return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
 
 

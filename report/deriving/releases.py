@@ -61,17 +61,17 @@ def change(results: Results, name: str, before: Quantity, after: Quantity) -> Va
 
 
 def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
-    """A number, and whether it is better or worse than the earlier one.
+    """A number without its unit, and whether it is better or worse than the earlier one.
 
     Nothing is said of what was not measured on the same processor.
     """
     told = difference is not None and None not in (difference.value, noise.value)
     if not told or not is_beyond(noise.value, before.value, after.value):
-        return Markup("{}").format(after)
+        return after.bare
     if len({origin.processor for origin in difference.origins}) > 1:
-        return Markup('{} <span class="moved">other machine</span>').format(after)
+        return Markup('{} <span class="moved">other machine</span>').format(after.bare)
     word = verdict(column, before.value, after.value) or "moved"
-    return Markup('{} <span class="moved {}">{}</span>').format(after, word, word)
+    return Markup('{} <span class="moved {}">{}</span>').format(after.bare, word, word)
 
 
 @dataclass(frozen=True)
@@ -164,9 +164,12 @@ class TurnList:
 
 
 def _answer(names: Sequence[str], claim: Claim) -> Markup:
-    answer = Markup("<b>{} in {}:</b>").format(claim.outcome.answer.capitalize(), ", ".join(names))
-    is_told = claim.outcome.name != "unknown"
-    return Markup("<dd>{} {}</dd>").format(answer, claim.sentence if is_told else claim.outcome.reason or "no reason")
+    """What a release says to the question; its sentence says whether that is a yes or a no."""
+    if claim.outcome.name != "unknown":
+        return Markup("<dd><b>In {}:</b> {}</dd>").format(", ".join(names), claim.sentence)
+    return Markup("<dd><b>Cannot be told in {}:</b> {}</dd>").format(
+        ", ".join(names), claim.outcome.reason or "no reason"
+    )
 
 
 @dataclass(frozen=True)

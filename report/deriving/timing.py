@@ -6,7 +6,7 @@ from typing import Any
 from matplotlib.axes import Axes
 
 from report.deriving.arithmetic import cell_or_absent
-from report.figures import SERIES
+from report.figures import SERIES, is_narrow
 from report.format import format_number
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -32,10 +32,12 @@ def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:
-    """A logarithmic axis of numbers of worlds, with a tick at each that was measured."""
+    """A logarithmic axis of numbers of worlds, with a tick at each that was measured; on a narrow screen every second
+    has its label, the last among them."""
     axes.set_xscale("log")
     axes.minorticks_off()
-    axes.set_xticks(counts, [format_number(count) for count in counts])
+    labelled = counts[::-2] if is_narrow() else counts
+    axes.set_xticks(counts, [format_number(count) if count in labelled else "" for count in counts])
 
 
 def decade_axis(axes: Axes) -> None:

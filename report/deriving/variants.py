@@ -109,10 +109,11 @@ def within_noise(variants: Variants) -> Claim:
 def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
     """Those of the named differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
+    beyond = {name: value for name, value in there.items() if abs(value.value) > NEAR_NOISE * floor.value}
+    before = [absent("mm", "it is the first"), *beyond.values()]
     return Markup(", ").join(
-        Markup("{} by {}").format(name, value)
-        for name, value in there.items()
-        if abs(value.value) > NEAR_NOISE * floor.value
+        Markup("{} by {}").format(name, value.beside(last))
+        for last, (name, value) in zip(before, beyond.items(), strict=False)
     )
 
 

@@ -3,14 +3,17 @@
 import ast
 import hashlib
 import json
+import sys
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import cache
 from importlib import metadata
+from itertools import accumulate
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 from report import ROOT, ReportError
+from report.records.cache import Cache
 from report.records.sources import source_of
 
 PACKAGES = ("newton", "warp-lang", "mujoco-warp", "mujoco")
@@ -34,7 +37,7 @@ class Identity:
 
 
 @dataclass(frozen=True)
-class _Source:
+class Source:
     """What the text of one module says, as far as it matters here."""
 
     digest: str
@@ -42,11 +45,34 @@ class _Source:
     """Names that it imports, of which some are modules of this project."""
     assets: tuple[str, ...]
     """Paths of assets that it may name."""
+    top: Mapping[str, Any]
+    """By name, at its top level: the plain constants, and how many parameters a function has."""
+
+
+_known: dict[str, Source] = {}
+"""By the digest of their names and texts: every section imports the same few modules."""
+SOURCES = "sources"
+"""Their name in the cache."""
+
+
+@contextmanager
+def sources_kept(root: Path = ROOT) -> Iterator[None]:
+    """Within it, what sources say is known from the processes before, since parsing all of them takes a second."""
+    cache = Cache(root)
+    made_by = sys.version, hashlib.sha256(Path(__file__).read_bytes()).hexdigest()
+    _known.update(cache.get(SOURCES, made_by) or {})
+    before = len(_known)
+    try:
+        yield
+    finally:
+        if len(_known) > before:
+            # The newest: those of texts that are no more need not be kept for ever.
+            cache.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
 
 
 def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
     """The identity that ``experiments/<section>.py`` has now, with ``packages``, or else with those installed here."""
-    sources = _import_closure(root / "experiments" / f"{section}.py", root)
+    sources = import_closure(root / "experiments" / f"{section}.py", root)
     code = {name: source.digest for name, source in sources.items()}
     assets = {name for source in sources.values() for name in source.assets if (root / name).is_file()}
     config = {name: hashlib.sha256((root / name).read_bytes()).hexdigest() for name in assets}
@@ -124,29 +150,43 @@ def _is_docstring(node: Any) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
-def _import_closure(start: Path, root: Path) -> dict[str, _Source]:
-    """What the module at ``start`` and the project's modules that it imports say, by their names."""
-    sources: dict[str, _Source] = {}
-    waiting = [start]
+def import_closure(start: Path, *roots: Path) -> dict[str, Source]:
+    """What the module at ``start`` and the modules below ``roots`` that it imports say, by their names."""
+    sources: dict[str, Source] = {}
+    folders: dict[str, set[str]] = {}
+    waiting = [(str(start), str(roots[0]))]
     while waiting:
-        path = waiting.pop()
-        name = _name(path, root)
-        if name in sources:
-            continue
-        try:
-            sources[name] = _read(path.read_bytes(), name)
-        except (OSError, SyntaxError, ValueError) as error:
-            raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
-        for imported in sources[name].imports:
-            waiting += _module_files(imported, root)
+        path, root = waiting.pop()
+        name = path[len(root) + 1 :]
+        if name not in sources:
+            sources[name] = read_source(Path(path), name)
+            for each in map(str, roots):
+                waiting += [(file, each) for file in _module_files(sources[name].imports, each, folders)]
     return sources
 
 
-@cache  # by the text itself: every section imports the same few modules
-def _read(text: bytes, name: str) -> _Source:
-    tree = ast.parse(text, filename=name)
-    imports = _imported_names(tree, PurePosixPath(name).parts[:-1])
-    return _Source(_digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(tree)))
+def read_source(path: Path, name: str) -> Source:
+    """What the module at ``path`` says; ReportError, with its ``name``, where it can't be read."""
+    try:
+        text = path.read_bytes()
+        key = hashlib.sha256(name.encode() + b"\0" + text).hexdigest()
+        if key not in _known:
+            tree = ast.parse(text, filename=name)
+            imports = _imported_names(tree, PurePosixPath(name).parts[:-1])
+            _known[key] = Source(
+                _digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(tree)), dict(_top(tree))
+            )
+        return _known[key]
+    except (OSError, SyntaxError, ValueError) as error:
+        raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None
+
+
+def _top(tree: ast.Module) -> Iterator[tuple[str, Any]]:
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+            yield from ((target.id, node.value.value) for target in node.targets if isinstance(target, ast.Name))
+        elif isinstance(node, ast.FunctionDef):
+            yield node.name, len(node.args.args)
 
 
 def _imported_names(tree: ast.Module, package: tuple[str, ...]) -> Iterator[str]:
@@ -160,13 +200,21 @@ def _imported_names(tree: ast.Module, package: tuple[str, ...]) -> Iterator[str]
             yield from (f"{module}.{alias.name}" for alias in node.names)
 
 
-def _module_files(name: str, root: Path) -> Iterator[Path]:
-    path = root
-    for part in name.split("."):
-        path = path / part
-        for file in (path.with_suffix(".py"), path / "__init__.py"):
-            if file.is_file():
-                yield file
+def _module_files(names: Iterable[str], root: str, folders: dict[str, set[str]]) -> Iterator[str]:
+    """The files below ``root`` that these names may import, each once; ``folders`` are those that were looked into."""
+    modules = {module for name in names for module in accumulate(name.split("."), "{}/{}".format)}
+    for module in sorted(modules):
+        folder, _, last = f"{root}/{module}".rpartition("/")
+        if f"{last}.py" in _names_in(folder, folders):
+            yield f"{folder}/{last}.py"
+        if last in _names_in(folder, folders) and "__init__.py" in _names_in(f"{folder}/{last}", folders):
+            yield f"{folder}/{last}/__init__.py"
+
+
+def _names_in(folder: str, folders: dict[str, set[str]]) -> set[str]:
+    if folder not in folders:
+        folders[folder] = {path.name for path in Path(folder).glob("*")}
+    return folders[folder]
 
 
 def _named_assets(tree: ast.Module) -> Iterator[str]:

@@ -13,6 +13,8 @@ from report.records.manifest import Manifest, read_manifest
 from report.records.record import record_path, results_folder
 
 PROFILES = ("full", "quick")
+INPUTS = ("experiments", "report", "templates", "assets", "results")
+"""Folders that the site is made from."""
 REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
 
@@ -35,6 +37,11 @@ class Project:
     @property
     def site(self) -> Path:
         return self.root / "site"
+
+    @property
+    def inputs(self) -> list[Path]:
+        """Folders that the site is made from."""
+        return [self.root / name for name in INPUTS]
 
     @property
     def results(self) -> Path:

@@ -67,10 +67,10 @@ def expected_packages(project: Project) -> Mapping[str, str]:
     kept = [*records_of(project)] or [*records_of(project.of(str(replace(label, machine=""))))]
     newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, **pins, "newton": _newton_now(project)}
+    return {**others, **pins, "newton": newton_now(project)}
 
 
-def _newton_now(project: Project) -> str:
+def newton_now(project: Project) -> str:
     """The version of an edition's Newton; of a checkout with edits, with the digest of its code."""
     label, manifest = project.label, project.manifest
     if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.newton)).is_dir():

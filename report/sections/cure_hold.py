@@ -17,7 +17,7 @@ from report.results import Results, Row, Series
 order = 142
 page = "fix"
 
-POSITIONS_FILE = ROOT / "assets" / "fix" / "compensated_positions.py"
+POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")
 
 
@@ -84,9 +84,13 @@ def _rest_goes_with_impratio(results: Results, rows: Mapping[str, Row]) -> Claim
     raised = results.value("impratio_raised", formula, lambda impratio: impratio / AS_SHIPPED.impratio, high)
     off = departure(results, "rest_gain_off", "how far that is from how much impratio was raised", gain, raised)
     bound = results.chosen("rest_gain_bound", "in proportion", 5.0, unit="%")
+    sizes = [
+        results.value(f"rest_size_{case}", "size of the creep along the tool", abs, creep, unit="mm/s")
+        for case, creep in (("before", before), ("after", after))
+    ]
     return Claim(
         "rest_goes_with_impratio",
-        at_most(off, bound),
+        all_of(at_most(off, bound), greater(*sizes, noise=noise_floor(results, "drift_floor"))),
         numbers={"before": before, "after": after, "gain": gain, "raised": raised},
     )
 

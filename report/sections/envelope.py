@@ -9,8 +9,8 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
-from report.claims import Claim, Outcome, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, extreme, ratio
+from report.claims import Claim, Outcome, all_of, at_least, at_most, decided
+from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, resolved
 from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -19,7 +19,7 @@ from report.results import Results, Row, Series
 order = 120
 page = "fix"
 
-SIDES = {"as-shipped": "as shipped", "stiff": "stiff pads"}
+SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 SLIP_RANGE_MM = (0.01, 50.0)
 """Ends of the colour scale; what lies outside has the colour of the end."""
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
@@ -134,7 +134,12 @@ def _map_gain(results: Results, trace: Series) -> Claim:
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
     share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
     whole = results.chosen("map_gain_bound", "every cell", 100.0, unit="%")
-    return Claim("map_gain", at_least(share, whole), numbers={"median": median, "least": least, "share": share})
+    formula = "least of the differences of the slips, as shipped less stiff, in size"
+    gap = results.value(
+        "map_gap_least", formula, lambda frame: np.abs(np.subtract(*_held_slips(frame))).min(), trace, unit="mm"
+    )
+    outcome = all_of(at_least(share, whole), resolved(noise_floor(results, "slip_floor"), gap))
+    return Claim("map_gain", outcome, numbers={"median": median, "least": least, "share": share})
 
 
 def _grows_faster(results: Results) -> Claim:
@@ -244,11 +249,18 @@ def _grid(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
 
 def _map_gains(frame: pd.DataFrame) -> np.ndarray:
     """Ratio of the slips of every cell that is held on both sides."""
-    slips = [
-        _grid(frame, side, "slip_mm").where(_grid(frame, side, "dropped").astype(str) == "False") for side in SIDES
-    ]
-    gains = (slips[0] / slips[1]).to_numpy(dtype=float)
-    return gains[np.isfinite(gains)]
+    shipped, stiff = _held_slips(frame)
+    return shipped / stiff
+
+
+def _held_slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
+    """The slips of every cell that is held on both sides, as shipped and with stiff pads, shape [cells] each."""
+    shipped, stiff = (
+        _grid(frame, side, "slip_mm").where(_grid(frame, side, "dropped").astype(str) == "False").to_numpy(dtype=float)
+        for side in SIDES
+    )
+    is_there = np.isfinite(shipped / stiff)
+    return shipped[is_there], stiff[is_there]
 
 
 def _draw_maps(frame: pd.DataFrame) -> Drawing:

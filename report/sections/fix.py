@@ -98,7 +98,7 @@ def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:
 def _table(results: Results) -> Table:
     rows = results.rows
     columns = {
-        "engine": [ENGINES[row.backend] for row in rows],
+        "engine": [ENGINES.get(row.backend, row.backend) for row in rows],
         "its test": [PASSED[test_passed(row)] for row in rows],
         "slip": [row.slip_mm for row in rows],
         "drift": [row.drift_mm_s for row in rows],

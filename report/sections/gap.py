@@ -6,7 +6,7 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, at_least, at_most, decreases, within
 from report.deriving.arithmetic import by_case, noise_floor, share, spread
 from report.deriving.variants import is_small
-from report.figures import INK, SERIES, new_figure
+from report.figures import FAINT, INK, SERIES, new_figure, say_value, write
 from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -113,12 +113,15 @@ def _draw_contacts(rows: list[Row]) -> Drawing:
         idle,
         left=loaded,
         height=0.6,
-        color="none",
+        color=FAINT,
         edgecolor=INK,
         linewidth=0.6,
-        hatch="///",
         label="carry none",
     )
+    for place, row in enumerate(there):
+        text = f"{write(row.mean_loaded_row_count)} of {write(row.mean_row_count)}"
+        say_value(axes, row.mean_row_count.value, place, text)
+    axes.margins(x=0.2)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("live contacts")

@@ -21,8 +21,8 @@ order = 80
 page = "cause"
 
 NAMES = {
-    "as-shipped": "shaken, as shipped",
-    "hold-60s": "held still, as shipped",
+    "as-shipped": "shaken, shipped pads",
+    "hold-60s": "held still, shipped pads",
     "hold-60s-stiff": "held still, stiff pads",
 }
 """Traces that are drawn, and what they are called there."""
@@ -107,9 +107,12 @@ def _creep_goes_on(results: Results, long: Row) -> Claim:
         unit="%",
     )
     bound = results.chosen("creep_final_bound", "not dying out", 50.0, unit="%")
+    none = results.chosen("creep_final_none", "no motion at all", 0.0, unit="mm")
     return Claim(
         "creep_goes_on",
-        at_least(final, bound),
+        all_of(
+            at_least(final, bound), greater(long.increment_final_mm, none, noise=noise_floor(results, "slip_floor"))
+        ),
         numbers={"slip": long.slip_mm, "duration": long.shake_duration_s, "last": long.increment_final_mm},
     )
 

@@ -10,11 +10,11 @@ from report.results import Results
 order = 25
 
 NAMES = {
-    "as-shipped": "as shipped",
+    "as-shipped": "shipped pads",
     "stiff-pads": "stiff pads",
-    "as-shipped-10cm": "as shipped, shaken farther",
+    "as-shipped-10cm": "shipped pads, shaken farther",
     "stiff-pads-10cm": "stiff pads, shaken farther",
-    "hold-60s": "as shipped, held still",
+    "hold-60s": "shipped pads, held still",
 }
 
 

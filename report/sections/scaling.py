@@ -1,5 +1,6 @@
 """Time and memory against the number of worlds, with the engine's own steps in the same frames as the floor."""
 
+import math
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
 from typing import Any
@@ -135,7 +136,7 @@ def _first_worlds_are_cheap(results: Results, rows: Sequence[Row]) -> Claim:
         "cheap_cost",
         "time of a frame with as many worlds as that, over that of one world",
         lambda worlds, *cells: (
-            next(time for at, time in zip(cells[::2], cells[1::2], strict=True) if at == worlds) / cells[1]
+            next((time for at, time in zip(cells[::2], cells[1::2], strict=True) if at == worlds), math.nan) / cells[1]
         ),
         cheap,
         *(quantity for row in rows for quantity in (row.worlds, row.frame_ms)),

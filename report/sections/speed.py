@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 from report.claims import Claim, at_least, greater, within
 from report.deriving.arithmetic import by_case, ratio
 from report.deriving.timing import cell, frame_spread
-from report.figures import INK, SERIES, new_figure
+from report.figures import INK, SERIES, new_figure, say_value, write
 from report.names import name_of
 from report.parts import Figure, Section, Table
 from report.results import Results, Row
@@ -108,6 +108,9 @@ def _draw_frames(rows: Sequence[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 0.8 + 0.34 * len(rows))
     whiskers = {"xerr": [median - low, high - median], "capsize": 3, "error_kw": {"ecolor": INK, "elinewidth": 1.2}}
     axes.barh(names, median, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6, **whiskers)
+    for place, row in enumerate(rows):
+        say_value(axes, high[place], place, f"{write(row.frame_ms)} ms")
+    axes.margins(x=0.15)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("time of a frame [ms]")

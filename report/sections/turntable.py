@@ -1,13 +1,14 @@
 """A box on a table that turns: does it walk outward as the law says, and what stops it?"""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
-from report.claims import Claim, all_of, at_most, greater
+from report.claims import FAILS, Claim, all_of, at_least, at_most, greater
 from report.deriving.arithmetic import departure, extreme, size_share
 from report.figures import INK, SERIES, is_narrow, new_figure
 from report.names import case_html, name_of
@@ -19,7 +20,7 @@ order = 141
 page = "fix"
 
 ENGINES = {"warp": "MuJoCo Warp", "c": "MuJoCo C"}
-BIAS_FILE = ROOT / "assets" / "fix" / "contact_bias.py"
+BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
@@ -54,7 +55,7 @@ def derive(results: Results) -> Section:
         claims=[
             _follows_law(results, measured, law, resolution),
             _same_in_both(results, measured, resolution),
-            _no_setting_stops_it(results, measured),
+            _no_setting_stops_it(results, measured, resolution),
             _goes_with_timeconst(measured, resolution),
             _term_leaves_step(results, measured, resolution),
             _cured(results, measured, resolution),
@@ -104,7 +105,7 @@ def _same_in_both(results: Results, measured: Mapping[str, Value], resolution: V
     return Claim("same_in_both", at_most(largest, resolution), numbers={"largest": largest, "resolution": resolution})
 
 
-def _no_setting_stops_it(results: Results, measured: Mapping[str, Value]) -> Claim:
+def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     """In C, which has noslip in all releases."""
     plain, *found = (measured[f"{variant}-c"] for variant in ("plain", *NO_HELP))
     formula = "change of the growth, in size, of the growth with nothing done"
@@ -115,7 +116,10 @@ def _no_setting_stops_it(results: Results, measured: Mapping[str, Value]) -> Cla
     largest = results.value("setting_change", "largest of these changes", max, *changes, unit="%")
     bound = results.chosen("setting_bound", "a remedy would take more of it away", 10.0, unit="%")
     numbers = {"plain": plain, "largest": largest, **dict(zip(NO_HELP, found, strict=True))}
-    return Claim("no_setting_stops_it", at_most(largest, bound), numbers=numbers)
+    outcome = all_of(at_most(largest, bound), at_least(plain, resolution))
+    if at_least(plain, resolution) == FAILS:
+        outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
+    return Claim("no_setting_stops_it", outcome, numbers=numbers)
 
 
 def _goes_with_timeconst(measured: Mapping[str, Value], resolution: Value) -> Claim:

@@ -66,7 +66,7 @@ def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Dr
     for (case, frame), colour, place in zip(there.items(), colours, places, strict=False):
         way = np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]], axis=1)
         axes.plot(frame["time_s"], way, color=colour, linestyle="-", marker="")
-        text = f"{name_of(case)}: {write(slips[case], digits=2)} mm"
+        text = f"{name_of(case)}: {write(slips[case])} mm"
         axes.annotate(text, (frame["time_s"].iloc[-1], place), color=colour, fontsize=9, va="center", ha="right")
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.margins(x=0.01)
@@ -99,7 +99,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
         axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
         axes.annotate(
-            f"{write(there[name], digits=2)} %",
+            f"{write(there[name])} %",
             (value, place),
             xytext=(8, 0),
             textcoords="offset points",

@@ -1,13 +1,13 @@
 """What sections found, for pages that retell it; what a release lacks is said and not left out."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim
+from report.claims import FAILS, HOLDS, Claim
 from report.quantities import Quantity, absent
 from report.results import Series
 
@@ -50,6 +50,13 @@ class Found:
         row = chapter.results.row.get(case) if chapter else None
         return row[column] if row and column in row else self._absent(section, unit)
 
+    def titled(self, name: str) -> Claim:
+        """Whether the cube slips, and stiff pads hold it better."""
+        slips, held = self.claim("reproduction", "slips").outcome, self.claim("reproduction", "stiff_pads_hold").outcome
+        both = HOLDS if held == HOLDS else FAILS
+        outcome = both if slips == HOLDS else slips
+        return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
+
     def trace(self, section: str, case: str) -> Series:
         chapter = self.chapters.get(section)
         return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
@@ -64,12 +71,15 @@ class Found:
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
 
     def stale_mark(self, reads: frozenset[str]) -> Markup:
-        """A link to the section that was measured before its code changed, where pointers lead into one."""
+        """A link to the section that was measured before its code changed, where pointers lead into one.
+
+        It is no stop of the keyboard, which the section's own mark and the contents lead to as well.
+        """
         stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
         for chapter in stale:
             place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
             if any(pointer.startswith(place) for pointer in reads):
-                return Markup(' <a class="badge" href="#{}">stale</a>').format(chapter.name)
+                return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
         return Markup("")
 
     def marked(self, claim: Claim, page: str) -> Markup:

@@ -6,7 +6,7 @@ import pandas as pd
 from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import Claim, all_of
+from report.claims import HOLDS, Claim, all_of, at_most
 from report.names import section_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
@@ -23,7 +23,6 @@ SUSPECTS = {
 """What was suspected: section, value, and what was tried."""
 REMEDY = "stiff pads"
 TOLD = {
-    "title": ("reproduction", "slips"),
     "walks": ("reproduction", "slips"),
     "steady": ("reproduction", "drift_is_steady"),
     "needs_shake": ("reproduction", "needs_shaking"),
@@ -43,7 +42,6 @@ TOLD = {
     "remedy": ("stiffness", "together_they_hold"),
     "ke_alone": ("stiffness", "ke_alone_does_not_help"),
     "clamp": ("stiffness", "flat_below_clamp"),
-    "luck": ("contacts", "slide_falls_less_than_displacement"),
     "harder": ("envelope", "stiff_pads_never_drop"),
     "safe": ("stability", "safe_settings"),
     "files": ("fix", "recommended"),
@@ -58,6 +56,8 @@ TOLD = {
     "small_cubes": ("stability", "sizes"),
 }
 """Claims of the story that retell a section's claim: section and name."""
+ASKED = (("contacts", "slide_falls_less_than_displacement"), ("error_runtime", "impratio"))
+"""Others that have to be there."""
 OF_A_SLIP = {"law", "ke_alone", "clamp"}
 """Those that say something only where the cube slips with shipped pads."""
 OF_A_HOLD = {"leans"}
@@ -67,7 +67,7 @@ OF_A_HOLD = {"leans"}
 def story_of(chapters: Chapters) -> Section:
     """Figures, the table of suspects and the claims of the story; nothing where a part of it was not measured."""
     found = Found(chapters)
-    if any(found.claim(*place) is None for place in (*TOLD.values(), ("error_runtime", "impratio"))):
+    if any(found.claim(*place) is None for place in (*TOLD.values(), *ASKED)):
         return Section()
     unsaid = OF_A_HOLD if found.does_slip else OF_A_SLIP
     told = {name: place for name, place in TOLD.items() if name not in unsaid}
@@ -75,13 +75,17 @@ def story_of(chapters: Chapters) -> Section:
     return Section(
         tables={"suspects": _suspect_table(found)},
         figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
-        claims=[*claims, _grip(found), _cube_moves(found), _impratio(found)],
+        claims=[found.titled("title"), *claims, _grip(found), _cube_moves(found), _luck(found), _impratio(found)],
         unmeasured=unsaid,
     )
 
 
 def _grip(found: Found) -> Claim:
     return found.retold("grip", "contacts", "far_inside_cone", {"used": found.value("contacts", "grip_used_shipped")})
+
+
+def _luck(found: Found) -> Claim:
+    return found.retold("luck", "contacts", "slide_falls_less_than_displacement", {"slips": found.does_slip})
 
 
 def _impratio(found: Found) -> Claim:
@@ -101,7 +105,11 @@ def _walk(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads", "hold")
     traces = {case: found.trace("reproduction", case) for case in cases}
     slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
-    numbers = dict(zip(("shipped", "stiff", "hold"), slips.values(), strict=True)) | {"walks": found.does_slip}
+    bound = found.value("reproduction", "slip_bound", "mm")
+    numbers = dict(zip(("shipped", "stiff", "hold"), slips.values(), strict=True)) | {
+        "walks": found.does_slip and found.does_hold,
+        "stays": all(at_most(slips[case], bound) == HOLDS for case in cases[:2]),
+    }
     return Figure(draw=lambda: draw_walk(traces, slips), sources=list(traces.values()), numbers=numbers)
 
 
@@ -120,7 +128,7 @@ def _suspect_figure(found: Found) -> Figure:
         numbers={
             "remedy": shares[REMEDY],
             "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
-            "is_ruled_out": all(share.value < bound.value for name, share in shares.items() if name != REMEDY),
+            "ruled_out": all_of(*(at_most(share, bound) for name, share in shares.items() if name != REMEDY)).said,
         },
     )
 

@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import HOLDS, Claim, all_of, at_most, decided, greater
+from report.claims import Claim, all_of, at_most, decided, greater
 from report.deriving.arithmetic import by_case, difference, noise_floor, size_share
 from report.figures import SERIES, new_figure
 from report.names import name_of
@@ -118,7 +118,7 @@ def _slide_claims(results: Results, runs: dict[str, Row], gaps: dict[str, Value]
                 "along": shipped.along_mm,
                 "duration": shipped.shake_duration_s,
                 "bound": bound,
-                "is_more": more == HOLDS,
+                "is_more": more.said,
             },
         ),
         Claim(
@@ -129,7 +129,7 @@ def _slide_claims(results: Results, runs: dict[str, Row], gaps: dict[str, Value]
                 "along": stiff.along_mm,
                 "duration": stiff.shake_duration_s,
                 "bound": bound,
-                "is_more": more_stiff == HOLDS,
+                "is_more": more_stiff.said,
             },
         ),
     ]

@@ -2,8 +2,8 @@
 
 import pandas as pd
 
-from report.claims import OPPOSITE, Claim, all_of, at_least, at_most, greater, same_sign
-from report.deriving.arithmetic import departure, noise_floor, ratio, size_share
+from report.claims import OPPOSITE, Claim, Outcome, all_of, at_least, at_most, greater, same_sign
+from report.deriving.arithmetic import departure, noise_floor, ratio, resolved, size_share
 from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity
@@ -73,7 +73,20 @@ def _term_restored(results: Results) -> Claim:
     numbers: dict[str, Quantity] = {"bound": bound}
     for name, without, put_back in zip(("", "_stiff"), left_out, restored, strict=True):
         numbers |= {f"slide{name}": without.slide_mm, f"restored{name}": put_back.slide_mm}
-    return Claim("term_restored", at_most(largest, bound), numbers=numbers)
+    falls = [
+        _is_smaller(results, f"restored_{case}", put_back.slide_mm, without.slide_mm)
+        for case, without, put_back in zip(CASES, left_out, restored, strict=True)
+    ]
+    return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers=numbers)
+
+
+def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -> Outcome:
+    """Whether one of two lengths is smaller than the other in size, by more than the noise."""
+    sizes = [
+        results.value(f"{name}_{which}_size", "its size", abs, found, unit="mm")
+        for which, found in (("small", small), ("large", large))
+    ]
+    return greater(sizes[1], sizes[0], noise=noise_floor(results, "slip_floor"))
 
 
 def _rest_is_creep(results: Results) -> Claim:
@@ -96,7 +109,7 @@ def _rest_is_creep(results: Results) -> Claim:
     shipped, stiff = restored
     return Claim(
         "rest_is_creep",
-        at_most(largest, bound),
+        all_of(at_most(largest, bound), resolved(noise_floor(results, "slip_floor"), bound)),
         numbers={"creep": shipped.along_mm, "creep_stiff": stiff.along_mm, "rest": largest, "bound": bound},
     )
 
@@ -109,7 +122,10 @@ def _rest_goes_with_step(results: Results) -> Claim:
     off = results.value("rest_growth_off", "how far that ratio is from two", lambda found: abs(found - 2.0), growth)
     return Claim(
         "rest_goes_with_step",
-        at_most(off, results.chosen("rest_growth_bound", "near two", 0.25)),
+        all_of(
+            at_most(off, results.chosen("rest_growth_bound", "near two", 0.25)),
+            _is_smaller(results, "rest_step", shipped.along_mm, double.along_mm),
+        ),
         numbers={"double": double.along_mm, "growth": growth},
     )
 

@@ -60,7 +60,7 @@ def derive(results: Results) -> Section:
 
 
 def _named() -> dict[str, Way]:
-    return {"shipped": _way("as shipped"), "term": _way("the term"), "best": BEST}
+    return {"shipped": _way("shipped pads"), "term": _way("the term"), "best": BEST}
 
 
 def _way(name: str) -> Way:
@@ -77,7 +77,7 @@ def _budget_closes(results: Results, least: Value, most: Value) -> Claim:
 
 
 def _term_alone(results: Results) -> Claim:
-    shipped, term = (_way(name).row(results, "3cm").slip_mm for name in ("as shipped", "the term"))
+    shipped, term = (_way(name).row(results, "3cm").slip_mm for name in ("shipped pads", "the term"))
     bound = results.chosen("term_alone_bound", "a tenth of the slip as shipped", 0.6, unit="mm")
     return Claim("term_alone", at_most(term, bound), numbers={"shipped": shipped, "term": term})
 
@@ -93,12 +93,12 @@ def _each_takes_its_part(results: Results) -> Claim:
 def _best_holds(results: Results) -> Claim:
     best = BEST.row(results, "3cm")
     bound = results.chosen("best_bound", "what a grasp of this kind does not show", 0.03, unit="mm")
-    shipped = _way("as shipped").row(results, "3cm").slip_mm
+    shipped = _way("shipped pads").row(results, "3cm").slip_mm
     return Claim("best_holds", at_most(best.slip_mm, bound), numbers={"best": best.slip_mm, "shipped": shipped})
 
 
 def _best_holds_farther(results: Results) -> Claim:
-    best, shipped = (way.row(results, "10cm") for way in (BEST, _way("as shipped")))
+    best, shipped = (way.row(results, "10cm") for way in (BEST, _way("shipped pads")))
     bound = results.chosen("best_far_bound", "a tenth of a millimetre at a shake three times as wide", 0.1, unit="mm")
     grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
     outcome = all_of(at_most(best.slip_mm, bound), at_least(shipped.slip_mm, grasp))
@@ -113,7 +113,7 @@ def _stiff_pads_hold_better(results: Results) -> Claim:
 
 def _term_uncovers_step(results: Results, parts: dict[str, Value]) -> Claim:
     """The error of the step goes against what the term would have added, so that it shows once that is gone."""
-    plain, term = (_way(name).row(results, "3cm") for name in ("as shipped", "the term"))
+    plain, term = (_way(name).row(results, "3cm") for name in ("shipped pads", "the term"))
     turned = results.value(
         "turned",
         "cosine of the angle between the slip with the term put back and that as shipped, along the pads",

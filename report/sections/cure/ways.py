@@ -38,7 +38,7 @@ BEST = Way(
     "as above; bodies that roll",
 )
 WAYS = (
-    Way("as shipped", "newton-implicitfast-50-shipped", "plain-rounded", "as-shipped", "holds nothing for long"),
+    Way("shipped pads", "newton-implicitfast-50-shipped", "plain-rounded", "as-shipped", "holds nothing for long"),
     Way("stiff pads", "newton-implicitfast-50-stiff", "plain-rounded", "", "long steps: see the limits"),
     Way("stiff pads, the term", "newton-implicitfast-50-stiff", "term-rounded", "", "as both"),
     Way("the term", "newton-implicitfast-50-shipped", "term-rounded", "term", "bodies that roll and spin at once"),
@@ -50,7 +50,7 @@ WAYS = (
     Way("and compensated positions", "newton-euler-400-shipped", "centred-kept", "", "the same"),
     BEST,
 )
-STEPS = ("as shipped", "the term", "the term centred, Euler", "and a high impratio", "and compensated positions")
+STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impratio", "and compensated positions")
 """One remedy more each time."""
 
 

@@ -1,10 +1,12 @@
 """Error against run time: the cheapest setting for an error, and what the expensive knobs buy."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import pandas as pd
 from markupsafe import Markup
 
+from report.claims import HOLDS
 from report.deriving.arithmetic import cell_or_absent
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
@@ -55,8 +57,11 @@ def derive(results: Results) -> Section:
     worlds_figure, worlds_claim = derive_worlds(points)
     references = [points.reference(pads) for pads in PADS]
     converged = [cell_or_absent(reference, GRASP, "mm/cycle") for reference in references]
+    of_models = model_claims(points)
+    pads_decide = any(claim.name == "pads_decide" and claim.outcome == HOLDS for claim in of_models)
     return Section(
         tables={
+            "marked": _marked_table(points),
             "front": _front_table(distinct(points, front)),
             "warp_front": _front_table(distinct(points, warp_front)),
             "knobs": _knob_table(points),
@@ -71,11 +76,12 @@ def derive(results: Results) -> Section:
             "grasp": Figure(
                 draw=lambda: draw_grasp(points),
                 sources=[row.grasp_error_mm_per_cycle for row in points.settings],
-                numbers=_as_shipped(points, GRASP) | {"soft": converged[0], "stiff": converged[1]},
+                numbers=_as_shipped(points, GRASP)
+                | {"soft": converged[0], "stiff": converged[1], "pads_decide": pads_decide},
             ),
             "worlds": worlds_figure,
         },
-        claims=[*accuracy_claims(points, orders), *knob_claims(points), *model_claims(points), worlds_claim],
+        claims=[*accuracy_claims(points, orders), *knob_claims(points), *of_models, worlds_claim],
     )
 
 
@@ -93,7 +99,7 @@ def _front_table(rows: Sequence[Row]) -> Table:
     engines = [ENGINES[row.backend] for row in rows]
     alone = engines[0] if len(set(engines)) == 1 else ""
     columns = {
-        "pads": [row["pads"] for row in rows],
+        "pads": [PADS[row["pads"]] for row in rows],
         **({} if alone else {"engine": engines}),
         "settings": [_settings(row) for row in rows],
         "numerical error": [row.numerical_error_mm for row in rows],
@@ -108,13 +114,37 @@ def _front_table(rows: Sequence[Row]) -> Table:
     return Table(_numbered(columns), {"engine": alone, "has_warp": has_warp})
 
 
+def _marked_table(points: Points) -> Table:
+    """What the figures mark: the shipped settings, and what is recommended in their place."""
+    found = [
+        (pads, backend, name, row)
+        for pads in PADS
+        for backend in points.engines
+        for name, row in (
+            ("shipped", points.shipped(pads, backend)),
+            ("recommended", points.recommended(pads, backend)),
+        )
+        if row
+    ]
+    columns = {
+        "engine": [ENGINES[backend] for _, backend, _, _ in found],
+        "setting": [name for _, _, name, _ in found],
+        "to copy": [_settings(row) for *_, row in found],
+        "numerical error": [row[ERROR] for *_, row in found],
+        "grasp error": [row[GRASP] for *_, row in found],
+        "time": [row[TIME] for *_, row in found],
+    }
+    frame = pd.DataFrame(columns, index=pd.Index([PADS[pads] for pads, *_ in found], name="pads"), dtype=object)
+    return Table(frame)
+
+
 def _settings(row: Row) -> Markup:
     """What to set, as the parameters are called in the scene."""
     parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
 
 
-def _numbered(columns: Mapping[str, Sequence[object]]) -> pd.DataFrame:
+def _numbered(columns: Mapping[str, Any]) -> pd.DataFrame:
     count = len(next(iter(columns.values())))
     return pd.DataFrame(
         columns, index=pd.Index([str(number) for number in range(1, count + 1)], name="#"), dtype=object
@@ -128,7 +158,7 @@ def _knob_table(points: Points) -> Table:
         base = points.results.row.get(with_shipped_steps(pads, "newton"))
         rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
     columns = {
-        "pads": [row["pads"] for row in rows],
+        "pads": [PADS[row["pads"]] for row in rows],
         "changed": [_changed(row) for row in rows],
         "numerical error": [row.numerical_error_mm for row in rows],
         "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
@@ -145,7 +175,7 @@ def _changed(row: Row) -> Markup | str:
 def _failure_table(points: Points) -> Table:
     rows = [row for row in points.settings if not counts(row)]
     columns = {
-        "pads": [row["pads"] for row in rows],
+        "pads": [PADS[row["pads"]] for row in rows],
         "method": [LABELS[row.method] for row in rows],
         "settings": [_settings(row) for row in rows],
         "why it does not count": [row.invalid_reason for row in rows],

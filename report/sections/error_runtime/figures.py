@@ -1,6 +1,7 @@
 """Error against run time as a diagram, and the run time of many worlds."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,17 +13,16 @@ from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
 from report.sections.error_runtime.counting import counts
-from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, no_worse
+from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
 LEAST_ERROR_MM = 1e-5
 """Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
-FADED = 0.3
 
 
 def draw_numerical(points: Points) -> Drawing:
-    """Every setting that counts, faint; the front of each engine, and on it where it ships and what is no worse."""
+    """The best of each engine at each error, where it ships, and what is recommended in place of that."""
     drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
     rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
@@ -34,31 +34,33 @@ def draw_numerical(points: Points) -> Drawing:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
             _draw_engine(axes, mine, ERROR, points.backend_front, COLOURS[backend])
             _name_engine(axes, mine, ERROR, backend)
-            shipped = points.shipped(pads, backend)
-            if shipped is not None:
-                _mark(axes, shipped, ERROR, "*", f"shipped{_error(shipped)}", COLOURS[backend])
-                better = no_worse(mine, shipped)
-                if better is not None:
-                    _mark(axes, better, ERROR, "s", f"{_setting(better)}{_error(better)}", COLOURS[backend])
+            _mark_both(axes, points, pads, backend, ERROR, COLOURS[backend])
     panels[0][0].set_ylabel("run time [ms per simulated s]")
     return drawing
 
 
 def draw_grasp(points: Points) -> Drawing:
-    """The drift of every setting that counts, faint; where each model converges to, and where each engine ships."""
-    drawing, axes = new_figure(7.2, 4.2)
-    rows = [row for row in points.settings if counts(row) and row[GRASP].value]
+    """Where each model converges to, where each engine ships, and what is recommended in place of that."""
+    drawing, axes = new_figure(7.2, 3.6)
+    places = [(pads, backend) for pads in PADS for backend in points.engines]
+    found = [find(*place) for place in places for find in (points.shipped, points.recommended)]
+    rows = [row for row in found if row is not None and row[GRASP].value]
     _set_axes(axes, rows, GRASP, 0.5 * min(row[GRASP].value for row in rows))
+    axes.set(
+        xlim=(axes.get_xlim()[0], 1.6 * max(row[GRASP].value for row in rows)), ylim=(None, 5 * axes.get_ylim()[1])
+    )
+    for backend in points.engines:
+        times = [row[TIME].value for row in rows if row.backend == backend]
+        if times:
+            place = (0.02, 2.0 * max(times))
+            axes.annotate(NAMES[backend], place, xycoords=("axes fraction", "data"), fontsize=9, va="center")
     for colour, (pads, title) in zip((SERIES[1], SERIES[0]), PADS.items(), strict=True):
-        mine = [row for row in rows if row["pads"] == pads]
-        axes.scatter(*_places(mine, GRASP, 0.0), s=16, color=colour, alpha=FADED, linewidths=0)
+        side = "left" if pads == next(iter(PADS)) else "right"
         reference = points.reference(pads)
         if reference is not None and reference[GRASP].value:
-            _name_converged(axes, reference[GRASP], title, colour)
+            _name_converged(axes, reference[GRASP], title, colour, side)
         for backend in points.engines:
-            shipped = points.shipped(pads, backend)
-            if shipped is not None and shipped[GRASP].value:
-                _mark(axes, shipped, GRASP, "*", NAMES[backend], colour)
+            _mark_both(axes, points, pads, backend, GRASP, colour, side)
     axes.set_xlabel("grasp error [mm/cycle]")
     axes.set_ylabel("run time [ms per simulated s]")
     return drawing
@@ -86,12 +88,12 @@ def _places(rows: Sequence[Row], error: str, left: float) -> tuple[np.ndarray, n
 
 
 def _draw_engine(axes: Axes, rows: Sequence[Row], error: str, front: frozenset[str], colour: str) -> None:
-    axes.scatter(*_places(rows, error, LEAST_ERROR_MM), s=12, color=colour, alpha=FADED, linewidths=0, clip_on=False)
     best = sorted((row for row in rows if row.case in front), key=lambda row: row[error].value)
     if best:
         x, y = _places(best, error, LEAST_ERROR_MM)
         style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
         axes.step([*x, axes.get_xlim()[1]], [*y, y[-1]], where="post", **style)
+        axes.scatter(x, y, s=14, color=colour, linewidths=0, clip_on=False)
 
 
 def _name_engine(axes: Axes, rows: Sequence[Row], error: str, backend: str) -> None:
@@ -111,12 +113,24 @@ def _name_engine(axes: Axes, rows: Sequence[Row], error: str, backend: str) -> N
         )
 
 
-def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str) -> None:
-    """One setting by its name, beside a mark that can be seen."""
+def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, side: str) -> None:
+    """One setting by its name, on one side of a mark that can be seen."""
     (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
     size = {"*": 130, "s": 34}[mark]
     axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
-    axes.annotate(text, (x, y), xytext=(8, 2), textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
+    place: dict[str, Any] = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
+    axes.annotate(text, (x, y), **place, textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
+
+
+def _mark_both(
+    axes: Axes, points: Points, pads: str, backend: str, error: str, colour: str, side: str = "right"
+) -> None:
+    """The shipped setting and the recommended one, each with its error."""
+    shipped, better = points.shipped(pads, backend), points.recommended(pads, backend)
+    if shipped is not None and shipped[error].value:
+        _mark(axes, shipped, error, "*", write(shipped[error]), colour, side)
+    if better is not None and better[error].value:
+        _mark(axes, better, error, "s", f"{_setting(better)}: {write(better[error])}", colour, side)
 
 
 def _setting(row: Row) -> str:
@@ -124,14 +138,22 @@ def _setting(row: Row) -> str:
     return ", ".join(name_of(row.case).split(", ")[2:])
 
 
-def _error(row: Row) -> str:
-    return f": {write(row[ERROR], digits=2)} mm"
-
-
-def _name_converged(axes: Axes, found: Quantity, title: str, colour: str) -> None:
+def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: str) -> None:
+    """On one side of its line; the names of both lines stand in lines of their own."""
     axes.axvline(found.value, color=colour, linestyle="--", linewidth=1.2, marker="")
-    text = f" {title},\n converged: {write(found)}"
-    axes.annotate(text, (found.value, 0.985), xycoords=("data", "axes fraction"), fontsize=8.5, color=colour, va="top")
+    place: dict[str, Any] = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
+    at = (found.value, 0.985 if side == "right" else 0.91)
+    text = f"{title}, converged: {write(found)}"
+    axes.annotate(
+        text,
+        at,
+        **place,
+        xycoords=("data", "axes fraction"),
+        textcoords="offset points",
+        fontsize=8.5,
+        color=colour,
+        va="top",
+    )
 
 
 def draw_worlds(

@@ -13,7 +13,7 @@ from report.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 
-PADS = {"as-shipped": "pads as shipped", "stiff": "stiff pads"}
+PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
     "newton": "Warp, Newton's contacts",
     "newton-each-substep": "the same, contacts anew in each substep",
@@ -85,6 +85,12 @@ class Points:
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
 
+    def recommended(self, pads: str, backend: str) -> Row | None:
+        """What to set in place of the shipped settings on a backend; None where these are best, or do not count."""
+        shipped = self.shipped(pads, backend)
+        rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
+        return shipped and no_worse(rows, shipped)
+
     def reference(self, pads: str) -> Row | None:
         """The converged solution with the cone and impratio as shipped."""
         mine = (row for row in self.references if row["pads"] == pads and is_own_model(row))
@@ -103,7 +109,7 @@ def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
 
 
 def points_of(results: Results) -> Points:
-    settings = [row for row in results.rows if row.method not in ("reference", "worlds")]
+    settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
     # The numerical error compares settings of one model; the grasp error compares everything.
     counted = [row for row in settings if counts(row)]
     own_model = [row for row in counted if is_own_model(row)]

@@ -77,7 +77,7 @@ def _rate_range(points: Points, name: str, row: Row) -> Value:
 def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
     """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
     above = [rate >= level for rate in rates]
-    if True not in above or above[0]:
+    if True not in above or above[0] or min(rates) <= 0.0:
         return float("nan")
     after = above.index(True)
     pair = slice(after - 1, after + 1)

@@ -62,7 +62,7 @@ def derive(results: Results) -> Section:
 
 
 def _variants(results: Results) -> list[Variant]:
-    timed = [row for row in results.rows if "device" in row]
+    timed = [row for row in results.rows if "device" in row and row.device in DEVICES]
     keys = dict.fromkeys((row.device, row.case) for row in timed)
     return [Variant(*key, [row for row in timed if (row.device, row.case) == key]) for key in keys]
 

@@ -8,7 +8,7 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from report.deriving.arithmetic import DEVICES
-from report.figures import INK, SERIES, new_figure
+from report.figures import INK, SERIES, new_figure, say_value, write
 from report.names import case_html, name_of, worlds_name
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
@@ -117,6 +117,10 @@ def _draw_cost(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -
                 )
                 place = names.index(variant.case)
                 axes.barh(place, middle, height=0.62, color=SERIES[0], edgecolor=INK, linewidth=0.6)
+                if middle > 40:
+                    axes.annotate(write(row.frame_ms), (4, place), fontsize=8, va="center", color="white")
+                else:
+                    say_value(axes, high, place, write(row.frame_ms))
                 axes.plot([low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=1, linewidth=1.2)
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")
         axes.set_xlim(left=0)

@@ -76,13 +76,15 @@ def mass(results: Results) -> Claim:
 def mass_drift(results: Results) -> Claim:
     held = [row for row in _by_mass(results) if is_stable(row)]
     drifts = [row.drift_mm_s for row in held]
-    low = extreme(results, "mass_drift_least", "least drift of masses that are held", min, drifts)
-    high = extreme(results, "mass_drift_most", "largest drift of masses that are held", max, drifts)
+    formula = "drift of masses that are held, in size"
+    low = extreme(results, "mass_drift_least", f"least {formula}", lambda *found: min(map(abs, found)), drifts)
+    high = extreme(results, "mass_drift_most", f"largest {formula}", lambda *found: max(map(abs, found)), drifts)
     bound = results.chosen("mass_drift_bound", "alike", MASS_DRIFT_RATIO)
     least = results.value(
         "mass_drift_allowed", "the largest drift over that bound", lambda a, b: a / b, high, bound, unit="mm/s"
     )
-    outcome = all_of(at_least(low, least), decided(True, *drifts))
+    is_one_way = len({drift.value > 0 for drift in drifts if drift.value is not None}) == 1
+    outcome = all_of(at_least(low, least), decided(is_one_way, *drifts))
     return Claim("mass_drift", outcome, numbers={"low": low, "high": high, "bound": bound})
 
 
@@ -268,7 +270,7 @@ def neighbours(results: Results) -> Claim:
 
 
 def repeats_agree(results: Results) -> Claim:
-    rows = [row for row in results.rows if row.repeat_count.value > 1]
+    rows = [row for row in results.rows if (row.repeat_count.value or 0) > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
     split_count = count(results, "split_count", "cases whose repeats end in different classes", split)
     none = results.chosen("split_bound", "none", 0)

@@ -33,15 +33,16 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
         one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
     handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
+    rate, rates = ("", "creeping") if is_narrow() else ("$1.2$", "creeping [mm/s]")
     with matplotlib.rc_context({"text.parse_math": True}):  # a mark that is text is a formula to Matplotlib
         marks = [
-            Line2D([], [], linestyle="", marker=mark or "$1.2$", color=MAP_INK, markersize=6 if mark else 11)
+            Line2D([], [], linestyle="", marker=mark or rate, color=MAP_INK, markersize=6 if mark else 11)
             for mark in MARKS
         ]
     pairs: list[Any] = list(zip(handles, marks, strict=True))
     drawing.legend(
         [*pairs, Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
-        [*("creeping [mm/s]" if name == "creeping" else name for name in CLASSES), "clamped"],
+        [*(rates if name == "creeping" else name for name in CLASSES), "clamped"],
         loc="outside upper center",
         ncols=4,
         fontsize=9,
@@ -140,7 +141,7 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
     steps = sorted({row.substeps.value for row in rows})
     for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
         mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
-        label = f"{write(mine[0].step_ms, digits=2)} ms"
+        label = f"{write(mine[0].step_ms)} ms"
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
         x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
@@ -196,7 +197,7 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
         mine = [row for row in rows if row.grip == grip]
         kept = [row for row in mine if is_stable(row)]
         colour = SERIES[number]
-        label = {"as-shipped": "grip as shipped", "scaled": "grip scaled with the mass"}.get(grip, grip)
+        label = {"as-shipped": "shipped grip", "scaled": "grip scaled with the mass"}.get(grip, grip)
         x = [row.cube_edge_mm.value for row in kept]
         axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
         lost = [row.cube_edge_mm.value * (1.0 + 0.04 * number) for row in mine if not is_stable(row)]

@@ -18,11 +18,10 @@ page = "cause"
 
 def derive(results: Results) -> Section:
     plain = [row for row in results.rows if "pad_dmax" not in row]
-    default_kd = results.row[SHIPPED].pad_kd.value
     runs = Runs(
         named=[row for row in results.rows if not row.case.startswith("sweep-")],
-        ke_alone=_by_ke(row for row in plain if row.pad_kd.value == default_kd),
-        together=_by_ke(row for row in plain if row.pad_kd.value != default_kd or row.case == SHIPPED),
+        ke_alone=_by_ke(row for row in plain if row.pad_kd.value == AS_SHIPPED.pad_kd),
+        together=_by_ke(row for row in plain if row.pad_kd.value != AS_SHIPPED.pad_kd or row.case == SHIPPED),
     )
     substep = results.value(
         "substep", "given by the scene: frame time over substeps", lambda: 1 / 60 / AS_SHIPPED.substeps, unit="s"
@@ -33,7 +32,6 @@ def derive(results: Results) -> Section:
     give = {
         row.case: results.value(f"give_{row.case}", "1 - dmax", lambda dmax: 1 - dmax, row.dmax) for row in runs.named
     }
-    stiffness = {row.case: row.stiffness_n_m for row in runs.named}
     sweep = Figure(
         draw=lambda: draw_sweep(runs, clamp.value),
         sources=[row.slip_mm for row in runs.held],
@@ -45,13 +43,13 @@ def derive(results: Results) -> Section:
         numbers={"has_rest": drift_without_slide(results).value is not None},
     )
     return Section(
-        tables={"cases": _table(runs.named, give, stiffness)},
+        tables={"cases": _table(runs.named, give)},
         figures={"sweep": sweep, "law": law},
         claims=[
             cause(results, proportional),
             proportional,
-            not_creep_under_load(results, stiffness),
-            *knob_claims(results, runs, stiffness, clamp),
+            not_creep_under_load(results),
+            *knob_claims(results, runs, clamp),
         ],
     )
 
@@ -60,7 +58,7 @@ def _by_ke(rows: Iterable[Row]) -> list[Row]:
     return sorted(rows, key=lambda row: row.pad_ke.value)
 
 
-def _table(rows: Sequence[Row], give: Mapping[str, Value], stiffness: Mapping[str, Value]) -> Table:
+def _table(rows: Sequence[Row], give: Mapping[str, Value]) -> Table:
     columns = {
         "ke": [row.pad_ke for row in rows],
         "kd": [row.pad_kd for row in rows],
@@ -72,7 +70,7 @@ def _table(rows: Sequence[Row], give: Mapping[str, Value], stiffness: Mapping[st
         "dampratio": [row.dampratio for row in rows],
         "depth": [row.penetration_mm for row in rows],
         "force": [row.normal_force_n for row in rows],
-        "stiffness": [stiffness[row.case] for row in rows],
+        "stiffness": [row.stiffness_n_m for row in rows],
     }
     for name in list(columns)[4:]:  # the contacts of a cube that was lost are with the ground
         columns[name] = [cell if is_held(row) else "" for row, cell in zip(rows, columns[name], strict=True)]

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most, within
+from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, within
 from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
 from report.quantities import Quantity, Value, absent
 from report.results import Results
@@ -12,33 +12,36 @@ from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
-NO_SLIP = "as shipped there is no slip to bring down"
+NO_SLIP = "with shipped pads there is no slip to bring down"
 
 
-def knob_claims(results: Results, runs: Runs, stiffness: Mapping[str, Value], clamp: Value) -> list[Claim]:
-    """``stiffness`` [N/m] is measured, by case; beyond kd ``clamp`` the timeconst is two substeps."""
+NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
+
+
+def knob_claims(results: Results, runs: Runs, clamp: Value) -> list[Claim]:
+    """Beyond kd ``clamp`` the timeconst is two substeps."""
     return [
-        _ke_is_no_spring(results, stiffness),
+        _ke_is_no_spring(results),
         _ke_alone_does_not_help(results, runs),
-        _stiff_contact_still_slips(results, stiffness),
+        _stiff_contact_still_slips(results),
         _ke_alone_fails(results, runs),
         _together_they_hold(results),
         _flat_below_clamp(results, runs, clamp),
     ]
 
 
-def _ke_is_no_spring(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+def _ke_is_no_spring(results: Results) -> Claim:
     soft, stiff = results.row[SHIPPED], results.row[STIFFEST]
     formula = "largest over smallest authored ke of the named cases"
     authored = ratio(results, "ke_ratio", formula, stiff.pad_ke, soft.pad_ke)
     formula = "measured stiffness at that largest ke over that at the smallest"
-    measured = ratio(results, "stiffness_ratio", formula, stiffness[stiff.case], stiffness[soft.case])
+    measured = ratio(results, "stiffness_ratio", formula, stiff.stiffness_n_m, soft.stiffness_n_m)
     follows = share(results, "stiffness_follows", "measured ratio, of the authored", measured, authored)
     bound = results.chosen("stiffness_follows_bound", "does not follow", 50.0, unit="%")
     return Claim(
         "ke_is_no_spring",
         at_most(follows, bound),
-        numbers={"ke": soft.pad_ke, "k": stiffness[soft.case], "times": authored, "more": measured},
+        numbers={"ke": soft.pad_ke, "k": soft.stiffness_n_m, "times": authored, "more": measured},
     )
 
 
@@ -72,14 +75,14 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     )
 
 
-def _stiff_contact_still_slips(results: Results, stiffness: Mapping[str, Value]) -> Claim:
+def _stiff_contact_still_slips(results: Results) -> Claim:
     kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
     alone = kept[0] if kept else results.row[ALONE[0]]
     fix, shipped = results.row[FIX], results.row[SHIPPED]
     formula = (
         "measured stiffness with the largest named ke at the default kd that keeps the cube, over that with the fix"
     )
-    times = ratio(results, "alone_over_fix", formula, stiffness[alone.case], stiffness[fix.case])
+    times = ratio(results, "alone_over_fix", formula, alone.stiffness_n_m, fix.stiffness_n_m)
     formula = "slip of that run, of the slip as shipped"
     of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
     one = results.chosen("alone_over_fix_bound", "at least as stiff", 1.0)
@@ -135,8 +138,10 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")
     floor = noise_floor(results, "slip_floor")
-    return Claim(
-        "flat_below_clamp",
-        within(difference, floor),
-        numbers={"clamp": clamp, "spread": difference, "floor": floor},
-    )
+    numbers: Mapping[str, Quantity] = {"spread": difference, "floor": floor}
+    outcome = within(difference, floor)
+    gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
+    if at_least(*gained) != HOLDS:
+        outcome = NO_GAIN.having_read(*gained, difference, floor)
+        numbers = told(absent("mm", NO_GAIN.reason), numbers)
+    return Claim("flat_below_clamp", outcome, numbers={"clamp": clamp, **numbers})

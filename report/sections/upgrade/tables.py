@@ -1,6 +1,6 @@
 """The tables and the figure of what releases have side by side."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import pandas as pd
@@ -9,7 +9,8 @@ from matplotlib.figure import Figure as Drawing
 
 from report.chapters import Releases
 from report.deriving.releases import Headline, cell, change, machines_differ, marked
-from report.figures import new_figure
+from report.figures import new_figure, say_value, write
+from report.format import unit_label
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -21,7 +22,7 @@ SHIPPED, TAKEN, GIVEN, SWITCHED = (
     "as-shipped-kf-off",
 )
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
-SLIP = Headline("slip as shipped", "upgrade", SHIPPED, "slip_mm", "mm")
+SLIP = Headline("slip with shipped pads", "upgrade", SHIPPED, "slip_mm", "mm")
 MUJOCO_CONTACTS = Headline(
     "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
 )
@@ -29,7 +30,7 @@ PYRAMID = Headline("slip with a pyramidal cone", "solver", "cone-pyramidal", "sl
 MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
 HEADLINES = (
     SLIP,
-    Headline("drift as shipped", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
+    Headline("drift with shipped pads", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
     Headline("slip with stiff pads", "upgrade", "stiff-pads", "slip_mm", "mm"),
     Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
     MUJOCO_CONTACTS,
@@ -41,7 +42,7 @@ HEADLINES = (
     Headline("slip of the fixed scene", "fix", "fixed", "slip_mm", "mm"),
 )
 SPEEDS = (
-    Headline("a frame as shipped", "speed", SHIPPED, "frame_ms", "ms"),
+    Headline("a frame with shipped pads", "speed", SHIPPED, "frame_ms", "ms"),
     Headline("a frame of the fixed scene", "speed", "fixed", "frame_ms", "ms"),
     Headline("a frame of the most worlds", "scaling", "worlds-16384", "frame_ms", "ms"),
     Headline("on the CPU, a frame exactly as shipped", "leave_out", "untrimmed", "frame_ms", "ms", "cpu"),
@@ -65,7 +66,7 @@ LIVE = {
 }
 """Columns that say what a live contact of the scene as shipped has."""
 TRIED = {
-    SHIPPED: "as shipped",
+    SHIPPED: "shipped pads",
     TAKEN: "friction rows' time constant taken out",
     GIVEN: "two substeps written into it",
     SWITCHED: "switched off: kf below zero",
@@ -99,9 +100,14 @@ def headline_table(results: Results, releases: Releases, floors: Mapping[str, Va
             noise = floors[headline.unit]
             columns[release].append(marked(moved, noise, headline.column, cells.get(base, found), found))
     frame = pd.DataFrame({f"Newton {release}": found for release, found in columns.items()}, dtype=object)
-    frame["noise"] = [Markup("{}").format(floors[headline.unit]) for headline in HEADLINES]
-    frame.index = pd.Index([headline.label for headline in HEADLINES], name="")
+    frame["noise"] = [floors[headline.unit].bare for headline in HEADLINES]
+    frame.index = pd.Index([_label(headline) for headline in HEADLINES], name="")
     return Table(frame)
+
+
+def _label(headline: Headline) -> str:
+    """With its unit, which the cells of a row share."""
+    return f"{headline.label} [{unit_label(headline.unit)}]"
 
 
 def _name(headline: Headline) -> str:
@@ -122,7 +128,7 @@ def speed_table(results: Results, releases: Releases) -> Table:
             moved = None if found is base or differ else change(results, name, base, found)
             columns[f"Newton {release}"].append(marked(moved, spread, headline.column, base, found))
     frame = pd.DataFrame(columns, dtype=object)
-    frame.index = pd.Index([headline.label for headline in SPEEDS], name="")
+    frame.index = pd.Index([_label(headline) for headline in SPEEDS], name="")
     return Table(frame)
 
 
@@ -133,12 +139,13 @@ def edge(headline: Headline, end: str) -> Headline:
 def live_table(releases: Releases) -> Table:
     columns = {
         f"Newton {release}": [
-            Markup("{}").format(cell(releases, release, Headline("", "upgrade", SHIPPED, column, unit)))
+            cell(releases, release, Headline("", "upgrade", SHIPPED, column, unit)).bare
             for column, (_, unit) in LIVE.items()
         ]
         for release in releases
     }
-    index = pd.Index([label for label, _ in LIVE.values()], name="")
+    labels = [f"{label} [{unit_label(unit)}]" if unit_label(unit) else label for label, unit in LIVE.values()]
+    index = pd.Index(labels, name="")
     return Table(pd.DataFrame(columns, index=index, dtype=object))
 
 
@@ -182,17 +189,31 @@ def slip_figure(releases: Releases) -> Figure:
     )
 
 
+def _apart(values: Sequence[float], step: float = 1.22) -> list[float]:
+    """The values, each at least ``step`` times as large as the one below it, so that they can be read."""
+    heights: dict[int, float] = {}
+    for index in sorted(range(len(values)), key=lambda index: values[index]):
+        heights[index] = max(values[index], step * max(heights.values(), default=0.0))
+    return [heights[index] for index in range(len(values))]
+
+
 def _draw_slips(releases: Releases) -> Drawing:
     drawing, axes = new_figure(7.2, 3.4)
     places = range(len(releases))
+    ends: list[tuple[int, Quantity]] = []
     for headline in DRAWN:
-        cells = [cell(releases, release, headline).value for release in releases]
-        there = [(place, value) for place, value in zip(places, cells, strict=True) if value is not None]
+        cells = [cell(releases, release, headline) for release in releases]
+        there = [(place, found) for place, found in zip(places, cells, strict=True) if found.value is not None]
         if there:
-            axes.plot(*zip(*there, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
+            line = [(place, found.value) for place, found in there]
+            axes.plot(*zip(*line, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
+            ends.append(there[-1])
+    heights = _apart([found.value for _, found in ends])
+    for (place, found), height in zip(ends, heights, strict=True):
+        say_value(axes, place, height, write(found))
     axes.set_yscale("log")
     axes.set_xticks(list(places), list(releases))
-    axes.set_xlim(-0.3, len(releases) - 0.7)
+    axes.set_xlim(-0.3, len(releases) - 0.6)
     axes.set_xlabel("Newton release")
     axes.set_ylabel("slip [mm]")
     drawing.legend(loc="outside upper left", ncols=3, fontsize=9)

@@ -1,0 +1,362 @@
+"""Other worlds: the report as it would be if something else had been measured.
+
+What the pages of a world say that those of the tracked results don't is kept in ``tests/worlds/``, numbers left out: a
+person reads it once, and a test compares. ``make worlds`` builds the whole site of each, figures as well, checks it and
+writes anew what is kept.
+"""
+
+import html
+import re
+import shutil
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from random import Random
+from statistics import fmean
+from tempfile import TemporaryDirectory
+from typing import Any
+from unittest import mock
+
+import numpy as np
+import pandas as pd
+
+from report import ROOT
+from report.altered import load_trace_once
+from report.check import check_site
+from report.claims import NUMBER
+from report.editions import Edition, editions_of
+from report.page import Templates
+from report.records.columns import REASON, is_number, units_of
+from report.records.project import Project, own_release
+from report.records.reading import load_record
+from report.records.record import Record, write_record
+from report.settings import settings
+from report.site import build, undrawn
+
+SNAPSHOTS = Path(__file__).parent / "worlds"
+SOURCES = ("experiments", "report", "templates", "assets")
+MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
+"""Columns of how the cube moves in the grasp."""
+SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_([xyz]_)?mm_s|[xyz]_mm")
+"""Those of them that say in which direction."""
+PERCENTILE = re.compile("_p(5|95)$")
+ENDS = {"as-shipped": "stiff", "stiff": "as-shipped"}
+ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
+"""Columns that say how a run ended."""
+FAILURE = "the state was not finite in frame 300"
+SHARE = 0.1
+"""Of the rows so many fail, or are missing."""
+NOISIER = 50.0
+
+Row = dict[str, Any]
+Records = Mapping[tuple[str, str], Record]
+"""By release and section."""
+Place = tuple[str, str]
+"""Release and section."""
+
+
+def as_measured(records: Records, place: Place) -> list[Row]:
+    return [dict(row) for row in records[place].rows]
+
+
+@dataclass(frozen=True)
+class World:
+    """What is otherwise in it."""
+
+    name: str
+    rows: Callable[[Records, Place], list[Row]] = as_measured
+    """The rows of one record."""
+    frame: Callable[[Path, pd.DataFrame], pd.DataFrame] = lambda path, frame: frame
+    """A trace, by its tracked file."""
+
+
+def measured(row: Row) -> dict[str, float]:
+    """The numbers of a row that nobody chose."""
+    return {column: value for column, value in row.items() if is_number(value) and column not in settings()}
+
+
+def changed(rows: Sequence[Row], section: str, change: Callable[[str, float], float]) -> list[Row]:
+    """Rows with their measured numbers changed; how far apart runs of one case are stays as it was."""
+    means = _means(rows) if section == "noise" else [{}] * len(rows)
+    found = []
+    for row, mean in zip(rows, means, strict=True):
+        middles = {column: mean.get(column, value) for column, value in measured(row).items()}
+        new = {column: change(column, middle) + row[column] - middle for column, middle in middles.items()}
+        found.append({**row, **{column: _sized(column, value) for column, value in new.items()}})
+    return found
+
+
+def _sized(column: str, value: float) -> float:
+    return abs(value) if MOTION.fullmatch(column) and not SIGNED.fullmatch(column) else value
+
+
+def _means(rows: Sequence[Row]) -> list[dict[str, float]]:
+    """For each run of the section on noise the means of the runs of its case."""
+    cells: dict[tuple[str, str], list[float]] = {}
+    for row in rows:
+        for column, value in measured(row).items():
+            cells.setdefault((row["of"], column), []).append(value)
+    return [{column: fmean(cells[row["of"], column]) for column in measured(row)} for row in rows]
+
+
+def moving(name: str, factor: float) -> World:
+    """The cube moves so many times as much."""
+
+    def rows(records: Records, place: Place) -> list[Row]:
+        return changed(records[place].rows, place[1], lambda column, value: value * _factor(column, factor))
+
+    return World(name, rows, lambda path, found: _moved(found, lambda column, cells: _factor(column, factor) * cells))
+
+
+def _factor(column: str, factor: float) -> float:
+    if not MOTION.fullmatch(column):
+        return 1.0
+    return factor if SIGNED.fullmatch(column) else abs(factor)
+
+
+def _moved(frame: pd.DataFrame, change: Callable[[str, pd.Series], pd.Series]) -> pd.DataFrame:
+    return frame.assign(**{column: change(column, frame[column]) for column in frame if MOTION.fullmatch(column)})
+
+
+def reversed_rows(records: Records, place: Place) -> list[Row]:
+    """What was large is small and the other way round: motion about the middle of shipped and stiff pads, on a
+    logarithmic scale, and any other number about the middle of its column."""
+    shipped, stiff = (measured(row) for row in records[place[0], "reproduction"].rows[:2])
+    products = {column: abs(value * stiff[column]) for column, value in shipped.items() if MOTION.fullmatch(column)}
+    sizes: dict[str, list[float]] = {}
+    for row in records[place].rows:
+        for column, value in measured(row).items():
+            sizes.setdefault(PERCENTILE.sub("", column), []).extend([abs(value)] if value else [])
+
+    def turned(column: str, value: float) -> float:
+        if not value:
+            return value
+        found = sizes[PERCENTILE.sub("", column)]
+        new = products.get(column, min(found) * max(found)) / value
+        return max(1, round(new)) if isinstance(value, int) else new
+
+    rows = changed(records[place].rows, place[1], turned)
+    return [_with_ends_turned(row, before) for row, before in zip(rows, records[place].rows, strict=True)]
+
+
+def _with_ends_turned(row: Row, before: Row) -> Row:
+    """Percentiles in their order, what is counted of either kind of pads exchanged, and what failed passed."""
+    found = dict(row)
+    for column in row:
+        if column.endswith("_p5") and is_number(row[column]):
+            high = column.removesuffix("5") + "95"
+            found[column], found[high] = sorted((row[column], row[high]))
+        if column.endswith("_as_shipped_count"):
+            other = column.replace("as_shipped", "stiff")
+            found[column], found[other] = before[other], before[column]
+    return found | ({"exit_status": 1 - before["exit_status"]} if "exit_status" in row else {})
+
+
+def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
+    if "side" in frame:
+        return frame.assign(side=frame["side"].map(lambda side: ENDS.get(side, side)))
+    if "x_mm" not in frame:
+        return frame
+    end = float(np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]].iloc[-1]))
+    factor = 2.0 / end**2 if end else 1.0  # 2 mm² is the slip as shipped times that with stiff pads
+    return _moved(frame, lambda column, cells: factor * cells)
+
+
+def equal_rows(records: Records, place: Place) -> list[Row]:
+    """Every case gives what the first of its record gave, and ends as that ended."""
+    first: Row = {}
+    for row in records[place].rows:
+        first |= {column: value for column, value in row.items() if value is not None and column not in first}
+    return [
+        {column: first[column] if column in ENDINGS or column in measured(row) else row[column] for column in row}
+        for row in records[place].rows
+    ]
+
+
+def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
+    """The first trace of its section; of a map, on both sides what was measured with shipped pads."""
+    if "side" in frame:
+        shipped = frame[frame["side"] == "as-shipped"]
+        return pd.concat([shipped, shipped.assign(side="stiff")], ignore_index=True)
+    section = path.name.partition(".")[0]
+    first = load_trace_once(sorted(path.parent.glob(f"{section}.*.csv.gz"))[0])
+    if list(first) != list(frame) or len(first) < len(frame):
+        return frame
+    kept = frame[[column for column in frame if column in ("time_s", "frame")]]
+    return first.head(len(frame)).assign(**{column: kept[column] for column in kept})
+
+
+def noisy_rows(records: Records, place: Place) -> list[Row]:
+    """Runs of one case are many times as far apart, and so are the frames of a run."""
+    found = records[place].rows
+    means = _means(found) if place[1] == "noise" else [{}] * len(found)
+    rows = []
+    for row, mean in zip(found, means, strict=True):
+        new = {column: value + NOISIER * (row[column] - value) for column, value in mean.items()}
+        new = {column: _sized(column, value) for column, value in new.items() if isinstance(row[column], float)}
+        for column, value in measured(row).items():
+            middle = row.get(PERCENTILE.sub("", column))
+            if PERCENTILE.search(column) and is_number(middle):
+                new[column] = max(0.0, middle + NOISIER * (value - middle))
+        rows.append({**row, **new})
+    return rows
+
+
+def failing(seed: int) -> World:
+    """A tenth of the runs fail."""
+
+    def rows(records: Records, place: Place) -> list[Row]:
+        chance = Random(f"{seed} {place[1]}")
+        return [_failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
+
+    return World(f"failing-{seed}", rows)
+
+
+def _failed(row: Row) -> Row:
+    lost = measured(row)
+    ended = {"failure": FAILURE, "dropped": None, "class": "non-finite", "finite": False}
+    gone = dict.fromkeys(lost) | {column + REASON: FAILURE for column in lost}
+    return {**row, **gone, **{column: value for column, value in ended.items() if column in row}}
+
+
+def missing(seed: int) -> World:
+    """A tenth of the rows are not there."""
+
+    def rows(records: Records, place: Place) -> list[Row]:
+        chance = Random(f"{seed} {place[1]}")
+        kept = [row for row in as_measured(records, place) if chance.random() >= SHARE]
+        return kept or as_measured(records, place)[:1]
+
+    return World(f"missing-{seed}", rows)
+
+
+@cache
+def other_release(release: str) -> str:
+    """The newest release for the oldest and the other way round."""
+    releases = Project(own_release()).releases
+    return {releases[0]: releases[-1], releases[-1]: releases[0]}.get(release, release)
+
+
+def swapped_rows(records: Records, place: Place) -> list[Row]:
+    """The oldest release does what the newest does, and the other way round."""
+    other = other_release(place[0]), place[1]
+    return as_measured(records, other if other in records else place)
+
+
+def swapped_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
+    release = path.parent.name.removeprefix("newton-")
+    other = path.parent.with_name(f"newton-{other_release(release)}") / path.name
+    return load_trace_once(other) if other.is_file() else frame
+
+
+AS_MEASURED = World("as-measured")
+WORLDS = (
+    World("reversed", reversed_rows, reversed_frame),
+    moving("moving-x-0.05", 0.05),
+    moving("moving-x-20", 20.0),
+    moving("moving-x-minus-1", -1.0),
+    World("all-equal", equal_rows, equal_frame),
+    World("noise-x-50", noisy_rows),
+    *(failing(seed) for seed in range(3)),
+    *(missing(seed) for seed in range(3)),
+    World("releases-swapped", swapped_rows, swapped_frame),
+)
+
+
+@cache
+def tracked_records() -> Records:
+    own = Project(own_release())
+    paths = [path for release in own.releases for path in own.of(release).results.glob("*.json")]
+    records = [(path.parent.name.removeprefix("newton-"), load_record(path)) for path in paths if path.stem != "clips"]
+    return {(release, record.section): record for release, record in records}
+
+
+@contextmanager
+def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
+    """A project that has a world's results of some releases."""
+    own, records = Project(own_release()), tracked_records()
+    with TemporaryDirectory() as folder:
+        project = Project(own.release, root=Path(folder))
+        for name in SOURCES:
+            (project.root / name).symlink_to(ROOT / name)
+        for (release, section), record in records.items():
+            if release in releases:
+                path, rows = project.of(release).record_path(section), world.rows(records, (release, section))
+                path.parent.mkdir(parents=True, exist_ok=True)
+                for trace in own.of(release).results.glob(f"{section}.*.csv.gz"):
+                    shutil.copy(trace, path.parent)
+                write_record(path, replace(record, rows=rows, units=units_of(rows)))
+
+        def load(path: Path, seal: object = None) -> pd.DataFrame:
+            tracked = ROOT / path.relative_to(project.root)
+            return world.frame(tracked, load_trace_once(tracked))
+
+        with mock.patch("report.results.load_trace", load):  # to write a trace takes long
+            yield project
+
+
+BLOCK = re.compile(r"</?(?:p|li|ul|ol|h\d|figcaption|figure|dd|dt|dl|div|section|details)\b[^>]*>")
+CLAIM = re.compile(r'<span class="claim" data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?[^>]*>')
+SKIPPED = re.compile(r"<(table|pre|nav|svg)\b.*?</\1>", re.DOTALL)
+
+
+def said(editions: Mapping[str, Edition], templates: Templates, release: str, *, numbers: bool = False) -> list[str]:
+    """All that the pages of a release say, a paragraph or a claim a line; tables and code are left out."""
+    pages = undrawn(editions, templates, release)
+    return [f"{file}: {line}" for (file, _), text in pages.items() for line in _lines(text, numbers)]
+
+
+def _lines(text: str, numbers: bool) -> Iterator[str]:
+    text = SKIPPED.sub("", text.replace("\n", " "))
+    text = text if numbers else NUMBER.sub("#", text)
+    text = CLAIM.sub(lambda claim: f"\n[{claim[1]} {'the opposite' if claim[3] else claim[2]}] ", text)
+    text = html.unescape(re.sub("<[^>]*>", "", BLOCK.sub("\n", text)).replace("\xa0", " "))
+    yield from filter(None, (" ".join(line.split()).rstrip(" #") for line in text.split("\n")))
+
+
+def otherwise(world: World, before: Sequence[str]) -> str:
+    """What the pages of the own release say in a world, and in the tracked one, of which these are the lines, don't."""
+    with project_of(world, [own_release()]) as project:
+        lines = lines_of(project)
+    return "".join(f"{line}\n" for line in dict.fromkeys(lines) if line not in set(before))
+
+
+def lines_of(project: Project) -> list[str]:
+    templates = Templates(project.templates)
+    editions = editions_of(project, templates)
+    lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
+    assert not lost, f"lost: {[state.notes for state in lost]}"
+    return said(editions, templates, project.release)
+
+
+def problems_of(world: World) -> list[str]:
+    """What is wrong with the whole site of a world, of all releases."""
+    with project_of(world, Project(own_release()).releases) as project:
+        editions = build(project)
+        lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
+        return [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
+
+
+def main(names: Sequence[str]) -> int:
+    with project_of(AS_MEASURED, [own_release()]) as project:
+        before = lines_of(project)
+    failed = False
+    for world in WORLDS:
+        if names and world.name not in names:
+            continue
+        path = SNAPSHOTS / f"{world.name}.txt"
+        kept = path.read_text(encoding="utf-8") if path.is_file() else ""
+        path.write_text(otherwise(world, before), encoding="utf-8")
+        news = len(set(path.read_text(encoding="utf-8").splitlines()) - set(kept.splitlines()))
+        problems = problems_of(world)
+        failed |= bool(problems)
+        print(f"{world.name}: {news} lines to read in {path.relative_to(ROOT)}, {len(problems)} problems", flush=True)
+        print("".join(f"  {problem}\n" for problem in problems), end="")
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
