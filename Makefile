@@ -22,7 +22,8 @@ export MAKE_PYTHON := .venv/bin/python
 endif
 RUN := @"$$MAKE_PYTHON" build.py
 
-.PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test worlds torture lint help
+.PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test worlds \
+        torture lint help
 .DEFAULT_GOAL := report
 
 report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]

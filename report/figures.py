@@ -306,7 +306,7 @@ def _linked(svg: str, told: Mapping[str, str]) -> str:
             found, rest = [], text
             for number in longest_first:
                 rest, count = numbers[number].subn("", rest)
-                found += [told[number]] * bool(count)
+                found += [told[number]] * count
             if found:
                 return str(
                     Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))

@@ -91,7 +91,7 @@ def _draw_drift(rows: list[Row]) -> Drawing:
         axes.plot(
             row.total_drift_mm.value, place, "s" if robot else "o", color=SERIES[robot], markersize=7, markevery=1
         )
-        say_value(axes, row.total_drift_mm.value, place, write(row.total_drift_mm, digits=2), gap=8.0)
+        say_value(axes, row.total_drift_mm.value, place, write(row.total_drift_mm), gap=8.0)
     axes.set_yticks(range(len(there)), [row.pair for row in there])
     axes.set_xscale("log")
     axes.set_xlim(None, 50.0 * max(row.total_drift_mm.value for row in there))
