@@ -125,6 +125,11 @@ class Results:
     """By column: how far apart runs of one case come out with this release."""
 
     @property
+    def edition(self) -> str:
+        """Label of the edition that it belongs to."""
+        return self.path.parent.name.removeprefix("newton-")
+
+    @property
     def source(self) -> str:
         """Where the record lies below the site's ``data/``."""
         return f"{self.path.parent.name}/{self.path.name}"

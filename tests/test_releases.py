@@ -324,3 +324,15 @@ def test_one_release_alone_tells_nothing(upgraded):
     assert set(outcomes(upgraded.project).values()) == {"unknown"}
     upgraded.build()
     assert check_site(upgraded.project.site) == []
+
+
+def test_the_page_of_an_edition_speaks_of_that_edition(upgraded):
+    measure_upgrade(upgraded, "1.4.0", UPGRADE_ROWS["1.4.0"])
+    for release in ("1.6.0", "1.8.0"):
+        measure_upgrade(upgraded, release, UPGRADE_ROWS["1.8.0"])
+    editions = editions_of(upgraded.project, Templates(upgraded.project.templates))
+    ends = {}
+    for release, edition in editions.items():
+        claims = {claim.name: claim for claim in edition.chapters["upgrade"].section.claims}
+        ends[release] = tuple(claims["slip_is_the_same"].numbers[side] for side in "ab")
+    assert ends == {"1.4.0": ("1.4.0", "1.8.0"), "1.6.0": ("1.4.0", "1.6.0"), "1.8.0": ("1.4.0", "1.8.0")}

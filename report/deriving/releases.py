@@ -8,13 +8,16 @@ from markupsafe import Markup, escape
 
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS, Claim, Outcome, beyond
-from report.costs import terms_of
+from report.costs import is_cost, terms_of
 from report.deriving.arithmetic import cell_or_absent
 from report.names import section_name
 from report.noise import is_beyond, verdict
 from report.pages import PAGES, Page
 from report.quantities import Quantity, Value
 from report.results import Results, Row
+
+SAME_RUNS = ("upgrade", "reproduction")
+"""Sections that have the headline runs alike, so that a number can be taken from either."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,9 @@ class Headline:
 
 def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
     """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""
-    chapter = releases[release].get(headline.section)
+    sections = (headline.section, *(SAME_RUNS if headline.section in SAME_RUNS else ()))
+    found = (chapter for section in sections if (chapter := releases[release].get(section)))
+    chapter = next((each for each in found if headline.device or headline.case in each.results.row), None)
     row = _row(chapter.results, headline) if chapter else None
     reason = f"{headline.section} has not been measured so with Newton {release}"
     return cell_or_absent(row, headline.column, headline.unit, reason)
@@ -45,6 +50,14 @@ def _row(results: Results, headline: Headline) -> Row | None:
     wanted = headline.case, headline.device, headline.worlds
     rows = [row for row in results.rows if "device" in row]
     return next((row for row in rows if (row.case, row.device, row.worlds.value) == wanted), None)
+
+
+def up_to(releases: Releases, shown: str) -> Releases:
+    """What the page of an edition compares: those before it and itself; the oldest is held against all that came."""
+    names = list(releases)
+    if shown not in names[1:]:
+        return releases
+    return {release: releases[release] for release in names[: names.index(shown) + 1]}
 
 
 def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
@@ -63,12 +76,12 @@ def change(results: Results, name: str, before: Quantity, after: Quantity) -> Va
 def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
     """A number without its unit, and whether it is better or worse than the earlier one.
 
-    Nothing is said of what was not measured on the same processor.
+    Nothing is said of a cost that was not measured on the same processor.
     """
     told = difference is not None and None not in (difference.value, noise.value)
     if not told or not is_beyond(noise.value, before.value, after.value):
         return after.bare
-    if len({origin.processor for origin in difference.origins}) > 1:
+    if is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
         return Markup('{} <span class="moved">other machine</span>').format(after.bare)
     word = verdict(column, before.value, after.value) or "moved"
     return Markup('{} <span class="moved {}">{}</span>').format(after.bare, word, word)
@@ -208,9 +221,6 @@ def _unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity)
     for quantity in (moved, noise):
         if quantity.value is None:
             return Outcome("unknown", quantity.reason)
-    processors = sorted({origin.processor for origin in moved.origins})
-    if len(processors) > 1:
-        return Outcome("unknown", f"one was measured on {processors[0]}, the other on {processors[1]}")
     return beyond(moved, noise) if is_beyond(noise.value, before.value, after.value) else HOLDS
 
 

@@ -16,6 +16,7 @@ from report.deriving.releases import (
     machines_differ,
     turns,
     unchanged,
+    up_to,
 )
 from report.parts import Section
 from report.quantities import Value
@@ -42,8 +43,10 @@ page = "releases"
 
 def derive(results: Results, releases: Releases) -> Section:
     floors = {unit: floor(results, releases, name, unit) for unit, name in FLOORS.items()}
-    turned = turns(releases, results.record.origin.release)
-    ends = Ends(releases)
+    shown = results.edition
+    seen = up_to(releases, shown)
+    turned = turns(seen, shown)
+    ends, newest = Ends(seen), Ends(releases)
     same_slip = _slip_is_the_same(results, ends, floors["mm"])
     tables = {
         "headlines": headline_table(results, releases, floors),
@@ -53,18 +56,18 @@ def derive(results: Results, releases: Releases) -> Section:
         "speed": speed_table(results, releases),
         "options": option_table(releases),
     }
-    between = results.record.origin.release not in (ends.old, ends.new)
+    between = shown not in (newest.old, newest.new)
     return Section(
         tables=tables,
         figures={"slips": slip_figure(releases)},
         claims=[
             same_slip,
-            _in_one_step(results, releases, floors["mm"], same_slip.outcome),
-            _claims_stand(results, turned, list(releases)),
+            _in_one_step(results, seen, floors["mm"], same_slip.outcome),
+            _claims_stand(results, turned, list(seen)),
             *cause_claims(results, ends, same_slip.outcome),
             _same_speed(results, ends, "same_speed", "frame", ONE_WORLD),
             _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", ON_CPU),
-            *([_same_as_newest(results, ends, floors["mm"])] if between else []),
+            *([_same_as_newest(results, newest, floors["mm"])] if between else []),
         ],
         unmeasured=() if between else ("same_as_newest",),
     )
@@ -82,7 +85,7 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
 
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
     """The release of the page, which is neither the oldest nor the newest, against the newest."""
-    own = results.record.origin.release
+    own = results.edition
     before, after = cell(ends.releases, own, SLIP), cell(ends.releases, ends.new, SLIP)
     moved = change(results, "slip_change_from_here", before, after)
     return Claim(
