@@ -5,6 +5,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from report.names import name_of
 from report.quantities import Quantity
 from report.records.clips import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
 from report.records.project import Project
@@ -69,7 +70,7 @@ class Clips:
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
         """The runs of a clip, and how far the cube has moved at its end."""
-        return {name.replace("-", " "): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        return {name_of(name): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
 
     def _sources(self, row: Row) -> Markup:
         there = [slip.source for slip in self._moved(row).values() if slip.value is not None]

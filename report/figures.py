@@ -86,8 +86,8 @@ MOST_TICKS = 5
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
-_told: ContextVar[dict[str, str] | None] = ContextVar("told", default=None)
-"""Numbers of the figure that is being drawn as they are written, and where each is from."""
+_told: ContextVar[dict[str, list[str]] | None] = ContextVar("told", default=None)
+"""Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
@@ -142,7 +142,7 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
     text = format_short(quantity.value) if is_short else quantity.written
     told = _told.get()
     if told is not None and quantity.source:
-        told[text] = quantity.source
+        told.setdefault(text, []).append(quantity.source)
     return text
 
 
@@ -277,9 +277,9 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
 
 
 @contextmanager
-def _telling() -> Iterator[dict[str, str]]:
+def _telling() -> Iterator[dict[str, list[str]]]:
     """Keep what ``write`` writes within."""
-    told: dict[str, str] = {}
+    told: dict[str, list[str]] = {}
     token = _told.set(told)
     try:
         yield told
@@ -287,8 +287,11 @@ def _telling() -> Iterator[dict[str, str]]:
         _told.reset(token)
 
 
-def _linked(svg: str, told: Mapping[str, str]) -> str:
-    """The same drawing, of which each text says where its numbers are from, and each tick that it is one."""
+def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
+    """The same drawing, of which each text says where its numbers are from, and each tick that it is one.
+
+    Numbers that are written alike come in the order in which they were written.
+    """
     numbers = {text: whole(escape(text)) for text in told}
     longest_first = sorted(told, key=len, reverse=True)
     groups: list[bool] = []
@@ -306,7 +309,7 @@ def _linked(svg: str, told: Mapping[str, str]) -> str:
             found, rest = [], text
             for number in longest_first:
                 rest, count = numbers[number].subn("", rest)
-                found += [told[number]] * count
+                found += [_next(told[number]) for _ in range(count)]
             if found:
                 return str(
                     Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))
@@ -314,6 +317,11 @@ def _linked(svg: str, told: Mapping[str, str]) -> str:
         return piece[0]
 
     return PIECE.sub(link, svg)
+
+
+def _next(sources: list[str]) -> str:
+    """The first, which is then used up unless it is the last."""
+    return sources.pop(0) if len(sources) > 1 else sources[0]
 
 
 def _lean(svg: str) -> str:

@@ -39,9 +39,9 @@ PAGES = (
 REPLAY = "replay.html"
 """Beside these: the kept runs, on a page by itself."""
 SHAKES = {
-    "3 cm": {"as-shipped": "as shipped", "stiff-pads": "stiff pads"},
-    "10 cm": {"as-shipped-10cm": "as shipped", "stiff-pads-10cm": "stiff pads"},
-    "held still": {"hold-60s": "as shipped, held still"},
+    "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
+    "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
+    "held still": {"hold-60s": "shipped pads, held still"},
 }
 """What can be chosen on the page of the replay, and the runs that it shows, by case."""
 DEFAULT = "evidence"

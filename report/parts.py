@@ -21,6 +21,8 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
 Pictures = tuple[Markup, Markup]
 """A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
 TAG = re.compile("<[^>]*>")
+UNDRAWN = "This cannot be drawn from what was measured"
+"""Said in the place of a figure; no figure of the tracked results may say it."""
 ROLE = Markup('role="img"')
 """In a drawn figure: what it says to whoever can't see it comes behind."""
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
@@ -92,13 +94,18 @@ class Figure:
         return replace(self, draw=None, sources=sources, pictures=pictures)
 
     def picture(self, *, is_narrow: bool) -> Markup:
-        """Draw it for one kind of screen."""
+        """Draw it for one kind of screen; where what was measured can't be drawn, that is said in its place, once."""
         from report.figures import draw_svg, narrow_screen
 
-        if not is_narrow:
-            return draw_svg(self.draw, name=self.anchor)
-        with narrow_screen():
-            return draw_svg(self.draw, name=f"narrow-{self.anchor}")
+        try:
+            if not is_narrow:
+                return draw_svg(self.draw, name=self.anchor)
+            with narrow_screen():
+                return draw_svg(self.draw, name=f"narrow-{self.anchor}")
+        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+            reason = " ".join(str(error).split())
+            words = Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason)
+            return Markup("") if is_narrow else words
 
     def html(self, pictures: Pictures | None) -> Markup:
         """What the page shows, with the figure as it is drawn, where anything of it exists."""

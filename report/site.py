@@ -107,6 +107,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     """
     cache = Cache(project.root)
     with aside(project.site) as fresh, locked(project.results.parent, alone=False):
+        cache.sweep()
         digest = _digest(project, address)
         if kept := cache.get(BUILT, (digest, _site_digest(project.site))):
             return kept

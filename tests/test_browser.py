@@ -53,6 +53,11 @@ def is_problem(message: "sync_api.ConsoleMessage") -> bool:
     return message.type in ("error", "warning") and "GL Driver Message" not in message.text
 
 
+def is_lost(request: "sync_api.Request") -> bool:
+    """Not what the browser gives up when it goes on to another page."""
+    return request.failure != "net::ERR_ABORTED"
+
+
 @pytest.fixture
 def tab(browser, request) -> Iterator["sync_api.Page"]:
     """A tab of the screen and the colour scheme that a test asks for, which must raise no error."""
@@ -65,7 +70,7 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     problems: list[str] = []
     tab.on("console", lambda message: problems.append(message.text) if is_problem(message) else None)
     tab.on("pageerror", lambda error: problems.append(str(error)))
-    tab.on("requestfailed", lambda request: problems.append(f"{request.url} could not be fetched"))
+    tab.on("requestfailed", lambda request: problems.append(request.url) if is_lost(request) else None)
     yield tab
     context.close()
     assert problems == []
@@ -109,6 +114,13 @@ def test_the_settings_of_the_fix_are_on_the_first_screen(site, tab):
     open_page(tab, site / "index.html")
     settings = tab.locator(".lead pre").bounding_box()
     assert settings["y"] + settings["height"] < tab.viewport_size["height"]
+
+
+@pytest.mark.parametrize("tab", [("phone", "light")], indirect=True, ids="-".join)
+def test_the_whole_answer_is_on_two_screens_of_a_phone(site, tab):
+    open_page(tab, site / "index.html")
+    answers = tab.locator("#front-three-questions ~ p").nth(2).bounding_box()
+    assert answers["y"] + answers["height"] < 2 * tab.viewport_size["height"]
 
 
 def test_nothing_moves_by_itself(site, tab):

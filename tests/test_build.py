@@ -9,6 +9,7 @@ import pytest
 
 from report import ROOT
 from report.check import check_site
+from report.parts import UNDRAWN
 
 
 def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.CompletedProcess:
@@ -73,3 +74,4 @@ def test_status_does_not_import_the_simulator():
 
 def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
     assert check_site(tracked_site) == []
+    assert [path for path in tracked_site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []

@@ -92,7 +92,7 @@ def test_a_page_says_what_the_clips_read_out_and_fetches_nothing_that_is_not_ask
     readout = load_trace(trace_path(OWN.record_path(CLIPS), FIRST)).iloc[-1]
     video = clips.video(FIRST, Markup("{}").format(clips.results.row[FIRST].as_shipped_mm))
     assert f'<data value="{readout["as-shipped_mm"]:.4f}' in video
-    assert f"as shipped {clips.results.row[FIRST].as_shipped_mm}" in video
+    assert f"shipped pads {clips.results.row[FIRST].as_shipped_mm}" in video
     assert 'preload="none"' in video and " muted " in video and " controls " in video and "autoplay" not in video
     assert {path.name for path in clips.files} >= set(
         re.findall(r'clips\.[^"]+\.(?:mp4|jpg)', video + clips.still("", Markup()))

@@ -169,18 +169,22 @@ def test_short_numbers(value, text):
 
 
 def test_a_drawing_says_where_its_numbers_are_from():
-    slip = Quantity(6.3617, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", noise=0.005)
+    places = [f"newton-1.4.0/toy.json#/rows/{index}/slip_mm" for index in range(3)]
+    slips = [
+        Quantity(value, "mm", place, noise=0.005) for value, place in zip((6.3617, 8.0, 8.001), places, strict=True)
+    ]
 
     def draw():
         drawing, axes = new_figure()
         axes.plot([0.0, 6.36])
         axes.set_yticks([6.36], ["6.36"])
-        axes.set_title(f"slips {write(slip)} mm")
+        axes.set_title(f"slips {write(slips[0])} mm")
+        axes.text(0.0, 1.0, f"{write(slips[1])} of {write(slips[2])}")
         return drawing
 
     svg = draw_svg(draw, name="toy-way")
-    linked = re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg)
-    assert linked == [(slip.source, "slips 6.36 mm")], "the tick is a place and no measurement"
+    linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg))
+    assert linked == {places[0]: "slips 6.36 mm", " ".join(places[1:]): "8.00 of 8.00"}, "the tick is a place"
 
 
 def test_the_check_reads_drawings_and_their_words(toy):

@@ -1,7 +1,8 @@
 """What is too slow for the tests: kills, full disks, damage, hostile words and odd places, on a copy of the project.
 
 ``python -m tests.torture`` writes how it went into docs/reliability.md; ``--moments`` says how many kills there are of
-each kind, ``--only`` which trials are run.
+each kind, ``--only`` which trials are run. What was tried of this commit is kept: a run that is stopped goes on where
+it was, and the page has what was tried so far. ``--again`` begins anew.
 """
 
 import argparse
@@ -15,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
@@ -27,9 +28,14 @@ from damage import PLACES, RECORD_WAYS, TRACES, damage_record  # noqa: E402
 
 from report.check import check_site  # noqa: E402
 from report.placing import remove  # noqa: E402
+from report.records.cache import FOLDER as CACHE  # noqa: E402
+from report.records.cache import Cache  # noqa: E402
 from report.records.files import RecordError, is_own_file  # noqa: E402
+from report.records.identity import files_digest  # noqa: E402
 from report.records.reading import load_record  # noqa: E402
 
+KEPT = "torture"
+"""What was tried so far is kept as this."""
 REPORT = ROOT / "docs" / "reliability.md"
 FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
 RELEASE = "1.5.0"
@@ -64,6 +70,8 @@ class Trial:
     name: str
     tried: int = 0
     wrong: list[str] = field(default_factory=list)
+    is_whole: bool = True
+    """Whether nothing is left to try."""
 
     def __call__(self, what: str, *problems: str) -> None:
         self.tried += 1
@@ -116,9 +124,13 @@ class World:
         # The page of the probe alone, which is quick, has no claims.
         return [problem for problem in found if "no claim" not in problem][:2]
 
+    def site(self) -> str:
+        """Digest of all that the site has."""
+        return files_digest((self.root / "site").rglob("*"), self.root)
+
     def leftovers(self) -> list[str]:
         """Files and processes that a run has left behind."""
-        hidden = [*self.root.glob(".site-*"), *self.root.glob("results/**/.*")]
+        hidden = [*self.root.glob(".site-*"), *self.root.glob("results/**/.*"), *self.root.glob(f"{CACHE}/*.part")]
         hidden += self.root.parent.glob(".www.versions/*-*")
         found = [str(path.relative_to(self.root.parent)) for path in hidden]
         return [f"left: {name}" for name in found] + [f"process {number} still runs" for number in self.processes()]
@@ -147,46 +159,71 @@ def one_line(done: subprocess.CompletedProcess, status: int | None = None) -> li
     return found + ([] if len(lines) == 1 else [f"{len(lines)} lines: {' / '.join(lines)[:200]}"])
 
 
-def kills(world: World, moments: int) -> Iterator[Trial]:
-    """Of build, measurement and publishing, at moments spread over the time that they take."""
+def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], after: Sequence[str]) -> Iterator[Trial]:
+    """Of a command, at moments spread over the time that it takes; ``after`` is what finishes it."""
     place = world.root.parent / "www"
-    for name, arguments, after in (
-        ("page", PAGE, PAGE),
-        ("rerun", RERUN, PAGE),
-        ("publish", ("publish", "--target", f"dir:{place}"), ("publish", "--target", f"dir:{place}")),
-    ):
-        trial = Trial(f"{name}, killed (SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone)")
-        world.run(*PAGE)
-        start = time.monotonic()
-        world.run(*arguments)
-        world.run(*PAGE)
-        took = (time.monotonic() - start) * (0.5 if name == "page" else 0.7)
-        ways = itertools.cycle(itertools.product((signal.SIGKILL, signal.SIGTERM, signal.SIGINT), (True, False)))
-        for number, (sent, group) in zip(range(moments), ways, strict=False):
-            moment = took * (number + 0.5) / moments
-            running = world.start(*arguments)
-            time.sleep(moment)
-            stopped = time.monotonic()
-            os.killpg(running.pid, sent) if group else running.send_signal(sent)
-            said = running.communicate()[1]
-            slow = time.monotonic() - stopped
-            what = f"{name} {sent.name} at {moment:.1f} s{' (group)' if group else ''}"
-            found = ["traceback"] if "Traceback" in said else []
-            found += [f"Ctrl-C took {slow:.1f} s"] if sent == signal.SIGINT and slow > 2.0 else []
-            found += [f"half: {problem}" for problem in world.problems()] if name != "rerun" else []
-            finished = world.run(*after)
-            time.sleep(0.2)
-            found += [f"next run: {finished.stderr[-200:]}"] if finished.returncode else []
-            found += world.leftovers() + world.problems()
-            if name == "publish":
-                found += check_site(place)[:1]
-            trial(what, *found)
+    name = arguments[0]
+    world.run(*PAGE)
+    start = time.monotonic()
+    world.run(*_from_nothing(world, arguments))
+    took = time.monotonic() - start
+    world.run(*PAGE)
+    whole = world.site()
+    for number in range(trial.tried, moments):
+        sent, group = WAYS[number % len(WAYS)]
+        moment = took * (number + 0.5) / moments
+        running = world.start(*_from_nothing(world, arguments))
+        time.sleep(moment)
+        stopped = time.monotonic()
+        os.killpg(running.pid, sent) if group else running.send_signal(sent)
+        said = running.communicate()[1]
+        slow = time.monotonic() - stopped
+        what = f"{name} {sent.name} at {moment:.1f} s{' (group)' if group else ''}"
+        found = ["traceback"] if "Traceback" in said else []
+        found += [f"Ctrl-C took {slow:.1f} s"] if sent == signal.SIGINT and slow > 2.0 else []
+        found += [f"half: {problem}" for problem in world.problems()] if name != "rerun" else []
+        finished = world.run(*after)
+        time.sleep(0.2)
+        found += [f"next run: {finished.stderr[-200:]}"] if finished.returncode else []
+        found += world.leftovers() + world.problems()
+        found += [] if world.site() == whole else ["another site"]
+        found += check_site(place)[:1] if name == "publish" else []
+        trial(what, *found)
         yield trial
 
 
-def writers(world: World, moments: int) -> Iterator[Trial]:
+WAYS = tuple(itertools.product((signal.SIGKILL, signal.SIGTERM, signal.SIGINT), (True, False)))
+"""How a process is ended, and whether all that it started is as well."""
+
+
+def _from_nothing(world: World, arguments: Sequence[str]) -> Sequence[str]:
+    """The command, with nothing kept of what was made before: there is more to be hit."""
+    remove(world.root / CACHE)
+    return arguments
+
+
+def page_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
+    trial.name = f"page from nothing, killed ({KILLED})"
+    yield from kills(world, trial, moments, PAGE, PAGE)
+
+
+def rerun_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
+    trial.name = f"rerun, killed ({KILLED})"
+    yield from kills(world, trial, moments, RERUN, PAGE)
+
+
+def publish_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
+    trial.name = f"publish, killed ({KILLED})"
+    command = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
+    yield from kills(world, trial, moments, command, command)
+
+
+KILLED = "SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone"
+
+
+def writers(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Two at once."""
-    trial = Trial("two writers at once (the same, report beside rerun, publish beside report)")
+    trial.name = "two writers at once (the same, report beside rerun, publish beside report)"
     publish = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
     for pair in ((PAGE, PAGE), (RERUN, RERUN), (PAGE, RERUN), (PAGE, publish), (publish, publish)):
         world.run(*PAGE)
@@ -209,9 +246,9 @@ MOUNTS = {
 """How a place is made so, in a shell that has its own mounts."""
 
 
-def disks(world: World, moments: int) -> Iterator[Trial]:
+def disks(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Full and read-only places, each a file system of its own in a namespace of mounts."""
-    trial = Trial("disk full, and read-only (results, site, publishing target, TMPDIR)")
+    trial.name = "disk full, and read-only (results, site, publishing target, TMPDIR)"
     if subprocess.run(["unshare", "-m", "true"], check=False, capture_output=True).returncode:
         trial.name += ": not tried, for that takes the right to mount"
         yield trial
@@ -262,9 +299,9 @@ VARIABLES = {
 }
 
 
-def inputs(world: World, moments: int) -> Iterator[Trial]:
+def inputs(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Words that no variable of make should be."""
-    trial = Trial("bad words for make's variables: status 2, one line, nothing executed")
+    trial.name = "bad words for make's variables: status 2, one line, nothing executed"
     canary = world.root.parent / "canary"
     for (variable, (target, *others)), word in itertools.product(VARIABLES.items(), WORDS):
         given = f"{variable}={word.format(canary)}"
@@ -278,22 +315,12 @@ def inputs(world: World, moments: int) -> Iterator[Trial]:
     yield trial
 
 
-def damages(world: World, moments: int) -> Iterator[Trial]:
-    """Every way to damage a record, on records that were measured, and some of them shown."""
-    trial = Trial("damaged records and traces: named with release and file, in one line")
+def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
+    """Every way to damage a record, on records that were measured."""
+    trial.name = "damaged records and traces: named with release and file, in one line"
     chance = random.Random(0)
     folder = world.root / "results" / f"newton-{RELEASE}"
-    # A record that was measured before traces were sealed has no seals; and what others lack, it may have.
-    left = (
-        "field: traces",
-        "field: seal",
-        "field: digest",
-        "field: row count",
-        "field: unit of no",
-        "field: number without",
-    )
-    sealed = [way for way in RECORD_WAYS if not way.startswith(left)]
-    for way in sealed:
+    for way in sealed_ways():
         path = chance.choice(sorted(path for path in folder.glob("*.json") if "slip_mm" in path.read_text()))
         content = path.read_bytes()
         try:
@@ -310,7 +337,28 @@ def damages(world: World, moments: int) -> Iterator[Trial]:
         remove(path)
         path.write_bytes(content)
     yield trial
-    shown = Trial("pages with damaged records and traces: the rest stands, status 1")
+
+
+def sealed_ways() -> list[str]:
+    """Those that a record from before traces were sealed can be damaged in: it has no seals, and lacks what others may
+    not."""
+    left = (
+        "field: traces",
+        "field: seal",
+        "field: digest",
+        "field: row count",
+        "field: unit of no",
+        "field: number without",
+    )
+    return [way for way in RECORD_WAYS if not way.startswith(left)]
+
+
+def shown_damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
+    """Some of them, and damaged traces, on the page."""
+    trial.name = "pages with damaged records and traces: the rest stands, status 1"
+    chance = random.Random(1)
+    folder = world.root / "results" / f"newton-{RELEASE}"
+    shown, sealed = trial, sealed_ways()
     names = [path for path in sorted(folder.glob("*.json")) if path.name != "noise.json"]
     for number, (way, path) in enumerate(zip(chance.sample(sealed, 6), itertools.cycle(names), strict=False)):
         content = path.read_bytes()
@@ -336,9 +384,9 @@ def damages(world: World, moments: int) -> Iterator[Trial]:
     yield shown
 
 
-def places(world: World, moments: int) -> Iterator[Trial]:
+def places(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Odd ones."""
-    trial = Trial("odd places and settings: the page is built")
+    trial.name = "odd places and settings: the page is built from nothing"
     odd = World(world.root.parent / "a b é ´' $x" / "project")
     odd.root.parent.mkdir()
     shutil.copytree(world.root, odd.root)
@@ -354,12 +402,12 @@ def places(world: World, moments: int) -> Iterator[Trial]:
     rc = world.root / "matplotlibrc"
     pages = set()
     for name, (place, changed) in settings.items():
-        done = place.run(*PAGE, env={**os.environ, **changed})
+        done = place.run(*_from_nothing(place, PAGE), env={**os.environ, **changed})
         pages.add((place.root / "site/index.html").read_bytes())
         trial(name, "" if not done.returncode else done.stderr[-200:])
     rc.write_text("text.usetex: True\nfont.size: 40\n")
     (world.root / "site/index.html").unlink()
-    done = world.run(*PAGE)
+    done = world.run(*_from_nothing(world, PAGE))
     rc.unlink()
     pages.add((world.root / "site/index.html").read_bytes())
     trial("a matplotlibrc with usetex", "" if not done.returncode else done.stderr[-200:])
@@ -378,23 +426,22 @@ def places(world: World, moments: int) -> Iterator[Trial]:
     yield trial
 
 
-def setups(world: World, moments: int) -> Iterator[Trial]:
+def setups(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """The first set-up, killed."""
-    trial = Trial("the first set-up, killed (SIGKILL, SIGTERM, SIGINT of the whole group): the next make finishes it")
+    trial.name = "the first set-up, killed (SIGKILL, SIGTERM, SIGINT of the whole group): the next make finishes it"
     place = World(world.root.parent / "setup")
     shutil.copytree(world.root, place.root)
     command = ["make", "--silent", "status"]
     start = time.monotonic()
     subprocess.run(command, cwd=place.root, check=True, capture_output=True)
     took = time.monotonic() - start
-    count = max(moments // 5, 3)
-    sent_in_turn = itertools.cycle((signal.SIGKILL, signal.SIGTERM, signal.SIGINT))
-    for number, sent in zip(range(count), sent_in_turn, strict=False):
+    for number in range(trial.tried, moments):
+        sent = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[number % 3]
         shutil.rmtree(place.root / ".venv")
         running = subprocess.Popen(
             command, cwd=place.root, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
-        time.sleep(took * (number + 0.5) / count)
+        time.sleep(took * (number + 0.5) / moments)
         os.killpg(running.pid, sent)
         running.wait()
         done = subprocess.run(command, cwd=place.root, check=False, capture_output=True, text=True)
@@ -402,56 +449,91 @@ def setups(world: World, moments: int) -> Iterator[Trial]:
         imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
         works = subprocess.run(imported, check=False, cwd=place.root).returncode == 0
         trial(sent.name, done.stderr[-200:] if done.returncode else "", *left, "" if works else "ImportError")
-    yield trial
+        yield trial
 
 
-TRIALS: dict[str, Callable[[World, int], Iterator[Trial]]] = {
-    "kills": kills,
+TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
+    "page": page_kills,
+    "rerun": rerun_kills,
+    "publish": publish_kills,
     "writers": writers,
     "disks": disks,
     "inputs": inputs,
     "damages": damages,
+    "shown": shown_damages,
     "places": places,
     "setups": setups,
 }
+"""Each goes on where a trial is, and yields it whenever it got farther."""
+COUNTED = {"page", "rerun", "publish", "setups"}
+"""Those that go on in the middle; the others begin anew."""
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.torture", description=__doc__)
     parser.add_argument("--moments", type=int, default=50, help="kills of each kind")
     parser.add_argument("--only", nargs="*", choices=TRIALS, default=list(TRIALS), help="trials to run")
+    parser.add_argument("--again", action="store_true", help="forget what was tried of this commit before")
     arguments = parser.parse_args()
-    found: list[Trial] = []
+    key = commit()
+    kept = None if arguments.again else Cache(ROOT).get(KEPT, key)
+    found, before = kept or ({}, 0.0)
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
         world = World.made(Path(folder).resolve() / "project")
         for name in arguments.only:
-            for trial in TRIALS[name](world, arguments.moments):
-                found.append(trial)
-                print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
-                for wrong in trial.wrong:
-                    print(f"      {wrong}", flush=True)
-    REPORT.write_text(_report(found, time.monotonic() - start), encoding="utf-8")
+            if name not in found or not (found[name].is_whole or name in COUNTED):
+                found[name] = Trial(name)
+            elif found[name].is_whole and (name not in COUNTED or found[name].tried >= arguments.moments):
+                continue
+            trial = found[name]
+            trial.is_whole = False
+            for _ in TRIALS[name](world, trial, arguments.moments):
+                _keep(key, found, before + time.monotonic() - start)
+            trial.is_whole = True
+            _keep(key, found, before + time.monotonic() - start)
+            print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
+            for wrong in trial.wrong:
+                print(f"      {wrong}", flush=True)
     print(f"wrote {REPORT.relative_to(ROOT)}")
-    return int(any(trial.wrong for trial in found))
+    return int(any(trial.wrong for trial in found.values()))
 
 
-def _report(trials: list[Trial], seconds: float) -> str:
-    describe = ["git", "describe", "--always", "--dirty"]
-    described = subprocess.run(describe, cwd=ROOT, capture_output=True, text=True, check=False)
+def commit() -> str:
+    """The commit, and whether anything but the page of these trials differs from it."""
+    head = _git("rev-parse", "--short=12", "HEAD") or "unknown"
+    changed = _git("status", "--porcelain", "--", ".", ":!docs/reliability.md")
+    return f"{head}-dirty" if changed else head
+
+
+def _git(*arguments: str) -> str:
+    return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+
+
+def _keep(key: str, found: dict[str, Trial], seconds: float) -> None:
+    """Keep what was tried so far, and say so on the page."""
+    Cache(ROOT).put(KEPT, key, (found, seconds))
+    ordered = [found[name] for name in TRIALS if name in found]
+    REPORT.write_text(_report(key, ordered, seconds), encoding="utf-8")
+
+
+def _report(key: str, trials: list[Trial], seconds: float) -> str:
     head = [
         "# Reliability",
         "",
         "What was tried against the project from outside, and how often it held. `make torture` writes this page.",
         "",
-        f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {described.stdout.strip() or 'unknown'}, "
+        f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {key}, "
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
         f"{seconds / 60:.0f} min.",
         "",
         "| tried | times | wrong |",
         "|---|---|---|",
     ]
-    rows = [f"| {trial.name} | {trial.tried} | {len(trial.wrong)} |" for trial in trials]
+    rows = [
+        f"| {trial.name}{'' if trial.is_whole else '; not yet through'} | {trial.tried} | {len(trial.wrong)} |"
+        for trial in trials
+    ]
     wrong = [f"- {problem}" for trial in trials for problem in trial.wrong]
     return "\n".join([*head, *rows, *(["", "What went wrong:", "", *wrong] if wrong else []), ""])
 

@@ -40,7 +40,7 @@ SNAPSHOTS = Path(__file__).parent / "worlds"
 SOURCES = ("experiments", "report", "templates", "assets")
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
 """Columns of how the cube moves in the grasp."""
-SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_([xyz]_)?mm_s|[xyz]_mm")
+SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
 """Those of them that say in which direction."""
 PERCENTILE = re.compile("_p(5|95)$")
 ENDS = {"as-shipped": "stiff", "stiff": "as-shipped"}

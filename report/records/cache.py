@@ -67,6 +67,12 @@ class Cache:
             with suppress(OSError):
                 part.unlink(missing_ok=True)
 
+    def sweep(self) -> None:
+        """Remove what processes that were killed have left; one that is just being written is then not kept."""
+        for part in (self.root / FOLDER).glob("*.part"):
+            with suppress(OSError):
+                part.unlink()
+
 
 class _Writing(pickle.Pickler):
     def __init__(self, file: io.BytesIO, name_of: Callable[[Any], Any] | None):

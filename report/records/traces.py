@@ -82,7 +82,9 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
         _check_cells(lines)
         if found := NO_NUMBER.search(text):
             raise ValueError(f"{found[0].strip(',')} is no number")
-        frame = pd.read_csv(io.StringIO(text), keep_default_na=False, na_values=[""])
+        # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
+        exact: dict[str, Any] = {} if int(pd.__version__.partition(".")[0]) > 2 else {"float_precision": "round_trip"}
+        frame = pd.read_csv(io.StringIO(text), keep_default_na=False, na_values=[""], **exact)
         for column in frame:
             _check_column(column, frame[column])
     except (EOFError, ValueError, csv.Error, zlib.error) as error:

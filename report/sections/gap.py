@@ -119,8 +119,9 @@ def _draw_contacts(rows: list[Row]) -> Drawing:
         label="carry none",
     )
     for place, row in enumerate(there):
-        text = f"{write(row.mean_loaded_row_count)} of {write(row.mean_row_count)}"
-        say_value(axes, row.mean_row_count.value, place, text)
+        text = write(row.mean_loaded_row_count)
+        axes.annotate(text, (loaded[place] / 2, place), fontsize=8.5, ha="center", va="center", color="white")
+        say_value(axes, row.mean_row_count.value, place, f"{write(row.mean_row_count)} in all")
     axes.margins(x=0.2)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)

@@ -93,7 +93,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
     values = [share.value for share in there.values()]
     drawing, axes = new_figure(7.2, 1.1 + 0.3 * len(there))
     axes.set_xscale("log")
-    low = 0.5 * min(values)
+    low = 0.5 * min(values, default=1.0)
     for place, (name, value) in enumerate(zip(there, values, strict=True)):
         colour = SERIES[1] if name == remedy else SERIES[0]
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
@@ -113,7 +113,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
         axes.axvline(bound.value, color=INK, linestyle="--", linewidth=1.0, marker="")
         _name_above(axes, bound.value, " a cause is beyond this", "left")
     axes.set_yticks(range(len(there)), list(there))
-    axes.set_xlim(low, 6.0 * max(*values, 100.0))
+    axes.set_xlim(low, 6.0 * max([*values, 100.0]))
     axes.set_ylim(len(there) - 0.5, -0.6)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
