@@ -37,7 +37,8 @@ from report.records.record import Record, write_record
 from report.records.sources import EDITED
 from report.records.traces import packed
 
-OLDEST = "newton 1.3.0, with the packages of its day, is the oldest release that can"
+# 1.3.0 is built and compiled, with the packages of its day, and is not finite from frame 1 on.
+OLDEST = "1.4.0 is the oldest release that can"
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
