@@ -156,6 +156,12 @@ def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Cal
     if alone is False:
         kept = ", ".join(f"{package} {old[package]}" for unit in UNITS.values() for package in unit)
         return f"newton {after.label.version} did it: it is so with {kept} as well, which {before.label} has"
+    if alone is None:  # a newer Newton may not run with older packages, but an older one with newer
+        rest = [package for unit in UNITS.values() for package in unit]
+        if is_first(stack_of(str(before.label), _pinned(new, rest))):
+            return (
+                f"newton {after.label.version} did it: {before.label} stays as it is with all others of {after.label}"
+            )
     found = [
         name
         for name, packages in UNITS.items()
@@ -164,11 +170,7 @@ def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Cal
     ]
     if found:
         return f"{' or '.join(found)} did it: newton {before.label.version} does so too with that of {after.label}"
-    return (
-        "which package did it cannot be told: no one of them does it alone"
-        if alone
-        else ("which package did it cannot be told: newton does not run with the other packages")
-    )
+    return "which package did it cannot be told: no one of them does it alone"
 
 
 def _pinned(versions: Mapping[str, str], packages: Sequence[str]) -> str:

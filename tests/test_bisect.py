@@ -10,7 +10,7 @@ from conftest import ROWS, Toy
 from test_stack import checkout, git  # noqa: F401
 
 import build
-from report import UsageError, bisect
+from report import ReportError, UsageError, bisect
 from report.bisect import Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
 from report.check import check_site
 from report.editions import editions_of
@@ -64,6 +64,16 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     assert said[0] == "toy.helps changes between 1.5.0 and 1.6.0"
     assert said[1].startswith("newton 1.6.0 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
     assert "1.7.0" not in capsys.readouterr().out, "what lies behind the change is not asked"
+
+
+def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
+    def refuse(project, stack, *others):
+        raise ReportError("it does not compile")
+
+    monkeypatch.setattr(bisect, "measure", refuse)
+    keep(toy, "1.5.0+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()[1]
+    assert said == "newton 1.6.0 did it: 1.5.0 stays as it is with all others of 1.6.0"
 
 
 def test_or_another_package_of_it(toy, search):
