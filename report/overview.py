@@ -21,6 +21,8 @@ SHAKE_TOLERANCE = 0.05
 """How much of it may differ: a run may reach the shake some frames sooner or later."""
 SAME_AGAIN = ("noise", "leave_out")
 """Sections of many runs that are meant to be the same."""
+REFERENCE = "stiff-pads"
+"""Cases that begin so are what others are compared with, as shipped pads are; what a section tries is beside them."""
 NO_EFFECT = 0.1
 """Chosen: a section none of whose runs changes the slip by more than this share of it is one that does nothing."""
 LINE_HEIGHT = 0.38
@@ -29,6 +31,7 @@ DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": 
 DROPPED = "dropped"
 MARKS = {
     "the baseline's shake": DOT,
+    "stiff pads, to compare": DOT | {"color": SERIES[2]},
     "another shake or duration": DOT | {"markerfacecolor": "none"},
     DROPPED: DOT | {"marker": "x", "color": INK, "markersize": 5},
 }
@@ -41,14 +44,15 @@ class Line:
     section: str
     rows: tuple[Row, ...]
     alike: tuple[Row, ...]
-    """Those with a slip and the baseline's shake."""
+    """Those with a slip and the baseline's shake, stiff pads for comparison left out."""
     farthest: Row | None
     """Of these the one whose slip is farthest from the baseline's; None where none changes it."""
 
     @property
     def is_idle(self) -> bool:
         """Whether nothing that was tried does anything."""
-        return self.farthest is None and len(self.alike) == len(self.rows)
+        tried = [row for row in self.rows if not row.case.startswith(REFERENCE)]
+        return self.farthest is None and len(self.alike) == len(tried) > 1
 
     @property
     def lost_count(self) -> int:
@@ -125,7 +129,9 @@ def _mark(row: Row, baseline: Row) -> str:
         return DROPPED
     said = [(row[name].value, baseline[name].value) for name in SHAKE if name in row and name in baseline]
     same = all(math.isclose(*pair, rel_tol=SHAKE_TOLERANCE) for pair in said)
-    return "the baseline's shake" if same else "another shake or duration"
+    if not same:
+        return "another shake or duration"
+    return "stiff pads, to compare" if row.case.startswith(REFERENCE) else "the baseline's shake"
 
 
 def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawing:

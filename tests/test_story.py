@@ -99,8 +99,8 @@ def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, temp
 
 def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
     titles = {release: front_text(edition, templates).title.striptags() for release, edition in editions.items()}
-    assert titles["1.4.0"].startswith("The cube walks out of a firm grasp")
-    assert titles["1.8.0"].startswith("The cube stays in the grasp")
+    assert titles["1.4.0"].startswith("The cube creeps through a firm grasp")
+    assert titles["1.8.0"].startswith("The cube hardly creeps in the grasp")
 
 
 def test_a_claim_that_flips_changes_the_front_page(editions, templates):
@@ -109,7 +109,7 @@ def test_a_claim_that_flips_changes_the_front_page(editions, templates):
     claims = [replace(claim, outcome=FAILS) if claim.name == "slips" else claim for claim in chapter.section.claims]
     flipped = replace(chapter, section=replace(chapter.section, claims=claims))
     front = front_text(replace(edition, chapters={**edition.chapters, "reproduction": flipped}), templates)
-    assert front.title.striptags().startswith("The cube stays in the grasp")
+    assert front.title.striptags().startswith("The cube hardly creeps in the grasp")
     assert "Where the cube ends" in front.figures[0].wording("caption", front.figures[0].numbers)
 
 

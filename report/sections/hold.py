@@ -70,16 +70,21 @@ def derive(results: Results) -> Section:
 
 
 def _drift_needs_cycle(results: Results) -> Claim:
+    """With their signs: what drifts the other way when held is no part of the drift when shaken."""
     held, shaken = results.row["hold"].drift_mm_s, results.row["as-shipped"].drift_mm_s
-    part = size_share(
-        results,
-        "hold_share",
-        "size of the drift along the main axis with the arm held still, of the drift as shipped",
-        held,
-        shaken,
-    )
+    formula = "drift along the main axis with the arm held still, of the drift as shipped, with their signs"
+    part = share(results, "hold_share", formula, held, shaken)
     bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    return Claim("drift_needs_cycle", at_most(part, bound), numbers={"held": held, "shaken": shaken, "share": part})
+    return Claim(
+        "drift_needs_cycle",
+        at_most(part, bound),
+        numbers={
+            "held": held,
+            "shaken": shaken,
+            "share": part,
+            "is_opposed": part.value is not None and part.value < 0,
+        },
+    )
 
 
 def _creep_goes_the_other_way(results: Results) -> Claim:

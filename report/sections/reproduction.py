@@ -16,6 +16,7 @@ from report.deriving.arithmetic import (
     by_case,
     departure,
     ratio,
+    share,
     size_share,
     spread,
 )
@@ -172,18 +173,20 @@ def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
 
 
 def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
-    share = size_share(
-        results,
-        "hold_share",
-        "drift with the arm held still, of the drift as shipped, signs left out",
-        hold.drift_mm_s,
-        shipped.drift_mm_s,
-    )
+    """With their signs: what drifts the other way when held is no part of the drift when shaken."""
+    held, shaken = hold.drift_mm_s, shipped.drift_mm_s
+    formula = "drift with the arm held still, of the drift as shipped; below zero where it is the other way"
+    part = share(results, "hold_share", formula, held, shaken)
     bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(
         "needs_shaking",
-        at_most(share, bound),
-        numbers={"drift": hold.drift_mm_s, "share": share, "shipped": shipped.drift_mm_s},
+        at_most(part, bound),
+        numbers={
+            "drift": held,
+            "share": part,
+            "shipped": shaken,
+            "is_opposed": part.value is not None and part.value < 0,
+        },
     )
 
 

@@ -1,15 +1,15 @@
 """The front page: the verdict, what to change, and short answers to what one asks first."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
+from report.claims import Claim, all_of
 from report.overview import overview
 from report.parts import Figure, Section
-from report.quantities import Quantity
 from report.story.figures import draw_still
 from report.story.found import Found
+from report.story.shared import gain, substeps, ways
 
 
 def front_of(chapters: Chapters) -> Section:
@@ -19,11 +19,11 @@ def front_of(chapters: Chapters) -> Section:
         return Section(figures=_overview(chapters))
     asked = {name: ask for name, (sections, ask) in QUESTIONS.items() if sections <= set(chapters)}
     if found.does_slip:
-        asked.pop("clamp", None)
+        asked = {name: ask for name, ask in asked.items() if name not in OF_A_HOLD}
     questions = {name: ask(found) for name, ask in asked.items()}
     return Section(
         figures={"still": _still(found)} | _overview(chapters),
-        claims=[*_verdict(found), *questions.values(), *_ways(found)],
+        claims=[*_verdict(found), *questions.values(), *ways(found)],
         unmeasured=set(QUESTIONS) - set(questions),
     )
 
@@ -80,10 +80,6 @@ def _costs_no_speed(found: Found) -> Claim:
     return found.retold("costs_no_speed", "speed", "stiff_pads_only_same_time")
 
 
-def _luck(found: Found) -> Claim:
-    return found.retold("luck", "contacts", "slide_falls_less_than_displacement", {"slips": found.does_slip})
-
-
 def _impratio(found: Found) -> Claim:
     kept = found.value("reproduction", "impratio").code
     return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
@@ -103,46 +99,12 @@ QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {
     "should_work": ({"contacts"}, _should_work),
     "is_mistuned": ({"lint"}, _is_mistuned),
     "costs_no_speed": ({"speed"}, _costs_no_speed),
-    "luck": ({"contacts"}, _luck),
+    "gain": ({"error_runtime"}, gain),
     "impratio": ({"error_runtime"}, _impratio),
     "clamp": ({"stability"}, _clamp),
+    "substeps": ({"solver", "stiffness"}, substeps),
     "newest": ({"upgrade"}, _newest),
 }
 """Claims that are made where the sections that they need have results."""
-
-
-def _ways(found: Found) -> list[Claim]:
-    """Each way of finding contacts: whether the cube slips there with the shipped pads, and less with stiff ones.
-
-    Where no stiff ones were measured the slip alone decides.
-    """
-    bound, noise = found.value("reproduction", "slip_bound", "mm"), found.value("noise", "slip_floor", "mm")
-    ways = {
-        "newton": [("reproduction", "as-shipped"), ("reproduction", "stiff-pads")],
-        "mujoco": [("upgrade", "as-shipped-mujoco-contacts"), ("upgrade", "stiff-pads-mujoco-contacts")],
-        "c": [("reproduction", "as-shipped-mujoco-c"), ("reproduction", "stiff-pads-mujoco-c")],
-        "pyramid": [("solver", "cone-pyramidal")],
-    }
-    claims = []
-    for way, places in ways.items():
-        cells = [found.cell(*place, "slip_mm", "mm") for place in places]
-        numbers = dict(zip(("before", "after"), cells, strict=False))
-        if way == "pyramid":
-            for name, pads in (("shipped", "as-shipped"), ("stiff", "stiff")):
-                case = f"{pads}/newton/cone-pyramidal"
-                numbers[name] = found.cell("error_runtime", case, "grasp_error_mm_per_cycle", "mm/cycle")
-        slips = at_least(cells[0], bound)
-        less = _is_less(cells, noise) if len(cells) > 1 else _is_less([numbers["shipped"], numbers["stiff"]], None)
-        outcome = all_of(slips, less) if slips == HOLDS else slips
-        claims.append(Claim(f"way_{way}", outcome, numbers | {"slips": slips == HOLDS}))
-    return claims
-
-
-def _is_less(cells: Sequence[Quantity], noise: Quantity | None) -> Outcome:
-    """Whether stiff pads leave less, by more than the noise where there is one; holds where they were not measured."""
-    before, after = cells
-    if after.value is None:
-        return HOLDS
-    if noise is not None:
-        return greater(before, after, noise=noise)
-    return decided(None not in (before.value, after.value) and after.value < before.value, before, after)
+OF_A_HOLD = {"clamp", "substeps"}
+"""Those that say something only where the cube does not slip."""

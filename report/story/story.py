@@ -6,12 +6,13 @@ import pandas as pd
 from markupsafe import Markup
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim, all_of, at_most
+from report.claims import HOLDS, Claim, all_of, at_least, at_most
 from report.names import section_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.story.figures import draw_mechanism, draw_suspects, draw_walk
 from report.story.found import Found
+from report.story.shared import gain, remedy_elsewhere, substeps
 
 SUSPECTS = {
     section_name("friction"): ("friction", "largest_share", "pads and cube, lower and higher"),
@@ -35,6 +36,8 @@ TOLD = {
     "noslip": ("noslip", "noslip_does_not_help_in_mujoco_c"),
     "no_memory": ("contacts", "no_friction_residual"),
     "slide": ("contacts", "slide_accounts"),
+    "slide_stiff": ("contacts", "slide_accounts_when_stiff"),
+    "rest": ("contacts", "rest_is_creep"),
     "left_out": ("contacts", "term_restored"),
     "missing": ("contacts", "missing_term"),
     "restored": ("contacts", "term_restored"),
@@ -43,7 +46,7 @@ TOLD = {
     "ke_alone": ("stiffness", "ke_alone_does_not_help"),
     "clamp": ("stiffness", "flat_below_clamp"),
     "harder": ("envelope", "stiff_pads_never_drop"),
-    "safe": ("stability", "safe_settings"),
+    "gravity": ("stability", "gravities"),
     "files": ("fix", "recommended"),
     "release": ("upgrade", "slip_is_the_same"),
     "own_timeconst": ("upgrade", "friction_timeconst_is_new"),
@@ -56,11 +59,15 @@ TOLD = {
     "small_cubes": ("stability", "sizes"),
 }
 """Claims of the story that retell a section's claim: section and name."""
-ASKED = (("contacts", "slide_falls_less_than_displacement"), ("error_runtime", "impratio"))
+ASKED = (
+    ("contacts", "slide_falls_less_than_displacement"),
+    ("error_runtime", "impratio"),
+    ("stability", "safe_settings"),
+)
 """Others that have to be there."""
 OF_A_SLIP = {"law", "ke_alone", "clamp"}
 """Those that say something only where the cube slips with shipped pads."""
-OF_A_HOLD = {"leans"}
+OF_A_HOLD = {"leans", "substeps", "remedy_elsewhere"}
 """Those that say something only where it does not."""
 
 
@@ -72,10 +79,12 @@ def story_of(chapters: Chapters) -> Section:
     unsaid = OF_A_HOLD if found.does_slip else OF_A_SLIP
     told = {name: place for name, place in TOLD.items() if name not in unsaid}
     claims = [found.retold(name, *place) for name, place in told.items()]
+    own = [_cube_moves(found), _safe(found), gain(found), _impratio(found)]
+    own += [] if found.does_slip else [substeps(found), remedy_elsewhere(found)]
     return Section(
         tables={"suspects": _suspect_table(found)},
         figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
-        claims=[found.titled("title"), *claims, _grip(found), _cube_moves(found), _luck(found), _impratio(found)],
+        claims=[found.titled("title"), *claims, _grip(found), *own],
         unmeasured=unsaid,
     )
 
@@ -84,8 +93,12 @@ def _grip(found: Found) -> Claim:
     return found.retold("grip", "contacts", "far_inside_cone", {"used": found.value("contacts", "grip_used_shipped")})
 
 
-def _luck(found: Found) -> Claim:
-    return found.retold("luck", "contacts", "slide_falls_less_than_displacement", {"slips": found.does_slip})
+def _safe(found: Found) -> Claim:
+    """The ke of stiff pads lies between the least and the largest at which every step keeps the cube."""
+    told = found.retold("safe", "stability", "safe_settings")
+    most = found.value("stability", "safe_ke_most")
+    outcome = all_of(told.outcome, at_least(most, told.numbers["stiff"]))
+    return replace(told, outcome=outcome, numbers={**told.numbers, "most": most})
 
 
 def _impratio(found: Found) -> Claim:
@@ -142,4 +155,5 @@ def _suspect_table(found: Found) -> Table:
 
 def _mechanism(found: Found) -> Figure:
     """A drawing, of which the measured part is what the left-out acceleration makes of slide."""
-    return Figure(draw=draw_mechanism, sources=[found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")])
+    slide = found.cell("contacts", "as-shipped-missing-term", "slide_mm", "mm")
+    return Figure(draw=draw_mechanism, sources=[slide], numbers={"slips": found.does_slip})

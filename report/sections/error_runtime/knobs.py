@@ -152,6 +152,10 @@ def _pads_decide(points: Points) -> Claim:
     """Whether the converged grasp errors are further apart than settings move the one as shipped."""
     soft, stiff = (_reference_cell(points, pads) for pads in PADS)
     gain = ratio(points.results, "pads_gain", "converged grasp error as shipped over that with stiff pads", soft, stiff)
+    formula = "grasp error in C with the shipped step, as shipped over that with stiff pads"
+    at_step = [points.cell(with_shipped_steps(pads, "c"), GRASP) for pads in PADS]
+    ratio(points.results, "pads_gain_shipped_step", formula, *at_step)
+    points.results.chosen("pads_gain_same", "the same gain", 1.0)
     bound = points.results.chosen("pads_bound", "an order of magnitude, nearly", 5.0)
     return Claim(
         "pads_decide",

@@ -23,6 +23,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
+    extreme(results, "safe_ke_most", "largest of these ke", max, [row.pad_ke for row in safe])
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
     margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
     largest_step = extreme(
