@@ -49,6 +49,14 @@ def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
     assert line.farthest.case == "pad-ke-2.5e5"
 
 
+def test_stiff_pads_to_compare_with_move_nothing(results):
+    stiff = [SHIPPED | {"case": case, "slip_mm": 0.31} for case in ("stiff-pads", "stiff-pads-noslip")]
+    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "as-shipped-noslip"}, *stiff]), "noslip")
+    assert line.farthest is None and line.is_idle
+    (line,) = lines(results([SHIPPED, *stiff]), "contacts")
+    assert line.farthest is None and not line.is_idle  # nothing was tried
+
+
 def test_a_section_without_a_run_to_compare_has_no_line(results):
     assert lines(results([SHIPPED | {"slip_mm": None, "slip_mm_reason": "it fell"}])) == []
 

@@ -103,6 +103,22 @@ def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
     assert titles["1.8.0"].startswith("The cube hardly creeps in the grasp")
 
 
+def test_a_drift_the_other_way_is_no_part_of_it(editions, templates):
+    for release in ("1.4.0", "1.8.0"):
+        text = TAGS.sub("", html_of(story_text(editions[release], templates)))
+        assert "It takes the shake" in text and "the other way" in text
+
+
+def test_front_and_story_agree_on_where_stiff_pads_help(editions, templates):
+    for release, edition in editions.items():
+        claims = {
+            claim.name: claim for claim in [*front_of(edition.chapters).claims, *story_of(edition.chapters).claims]
+        }
+        if "remedy_elsewhere" in claims:
+            ways = [claims[f"way_{name}"].outcome == HOLDS for name in ("mujoco", "c", "pyramid")]
+            assert (claims["remedy_elsewhere"].outcome == HOLDS) == all(ways), release
+
+
 def test_a_claim_that_flips_changes_the_front_page(editions, templates):
     edition = editions["1.5.0"]  # it has no clips
     chapter = edition.chapters["reproduction"]
