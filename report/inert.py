@@ -61,7 +61,9 @@ class Survey:
 
     @property
     def claims(self) -> list[Claim]:
-        return list(self.world.releases[self.release][self.section].section.claims)
+        """Those with words: where a number was not measured, that is all that is said."""
+        claims = self.world.releases[self.release][self.section].section.claims
+        return [claim for claim in claims if claim.outcome.said != "cannot tell" or not _lacks_number(claim)]
 
     def measured(self, pointer: str) -> list[str]:
         """The measured numbers and traces that a number comes from; none for what was chosen."""
@@ -104,6 +106,10 @@ class Survey:
             if not any(moves(claim.name, each, mutation) for each in tries for mutation in FACTORS):
                 found.add(Named(self.section, claim.name, name))
         return found
+
+
+def _lacks_number(claim: Claim) -> bool:
+    return any(isinstance(number, Quantity) and number.value is None for number in claim.numbers.values())
 
 
 def _shapes(section: Section) -> dict[str, tuple[str, str]]:

@@ -14,6 +14,7 @@ from damage import damage_record
 import build
 from report import ROOT
 from report.alarm import check, check_said, diff_said
+from report.commands.options import FORMATS
 from report.compare import Comparison, compare
 from report.costs import is_cost
 from report.editions import derive_edition
@@ -210,7 +211,7 @@ def test_markdown_is_not_made_of_what_a_record_says(toy):
 def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
-    for form in build.FORMATS:
+    for form in FORMATS:
         assert build.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
         assert "toy" in capsys.readouterr().out
         assert build.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0

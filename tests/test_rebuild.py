@@ -306,7 +306,7 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(tmp_path):
     digests = []
     for number, surrounding in enumerate(
         (
-            {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": "/nowhere"},
+            {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
             {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
         )
     ):

@@ -1,0 +1,1 @@
+"""What make and build.py can be asked for, a function each."""

@@ -1,0 +1,130 @@
+"""Commands that make something: measured sections, the site, its clips, and what serves or publishes it."""
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Iterable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from report import ReportError, UsageError
+from report.records.clips import clips_state
+from report.records.devices import NO_CUDA, measuring_device
+from report.records.environment import add_group
+from report.records.measure import measure
+from report.records.project import Project
+from report.records.stack import Stack
+from report.records.status import states_of, status_matrix, status_table
+
+if TYPE_CHECKING:
+    from report.editions import Edition
+    from report.site import Built
+
+
+def report(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure what is not fresh, where that may be done unasked, and build the site."""
+    device = measuring_device(arguments.device, project.profile)
+    if not device:
+        refuse_unmeasured(project, arguments.stack)
+    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
+    failed = False
+    if stale and device:
+        try:
+            project = measure(project, arguments.stack, stale, device)
+        except UsageError:
+            raise
+        except ReportError as error:
+            print(error, file=sys.stderr)
+            failed = True
+    damaged, lacking = build_site(project, arguments.address)
+    if lacking and not device:
+        print(f"{NO_CUDA}, in up to hours")
+    return int(failed or damaged)
+
+
+def rerun(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure one section, fresh or not, and build the site."""
+    device = measuring_device(arguments.device, project.profile)
+    if not device:
+        raise UsageError(NO_CUDA)
+    project = measure(project, arguments.stack, [arguments.section], device)
+    return int(build_site(project, arguments.address)[0])
+
+
+def page(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site from what is measured, and measure nothing."""
+    refuse_unmeasured(project, arguments.stack)
+    return int(build_site(project, arguments.address)[0])
+
+
+def status(project: Project, arguments: argparse.Namespace) -> int:
+    """Print which sections of which releases are fresh, and what changed for those that are not."""
+    refuse_unmeasured(project, arguments.stack)
+    print(status_matrix(project))
+    print(f"\nnewton {project.release}")
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
+    return 0
+
+
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
+
+
+def publish(project: Project, arguments: argparse.Namespace) -> int:
+    """Put a checked copy of the site at the target."""
+    from report.publish import publish as publish_site
+
+    print(f"published at {publish_site(project.site, arguments.target)}")
+    return 0
+
+
+def serve(project: Project, arguments: argparse.Namespace) -> int:
+    """Serve the site until Ctrl-C, and build it again whenever something changes."""
+    from report.serving import Server
+
+    refuse_unmeasured(project, arguments.stack)
+    server = Server(project.site, arguments.port)
+    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    # In a process of its own, since what changes may be the program.
+    command = [sys.executable, "build.py", "page", "--newton", arguments.stack.asked, "--profile", project.profile]
+    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
+    return 0
+
+
+def build_site(project: Project, address: str) -> tuple[bool, bool]:
+    """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
+    from report.site import build
+
+    releases = build(project, address)
+    built = releases[project.release]
+    missing = [state.section for state in built.left_out if state.kind == "missing"]
+    lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
+    device = measuring_device(None, "full") or "cpu"
+    for words, names in (("not measured", missing), ("stale", built.stale)):
+        if names:
+            print(f"{words}: {', '.join(names)}")
+    if lacking:
+        print(f"{project.rerun(lacking[0], None if device == 'cuda' else device)} measures one of them")
+    print(f"built {project.site / 'index.html'}")
+    return say_damage(releases.values()), bool(lacking)
+
+
+def say_damage(releases: "Iterable[Edition | Built]") -> bool:
+    """Name each record that can't be trusted; whether there is one."""
+    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
+    for state in damaged:
+        print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
+    return bool(damaged)
+
+
+def refuse_unmeasured(project: Project, stack: Stack) -> None:
+    """Where nothing is to be measured, an edition that has no results is taken for a mistake; the own one is not."""
+    if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
+        there = ", ".join(release for release in project.releases if release != project.release) or "none"
+        measuring = f"make upgrade NEWTON={stack.asked} measures what decides"
+        raise UsageError(f"NEWTON={stack.asked} has no results (there are: {there}); {measuring}")

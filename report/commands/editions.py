@@ -1,0 +1,157 @@
+"""Commands about editions: measured after an upgrade, searched for a change, told over time, removed."""
+
+import argparse
+import shutil
+import sys
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from report import UsageError
+from report.commands.building import build_site
+from report.records.devices import NO_CUDA, measuring_device
+from report.records.environment import environment_of
+from report.records.identity import sections
+from report.records.measure import measure
+from report.records.project import PROFILES, Project
+from report.records.stack import stack_of
+from report.records.status import states_of
+
+if TYPE_CHECKING:
+    from report.bisect import Question
+
+
+def upgrade(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure the few sections that decide, say in five lines what changed, and build the site; 1 for an alarm."""
+    from report.alarm import upgrade_said
+    from report.compare import compare
+    from report.editions import editions_of
+    from report.page import Templates
+    from report.upgrade import DECIDING, base_of, seconds_expected, verdict
+
+    device = measuring_device(arguments.device, project.profile)
+    base = arguments.since or stack_of(base_of(project) or project.own_release)
+    sides = []
+    for stack in (base, arguments.stack):
+        side = project.of(str(stack.label))
+        lacking = [section for section in DECIDING if not side.record_path(section).exists()]
+        if device and stack is not base:  # of the base, what is there will do
+            lacking = [
+                state.section for state in states_of(side) if state.section in DECIDING and state.kind != "fresh"
+            ]
+        if lacking and not device:
+            quick = replace(project, profile="quick")
+            full, short = (seconds_expected(each, "cpu", DECIDING) / 60 for each in (project, quick))
+            raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
+        if lacking:
+            minutes = seconds_expected(side, device, lacking) / 60
+            print(f"newton {side.release}: measuring {', '.join(lacking)}, about {max(minutes, 1):.0f} min", flush=True)
+            side = measure(side, stack, [section for section in DECIDING if section in lacking], device)
+        sides.append(side)
+    names = [side.release for side in sides]
+    editions = editions_of(project, Templates(project.templates), among=names)
+    comparison = compare(*(editions[name] for name in names))
+    print(upgrade_said(comparison, verdict(comparison, *(editions[name] for name in names)), arguments.format))
+    if arguments.format == "text":
+        build_site(sides[1], "")
+    return int(comparison.is_alarm)
+
+
+def bisect(project: Project, arguments: argparse.Namespace) -> int:
+    """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
+    from report.bisect import Bisection, bisect_commits, bisect_releases, common_repository
+    from report.page import Templates
+
+    device = measuring_device(arguments.device, "quick")
+    question, templates = _question(arguments), Templates(project.templates)
+    search = Bisection(replace(project, profile="quick"), question, device, templates)
+    try:
+        search.ends(arguments.a, arguments.b)
+    except UsageError as error:
+        print(f"{error} in a quick run; it takes full ones", flush=True)
+        search = replace(search, project=project)
+    repository = common_repository(arguments.a, arguments.b)
+    if not repository:
+        print(bisect_releases(search, arguments.a, arguments.b))
+        return 0
+    ends = search.ends(arguments.a, arguments.b)
+    clone = project.root / ".venv-bisect"
+    judging = [sys.executable, str(project.root / "build.py"), "judge", "--newton", str(clone), "--device", device]
+    judging += ["--profile", search.project.profile, f"--{'claim' if question.is_claim else 'value'}", question.text]
+    print(bisect_commits(*repository, [*judging, "--first", str(ends[0]), "--last", str(ends[1])], clone))
+    return 0
+
+
+def judge(project: Project, arguments: argparse.Namespace) -> int:
+    """Say for git bisect whether Newton is as the first end is (0) or as the last (1); 125 where it can't be told."""
+    from report.bisect import CANNOT_TELL, Bisection
+    from report.page import Templates
+
+    question = _question(arguments)
+    answer = Bisection(project, question, arguments.device, Templates(project.templates)).answer(arguments.stack)
+    ends = (arguments.first, arguments.last) if question.is_claim else (float(arguments.first), float(arguments.last))
+    return CANNOT_TELL if answer is None else int(not question.is_as(answer, *ends))
+
+
+def newest(project: Project, arguments: argparse.Namespace) -> int:
+    """Print, for a workflow, what the index has of Newton, or else of one other package, newer than all here."""
+    from report.records.label import read_label
+    from report.records.stack import releases_of
+    from report.records.status import records_of
+
+    known = [each for profile in PROFILES for each in _editions(replace(project, profile=profile))]
+    latest = [read_label(release) for release in releases_of("newton")[-1:]]
+    if latest and all(label.order > each.label.order for label in latest for each in known):
+        print(f"newton={latest[0]}\nwith=")
+        return 0
+    newton = max((each.label for each in known), key=lambda label: label.order).version
+    for package in ("warp-lang", "mujoco-warp"):
+        used = {record.identity.packages[package] for each in known for record in records_of(each)}
+        for version in releases_of(package)[-1:]:
+            if version not in used:
+                print(f"newton={newton}\nwith={package}=={version}")
+                return 0
+    return 0
+
+
+def history(project: Project, arguments: argparse.Namespace) -> int:
+    """Print a value or a claim over all editions; without one, the numbers that say most."""
+    from report.editions import editions_of
+    from report.history import headline_questions, history
+    from report.page import Templates
+
+    asked = [_question(arguments)] if arguments.claim or arguments.value else headline_questions()
+    editions = editions_of(project, Templates(project.templates))
+    print("\n\n".join(history(editions, question) for question in asked))
+    return 0
+
+
+def retire(project: Project, arguments: argparse.Namespace) -> int:
+    """Remove results, environment and page of an edition."""
+    if project.is_own:
+        raise UsageError(f"newton {project.release} is the project's own and stays; NEWTON=1.5.0 names another")
+    quick = replace(project, profile="quick")
+    folders = [project.results, quick.results, environment_of(arguments.stack, project.root)]
+    there = [folder for folder in folders if folder.is_dir()]
+    if not there:
+        raise UsageError(f"NEWTON={arguments.stack.asked} has neither results nor an environment")
+    for folder in there:
+        shutil.rmtree(folder)
+        print(f"removed {folder.relative_to(project.root)}/")
+    return int(build_site(project.of(project.own_release), arguments.address)[0])
+
+
+def _question(arguments: argparse.Namespace) -> "Question":
+    from report.bisect import Question
+
+    if bool(arguments.claim) == bool(arguments.value):
+        raise UsageError("one of CLAIM=reproduction.slips and VALUE=reproduction.as-shipped.slip_mm is needed")
+    question = Question(arguments.claim or arguments.value, bool(arguments.claim))
+    if question.section not in sections() or question.section == question.text:
+        raise UsageError(
+            f"{question.text} is in no section; reproduction.slips and reproduction.as-shipped.slip_mm are"
+        )
+    return question
+
+
+def _editions(project: Project) -> list[Project]:
+    return [project.of(release) for release in project.releases]
