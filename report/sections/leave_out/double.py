@@ -38,7 +38,6 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
         at_most(largest, floor),
         numbers={
             "largest": largest,
-            "floor": floor,
             "has_same": bool(same),
             "has_moved": bool(moved),
             "same": cases_html(row.of for row in same),
