@@ -11,7 +11,7 @@ from typing import Any
 from report.format import format_code, format_most, format_number, spellings, whole
 from report.names import name_of
 from report.noise import NOISE, Floor, cell_noise, floors_of
-from report.quantities import AS_MUCH, MOST, SAME, VALUES_FILE
+from report.quantities import MOST, SAME, VALUES_FILE
 from report.reading import Drawn, Reading
 
 TYPED = re.compile(
@@ -103,7 +103,7 @@ def _text(number: Mapping[str, str], kept: float | int | None, noise: float | No
     if how == MOST:
         return format_most(kept, noise=noise)
     other, its_noise = data.number(how) if how else (None, None)
-    is_same = how and format_number(other, noise=its_noise) == text and number["text"] in (SAME, AS_MUCH)
+    is_same = how and format_number(other, noise=its_noise) == text and number["text"] == SAME
     return number["text"] if is_same else text
 
 

@@ -206,8 +206,9 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
     if abs(difference.value) > NEAR_NOISE * noise.value:
         return OPPOSITE.having_read(difference, noise)
-    reason = Markup("{} is more than the noise of {}, but less than {:g} times that")
-    near = Outcome("unknown", reason.format(difference, noise, NEAR_NOISE), is_near=True)
+    # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller one.
+    reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
+    near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
     return near.having_read(difference, noise)
 
 

@@ -10,7 +10,7 @@ from report.format import format_code, format_most, format_number, unit_label
 from report.records.record import Origin
 
 VALUES_FILE = "values.json"
-MOST, SAME, AS_MUCH = "most", "the same", "as much"
+MOST, SAME = "most", "the same"
 """How the page says that a number is written as a bound, and a number that is written like another one."""
 
 
@@ -55,14 +55,10 @@ class Quantity:
         """The number with its unit, where the words say *at most* or *within*."""
         return self._with_unit(self._written(format_most(self.value, noise=self.noise), ("data-as", MOST)))
 
-    def beside(self, other: "Quantity", same: str = SAME) -> Markup:
-        """The number with its unit, or ``same`` where it is written like ``other``, which the sentence has before."""
+    def beside(self, other: "Quantity") -> Markup:
+        """The number with its unit, or *the same* where it is written like ``other``, which stands before it."""
         is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
-        return self._written(same, ("data-as", other.source)) if is_same and other.source else self.__html__()
-
-    def against(self, other: "Quantity") -> Markup:
-        """The number with its unit, or *as much*."""
-        return self.beside(other, AS_MUCH)
+        return self._written(SAME, ("data-as", other.source)) if is_same and other.source else self.__html__()
 
     def _written(self, text: str, *more: tuple[str, str]) -> Markup:
         if not self.source:

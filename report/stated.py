@@ -41,7 +41,7 @@ class Reference:
     def __html__(self) -> Markup:
         if self.url:
             return Markup('<a href="{0}">{1}</a>').format(self.url, self.url.partition("://")[2].partition("#")[0])
-        return Markup("{} {}, <code>{}</code>").format(self.package, self.version, self.file)
+        return Markup("read in {} {}, <code>{}</code>").format(self.package, self.version, self.file)
 
 
 def references(templates: Path) -> Mapping[str, Reference]:

@@ -71,15 +71,22 @@ def _worst(results: Results, case: str, extra: Times) -> Value:
 def _term_is_cheap(results: Results, rows: Rows, extra: Times) -> Claim:
     largest = _worst(results, "term", extra)
     bound = results.chosen("term_bound", "next to nothing", 3.0, unit="%")
-    numbers = _by_count("term", rows, extra) | {"largest": largest, "bound": bound}
+    numbers = _by_count("term", rows, extra) | {"bound": bound}
     return Claim("term_is_cheap", at_most(largest, bound), numbers=numbers)
 
 
 def _by_count(case: str, rows: Rows, extra: Times) -> dict[str, Any]:
-    """What a case costs with each number of worlds, and these numbers."""
+    """What a case costs with each number of worlds, these numbers, and whether the cost is beyond the noise."""
     one, some, many = (extra[case, count] for count in WORLD_COUNTS)
     some_worlds, many_worlds = (_worlds(rows, case, count) for count in WORLD_COUNTS[1:])
-    return {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
+    numbers = {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
+    seen = {f"{name}_seen": _is_seen(numbers[name]) for name in ("one", "some", "many")}
+    return numbers | seen
+
+
+def _is_seen(change: Quantity) -> bool:
+    """Whether it is beyond its noise, so that it is written as a number and not as a bound."""
+    return None in (change.value, change.noise) or abs(change.value) > change.noise
 
 
 def _worlds(rows: Rows, case: str, count: int) -> Quantity:

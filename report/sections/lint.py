@@ -83,7 +83,7 @@ def _names_the_buffers(results: Results, findings: list[Row]) -> Claim:
         size, peak = _cell(finding, "authored_count"), _cell(finding, "used_count")
         room = ratio(results, f"{name}_room", f"room for {name} over the most that a world had", size, peak)
         outcomes.append(_named(finding) or at_least(room, bound))
-        numbers |= {f"{name}_size": size, f"{name}_peak": peak}
+        numbers |= {f"{name}_size": size, f"{name}_peak": peak, f"{name}_room": room}
     return Claim("names_the_buffers", all_of(*outcomes), numbers)
 
 
@@ -103,8 +103,11 @@ def _names_the_clamp(results: Results, findings: list[Row]) -> Claim:
     rounding = results.chosen(
         "timeconst_rounding", "the same in single precision", ROUNDING * (timeconst.value or 0.0), unit="s"
     )
-    outcome = _named(found) or greater(used, timeconst, noise=rounding)
-    return Claim("fix_is_clamped", outcome, numbers={"timeconst": timeconst, "used": used})
+    kd = results.chosen("fix_kd", "kd authored on the pads with the fix", STIFF_PADS.pad_kd)
+    limit = results.value("clamped_kd", "kd of which two substeps are the timeconst, 2 / kd", lambda a: 2 / a, used)
+    outcome = _named(found) or all_of(greater(used, timeconst, noise=rounding), at_least(kd, limit))
+    numbers = {"timeconst": timeconst, "used": used, "kd": kd, "limit": limit}
+    return Claim("fix_is_clamped", outcome, numbers=numbers)
 
 
 def _named(finding: Row | None) -> Outcome | None:
