@@ -48,4 +48,5 @@ def test_what_a_world_does_not_show_does_not_hold(world, names, before):
     assert all(" holds]" in line for line in claiming(before, names))
     said = claiming(snapshot(world), names)
     assert [line for line in said if " holds]" in line] == []
-    assert {line.split()[1] for line in said} == {line.split()[1] for line in claiming(before, names)}
+    # A world may have claims of its own, as where stiff pads still help when the cube does not slip.
+    assert {line.split()[1] for line in said} >= {line.split()[1] for line in claiming(before, names)}
