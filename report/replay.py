@@ -14,12 +14,17 @@ from report import ROOT
 from report.chapters import Chapter
 from report.clips import Clips
 from report.editions import Edition
+from report.format import format_number
 from report.page import Templates
 from report.pages import REPLAY, SHAKES
 from report.records.project import Project
 
 SCRIPT = "assets/replay/replay.js"
 STYLE = "assets/replay/replay.css"
+SPEEDS, SPEED = (0.25, 1.0, 4.0), 1.0
+"""How fast the replay can be played, and how fast it is at first; of the simulated time."""
+MAGNIFICATIONS = (1, 5, 20)
+"""How many times as large the displacement can be drawn; at first the first."""
 
 
 def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
@@ -53,6 +58,9 @@ def replay_page(
         "claims": [claim.html(chapter.name) for claim in chapter.section.claims],
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
+        "speeds": {speed: format_number(speed, noise=0.0) for speed in SPEEDS},
+        "speed": SPEED,
+        "magnifications": MAGNIFICATIONS,
         "runs": json.dumps(runs, separators=(",", ":")),
         "style": Markup((project.root / STYLE).read_text(encoding="utf-8")),
         "script": Markup(script(project.root)),
