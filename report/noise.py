@@ -127,17 +127,21 @@ def derived_noise(
 
     Two runs are apart by the noise, so that each is off by 1/√2 of it, and what is off independently adds in squares:
     a difference of two has the noise of one, and a mean of many has less. It never has less than its noisiest source
-    gives it. What was chosen has a noise of 0.
+    gives it, nor more than all of them together can: the largest of many has the noise of one. What was chosen has a
+    noise of 0.
     """
     if None in noises:
         return None
-    middle = function(*values)
+    middle, farthest = function(*values), list(values)
     changes = []
     for place, noise in enumerate(noises):
         if noise:
-            moved = (function(*values[:place], values[place] + way * noise, *values[place + 1 :]) for way in (1, -1))
-            changes.append(max(abs(each - middle) for each in moved))
-    return max(max(changes, default=0.0), math.hypot(*changes) / math.sqrt(2.0))
+            ways = [values[place] + noise, values[place] - noise]
+            moves = [function(*values[:place], way, *values[place + 1 :]) - middle for way in ways]
+            changes.append(max(map(abs, moves)))
+            farthest[place] = ways[moves.index(max(moves))]
+    together = abs(function(*farthest) - middle)
+    return max(max(changes, default=0.0), min(math.hypot(*changes) / math.sqrt(2.0), together))
 
 
 def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:

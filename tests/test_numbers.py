@@ -127,6 +127,11 @@ def test_a_mean_has_less_noise_than_what_it_is_of(values, noise):
     assert found == pytest.approx(max(noise / math.sqrt(2 * len(values)), noise / len(values)), rel=1e-6)
 
 
+@given(st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=20), st.floats(2.0, 10.0))
+def test_the_largest_of_many_is_no_noisier_than_one(values, noise):
+    assert derived_noise(lambda *cells: max(cells), values, [noise] * len(values)) <= 1.000001 * noise
+
+
 def test_what_is_computed_from_an_unknown_noise_has_none_that_is_known():
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
