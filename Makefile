@@ -2,7 +2,7 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON WITH SINCE DEVICE PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
+GIVEN := SECTION NEWTON WITH SINCE DEVICE CLUSTER PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
 define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
@@ -26,7 +26,7 @@ RUN := @"$$MAKE_PYTHON" build.py
         torture lint help
 .DEFAULT_GOAL := report
 
-report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE PROFILE ADDRESS]
+report: $(READY) ## Measure what is not fresh where a GPU is, and build site/ [NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]
 	$(RUN) report
 
 page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON PROFILE ADDRESS]
@@ -35,7 +35,7 @@ page: $(READY) ## Build site/ from what is measured, and measure nothing [NEWTON
 status: $(READY) ## Say which sections are fresh, and what changed for the others [NEWTON PROFILE]
 	$(RUN) status
 
-rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON WITH DEVICE PROFILE ADDRESS]
+rerun: $(READY) ## Measure one section and build site/ [SECTION NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]
 	$(RUN) rerun
 
 upgrade: $(READY) ## Measure what decides, a few minutes on a GPU, and say what changed [NEWTON WITH SINCE DEVICE PROFILE FORMAT]
@@ -94,6 +94,8 @@ help: ## Print this
 	@echo 'WITH="warp-lang==1.19.0 mujoco-warp==4.0.0"   packages in place of those that it would come with'
 	@echo 'A=1.4.0 B=1.8.0         editions to compare; 1.8.0@cpu is that of another machine'
 	@echo 'DEVICE=cuda|cpu         where to measure; a CPU only measures all when asked to'
+	@echo 'CLUSTER=local           who measures: all GPUs of this host; local:2, ssh:hosts.txt, tcp://scheduler:8786;'
+	@echo '                        docs/cluster.md'
 	@echo 'PROFILE=quick           small grids and short runs, kept apart in results/quick/'
 	@echo 'SINCE=1.8.0             edition to hold an upgrade against; otherwise the one before'
 	@echo 'CLAIM=reproduction.slips     claim to follow'

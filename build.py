@@ -19,7 +19,7 @@ from report.commands.editions import bisect, history, judge, newest, retire, upg
 from report.commands.options import OPTIONS, flag
 from report.commands.saying import check, diff, trace, verify
 from report.records.columns import UNPRINTABLE
-from report.records.environment import python_of
+from report.records.environment import add_cluster, python_of
 from report.records.files import settle
 from report.records.identity import sources_kept
 from report.records.project import Project, own_release
@@ -70,6 +70,8 @@ def _drop_output() -> None:
 def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
+    if python.is_relative_to(project.root):
+        add_cluster(python, project.root)
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
@@ -84,9 +86,9 @@ def torture(project: Project, arguments: argparse.Namespace) -> int:
 
 
 COMMANDS = {
-    report: ("newton", "with", "device", "profile", "address"),
+    report: ("newton", "with", "device", "cluster", "profile", "address"),
     page: ("newton", "with", "profile", "address"),
-    rerun: ("section", "newton", "with", "device", "profile", "address"),
+    rerun: ("section", "newton", "with", "device", "cluster", "profile", "address"),
     status: ("newton", "with", "profile"),
     clips: ("newton", "with", "device", "profile"),
     upgrade: ("newton", "with", "since", "device", "profile", "format"),

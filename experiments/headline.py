@@ -8,8 +8,10 @@ import time
 from pathlib import Path
 
 from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.failing import reason_of
+from experiments.kernels import compile_first
+from experiments.machine import machine, warp_device
 from experiments.measurement import Conditions
-from experiments.run import compile_first, machine, measuring_device, reason_of
 
 
 def main() -> int:
@@ -18,13 +20,15 @@ def main() -> int:
     parser.add_argument("--json", type=Path, required=True, metavar="FILE")
     arguments = parser.parse_args()
     try:
-        device = measuring_device(arguments.device)
+        device = warp_device(arguments.device)
         start = time.perf_counter()
         compile_first(device)
         compiled = time.perf_counter()
         rows = Conditions(device.alias, quick=False).measure([AS_SHIPPED, STIFF_PADS], "headline").rows
         seconds = {"compile_s": compiled - start, "measure_s": time.perf_counter() - compiled}
-        arguments.json.write_text(json.dumps({"machine": machine(device), "rows": rows, **seconds}), encoding="utf-8")
+        arguments.json.write_text(
+            json.dumps({"machine": machine(arguments.device), "rows": rows, **seconds}), encoding="utf-8"
+        )
     except Exception as error:
         print(f"measuring failed: {reason_of(error)}", file=sys.stderr)
         return 1

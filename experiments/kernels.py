@@ -1,14 +1,16 @@
 """Kernels compiled at once, on all cores, before the first run: one after the other they take minutes on a new machine.
 
 Which modules a run needs shows only when it launches their kernels, so a first frame is built and queued with nothing
-launched, and what would have been compiled for it is compiled in parallel.
+launched, and what would have been compiled for it is compiled in parallel: in processes, since Warp's compilers share
+one lock within a process.
 """
 
-import os
+import sys
+import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from unittest import mock
 
 import newton
@@ -18,11 +20,31 @@ from tqdm import tqdm
 from experiments import recorder
 from experiments import simulation as simulations
 from experiments.case import AS_SHIPPED, Case
+from experiments.compiling import load_all
 from experiments.scene import build_scene
 
 Module = type(wp.get_module(__name__))
 LONGEST_FIRST = ("_lm_solve_tiled", "_tile_cholesky", "_update_gradient", "narrow_phase")
 """How the modules begin that take the longest: those with matrices in tiles, the inverse kinematics by far the most."""
+
+
+def compile_first(device: wp.Device) -> str:
+    """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
+
+    What else goes wrong here is said, and left to the measurement.
+    """
+    start = time.perf_counter()
+    try:
+        count = compile_for(device)
+    except Exception as error:  # a new release may build its kernels in another way
+        try:
+            simulations.Simulation([replace(AS_SHIPPED, frame_count=1)], device)
+        except (AttributeError, ImportError, TypeError) as missing:
+            return " ".join(str(missing).split())[:200]
+        print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
+        return ""
+    tqdm.write(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
+    return ""
 
 
 def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:
@@ -31,10 +53,7 @@ def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:
     What does not compile here is compiled when it is met, and fails there with a message of its own.
     """
     wanted = modules_of(device, case)
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        waiting = [pool.submit(module.load, device, block_dim) for module, block_dim in wanted]
-        for _ in tqdm(as_completed(waiting), desc="compiling kernels", total=len(waiting), unit="module", delay=3.0):
-            pass
+    load_all([partial(module.load, device, block_dim) for module, block_dim in wanted])
     return len(wanted)
 
 

@@ -24,7 +24,7 @@ from experiments.clips import (
     write_image,
     write_video,
 )
-from experiments.run import commit, machine, measuring_device
+from experiments.machine import commit, machine, warp_device
 from report import ReportError
 from report.records import clips as shown
 from report.records.columns import units_of
@@ -42,7 +42,7 @@ def main() -> int:
     try:
         if importlib.util.find_spec("av") is None:
             raise ReportError("making clips needs PyAV, which encodes them: uv sync --group clips installs it")
-        make_clips(project, measuring_device(arguments.device))
+        make_clips(project, warp_device(arguments.device))
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
@@ -71,7 +71,7 @@ def make_clips(project: Project, device: wp.Device) -> None:
     record = Record(
         section=shown.CLIPS,
         identity=identity,
-        machine=machine(device),
+        machine=machine("cuda" if device.is_cuda else "cpu"),
         measured={
             "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
             "commit": commit(),

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
-    device = measuring_device(arguments.device, project.profile)
+    device = _measuring_device(project, arguments)
     if not device:
         refuse_unmeasured(project, arguments.stack)
     stale = [state.section for state in states_of(project) if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
-            project = measure(project, arguments.stack, stale, device)
+            project = measure(project, arguments.stack, stale, device, arguments.cluster)
         except UsageError:
             raise
         except ReportError as error:
@@ -44,11 +44,18 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
     """Measure one section, fresh or not, and build the site."""
-    device = measuring_device(arguments.device, project.profile)
+    device = _measuring_device(project, arguments)
     if not device:
         raise UsageError(NO_CUDA)
-    project = measure(project, arguments.stack, [arguments.section], device)
+    project = measure(project, arguments.stack, [arguments.section], device, arguments.cluster)
     return int(build_site(project, arguments.address)[0])
+
+
+def _measuring_device(project: Project, arguments: argparse.Namespace) -> str | None:
+    """The device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
+    if arguments.cluster and not arguments.cluster.is_here:
+        return arguments.device or "cuda"
+    return measuring_device(arguments.device, project.profile)
 
 
 def page(project: Project, arguments: argparse.Namespace) -> int:

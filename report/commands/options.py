@@ -5,6 +5,7 @@ from functools import partial
 from typing import Any
 
 from report import ROOT, UsageError
+from report.records.cluster import read_cluster
 from report.records.devices import DEVICES
 from report.records.identity import sections
 from report.records.project import PROFILES, own_release
@@ -70,6 +71,10 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "first": {"type": str, "default": "", "help": "what the first end answers"},
     "last": {"type": str, "default": "", "help": "what the last end answers"},
     "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
+    "cluster": {
+        "type": read_cluster,
+        "help": "who measures: local (all GPUs of this host), local:2, ssh:hosts.txt or tcp://scheduler:8786",
+    },
     "profile": {
         "type": partial(_one_of, "PROFILE", PROFILES),
         "default": "full",

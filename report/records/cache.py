@@ -3,6 +3,7 @@
 An entry is believed when it is whole; when it is not, or is no file at all, it counts as not there.
 """
 
+import glob
 import hashlib
 import io
 import os
@@ -66,6 +67,12 @@ class Cache:
         except OSError:
             with suppress(OSError):
                 part.unlink(missing_ok=True)
+
+    def remove(self, start: str) -> None:
+        """Remove what is kept as a name that begins so."""
+        for entry in (self.root / FOLDER).glob(f"{glob.escape(start)}*"):
+            with suppress(OSError):
+                entry.unlink()
 
     def sweep(self) -> None:
         """Remove what processes that were killed have left; one that is just being written is then not kept."""

@@ -39,13 +39,13 @@ def machine_name(device: str) -> str:
         return device
     query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
     said = subprocess.run(query, capture_output=True, text=True, check=False).stdout.strip()
-    return _slug(said.partition("\n")[0])
+    return slug(said.partition("\n")[0])
 
 
 def machine_of(record: Record) -> str:
     """What the machine that measured a record is called in a label."""
-    return "cpu" if record.machine.get("device") == "cpu" else _slug(record.processor)
+    return "cpu" if record.machine.get("device") == "cpu" else slug(record.processor)
 
 
-def _slug(name: str) -> str:
+def slug(name: str) -> str:
     return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")

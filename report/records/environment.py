@@ -4,6 +4,7 @@ Each is made aside and put in place whole, so that one that is there can be used
 nothing yet, this makes the project's own.
 """
 
+import ast
 import hashlib
 import json
 import os
@@ -27,6 +28,8 @@ from report.records.stack import Stack, release_date
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
 NAME = re.compile(r"[A-Za-z0-9-]+")
+EXTRA = re.compile(r"^cluster = (\[.+\])$", re.MULTILINE)
+"""What a cluster takes, in pyproject.toml."""
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
@@ -55,6 +58,29 @@ def add_group(group: str, root: Path = ROOT) -> None:
         try:
             uv = _uv(root, tools, group)
             _run([uv, "sync", "--frozen", "--inexact", "--group", group, "--project", str(root)], group)
+        finally:
+            _remove(tools)
+
+
+def add_cluster(python: Path, root: Path = ROOT) -> None:
+    """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
+    asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
+    requirements = ast.literal_eval(EXTRA.search((root / "pyproject.toml").read_text(encoding="utf-8"))[1])
+    names = [NAME.match(requirement)[0] for requirement in requirements]
+    if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
+        return
+    folder = python.parent.parent
+    if folder.parent != root:
+        raise UsageError(f"CLUSTER takes {' and '.join(names)}, which {python} lacks: uv sync --extra cluster")
+    tools = root / ".venv.tools"
+    with locked(root):
+        try:
+            uv = _uv(root, tools, "cluster")
+            own = [uv, "sync", "--frozen", "--inexact", "--extra", "cluster", "--project", str(root)]
+            _run(
+                own if folder.name == ".venv" else [uv, "pip", "install", "--python", str(python), *requirements],
+                "cluster",
+            )
         finally:
             _remove(tools)
 

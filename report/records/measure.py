@@ -2,8 +2,11 @@
 
 import json
 import os
+import re
+import signal
 import subprocess
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -11,8 +14,9 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from report import ReportError, UsageError
-from report.records.devices import machine_name, machine_of
-from report.records.environment import python_of
+from report.records.cluster import Cluster
+from report.records.devices import machine_name, machine_of, slug
+from report.records.environment import add_cluster, python_of
 from report.records.files import refuse_unwritable
 from report.records.identity import sections as all_sections
 from report.records.manifest import Manifest, write_manifest
@@ -23,33 +27,48 @@ from report.records.status import expected_packages, records_of
 
 UNFIT = 2
 """Exit status of a measurement that could not begin, because of what was asked for."""
+STOP_S = 4.0
+"""How long a measurement has to stop after a Ctrl-C."""
+BATCH = re.compile(r"(?:batch|alone)_(.+)_s")
+"""Under what a record has the time of a batch."""
 
 
-def measure(project: Project, stack: Stack, sections: Sequence[str], device: str) -> Project:
-    """Measure the sections in one process, which loads the simulator's kernels once; ReportError if any failed.
+def measure(
+    project: Project, stack: Stack, sections: Sequence[str], device: str, cluster: Cluster | None = None
+) -> Project:
+    """Measure the sections, in one process or on a cluster; ReportError if any failed.
 
     Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
-    kept = kept_by(project, device)
+    machine, options = "cpu", ["--device", device, "--profile", project.profile]
+    if cluster:
+        python = python_of(stack, expected_packages(project), project.root)
+        add_cluster(python, project.root)
+        options += ["--cluster", cluster.asked]
+    if device == "cuda":
+        is_here = cluster is None or cluster.is_here
+        machine = machine_name(device) if is_here else _gpu_of(cluster, python, project.root)
+        options += ["--processor", machine]
+    kept = kept_by(project, machine)
     refuse_unwritable(kept.results)
     try:
-        seconds = str(seconds_known(project, device, sections))
-        options = ("--device", device, "--profile", project.profile, "--edition", kept.release, "--seconds", seconds)
+        options += ["--edition", kept.release, "--seconds", json.dumps(seconds_known(project, device))]
         _run(kept, stack, "experiments.run", *sections, *options)
     finally:
         _note_measured(kept, stack)
     return kept
 
 
-def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
-    """How long these sections took the last time [s], on such a device and in this profile; 0 unless all are known."""
-    found = {
-        record.section: record.measured["seconds"]
-        for release in project.releases
-        for record in records_of(project.of(release))
-        if record.machine.get("device") == device
-    }
-    return sum(found[section] for section in sections) if found.keys() >= set(sections) else 0.0
+def seconds_known(project: Project, device: str) -> Mapping[str, float]:
+    """How long sections took the last time [s], and each batch as ``section/batch``, on such a device."""
+    found = {}
+    for release in project.releases:
+        for record in records_of(project.of(release)):
+            if record.machine.get("device") == device:
+                found[record.section] = record.measured["seconds"]
+                batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
+                found |= {f"{record.section}/{match[1]}": value for match, value in batches.items() if match}
+    return found
 
 
 def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
@@ -69,17 +88,39 @@ def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
     # It ends with this process: nobody would know of it otherwise.
     beginning = partial(end_with, os.getpid())
     command = [str(python), "-m", module, *options]
-    quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one bar for all
-    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning, env=quiet).returncode
+    quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    # A Ctrl-C is for this process alone: it lets the other stop those that measure for it, which takes a moment.
+    with subprocess.Popen(
+        command, cwd=project.root, preexec_fn=beginning, env=quiet, start_new_session=True
+    ) as measuring:
+        try:
+            status = measuring.wait()
+        except KeyboardInterrupt:
+            measuring.send_signal(signal.SIGINT)
+            with suppress(subprocess.TimeoutExpired):
+                measuring.wait(timeout=STOP_S)
+            measuring.kill()
+            raise
     if status == UNFIT:
         raise UsageError("")  # it has said why
     if status:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
-def kept_by(project: Project, device: str) -> Project:
-    """The report that the results of this machine belong to: one of its own where others' are kept already."""
-    label, machine = project.label, machine_name(device)
+def _gpu_of(cluster: Cluster, python: Path, root: Path) -> str:
+    """What the GPUs of a cluster elsewhere are called in a label."""
+    command = [str(python), "-m", "experiments.cluster", cluster.asked]
+    said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
+    if said.returncode:
+        raise UsageError("")  # it has said why
+    if not said.stdout.strip():
+        raise UsageError(f"CLUSTER={cluster.asked}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
+    return slug(said.stdout)
+
+
+def kept_by(project: Project, machine: str) -> Project:
+    """The report that the results of ``machine`` belong to: one of its own where others' are kept already."""
+    label = project.label
     if label.machine not in ("", machine):
         raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
     others = {machine_of(record) for record in records_of(project)} - {machine}

@@ -1,0 +1,29 @@
+"""Why measuring failed, in a line."""
+
+import re
+
+from report import ReportError
+
+OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
+DEVICE_LOST = re.compile(
+    "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
+)
+
+
+def reason_of(error: Exception) -> str:
+    """Why measuring failed, in one line, with what to do."""
+    said = " ".join(str(error).split())
+    if isinstance(error, MemoryError) or OUT_OF_MEMORY.search(said):
+        return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
+    if DEVICE_LOST.search(said):
+        return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
+    if isinstance(error, OSError):
+        return f"{error.filename or 'a file'}: {error.strerror}"
+    return said or type(error).__name__
+
+
+def is_expected(error: Exception) -> bool:
+    """Whether its reason says all there is; an error of the code itself has its trace as well."""
+    return isinstance(error, ReportError | OSError | MemoryError) or bool(
+        OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error))
+    )

@@ -1,0 +1,93 @@
+"""What measures: the device, the machine around it and the commit, as records say them."""
+
+import hashlib
+import os
+import platform
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from report import ROOT, ReportError
+from report.records.devices import NO_CUDA
+
+KIND = ("device", "gpu", "driver", "cpu", "cores")
+"""What of a machine is the same for all batches of a section: its numbers are said to be those of one kind."""
+
+
+def warp_device(kind: str | None) -> Any:
+    """The Warp device to measure on; ReportError when it is not there.
+
+    Args:
+        kind: ``cuda``, ``cpu``, or None for CUDA where there is one.
+    """
+    import warp as wp
+
+    if hasattr(wp, "LOG_WARNING"):  # Warp of old releases has none, and they are told what else they lack
+        wp.config.log_level = wp.LOG_WARNING
+    wp.init()
+    if kind is None:
+        kind = "cuda" if wp.is_cuda_available() else "cpu"
+    if kind == "cuda" and not wp.is_cuda_available():
+        raise ReportError(f"DEVICE=cuda: {NO_CUDA}")
+    return wp.get_device(alias_of(kind))
+
+
+def alias_of(kind: str) -> str:
+    """The name that Warp has for the only device of its kind that a process measures on."""
+    return "cuda:0" if kind == "cuda" else "cpu"
+
+
+def machine(kind: str) -> dict[str, str | None]:
+    """The machine that measures, as far as a reader needs it to judge a number.
+
+    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
+    """
+    gpu = driver = uuid = None
+    if kind == "cuda":
+        device = warp_device(kind)
+        gpu, uuid = device.name, device.uuid
+        driver = _said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
+    return {
+        "device": kind,
+        "gpu": gpu,
+        "driver": driver,
+        "cpu": cpu_name(),
+        "cores": str(os.cpu_count()),
+        "python": platform.python_version(),
+        "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
+        "gpu_uuid": uuid,
+        "system": f"{platform.system()} {platform.machine()}",
+    }
+
+
+def kind_of(machine: Mapping[str, Any]) -> tuple:
+    return tuple(machine[part] for part in KIND)
+
+
+def cpu_name() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+def commit() -> str | None:
+    """The commit that is checked out, with a mark when the working tree differs from it.
+
+    Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
+    """
+    if told := os.environ.get("GIT_COMMIT"):
+        return told
+    found = _said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    untracked = _said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
+    return f"{found.removesuffix('-dirty')}-dirty" if found and untracked else found or None
+
+
+def _said(*command: str) -> str:
+    """What a command prints; nothing when it fails or is not there."""
+    try:
+        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+    except OSError:
+        return ""

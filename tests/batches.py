@@ -1,0 +1,58 @@
+"""Batches without physics, for the tests of studies: each leaves a line of who measured it."""
+
+import os
+import signal
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from experiments.batch import Batch, Plan
+
+
+@dataclass(frozen=True)
+class Rows:
+    """What a section hands over, without the simulator that Measurement brings."""
+
+    rows: list
+    traces: dict = field(default_factory=dict)
+
+
+def work(log: str, name: str, seconds: float = 0.0) -> dict:
+    note(log, f"begin {name}")
+    time.sleep(seconds)
+    note(log, f"end {name}")
+    return {"case": name, "slip_mm": float(len(name))}
+
+
+def note(log: str, words: str) -> None:
+    with Path(log).open("a", encoding="utf-8") as file:
+        file.write(f"{words} {time.monotonic()} {os.getpid()}\n")
+
+
+def fail(log: str) -> None:
+    note(log, "begin fail")
+    raise ValueError("as a test")
+
+
+def die(log: str, times: int) -> dict:
+    """Killed so often, and then measured."""
+    note(log, "begin die")
+    if Path(log).read_text(encoding="utf-8").count("begin die") <= times:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"case": "die", "slip_mm": 1.0}
+
+
+def double(rows: list) -> dict:
+    return {"case": "sum", "slip_mm": 2.0 * sum(row["slip_mm"] for row in rows)}
+
+
+def section(log: str, names: str, seconds: float = 0.0, alone: str = "") -> Plan:
+    """A batch for each letter, those of ``alone`` by themselves, and one that needs them all."""
+    rows = yield [Batch(name, work, (log, name, seconds), alone=name in alone) for name in names]
+    [last] = yield [Batch("sum", double, (rows,))]
+    return Rows([*rows, last])
+
+
+def single(batch: Batch) -> Plan:
+    [row] = yield [batch]
+    return Rows([row])

@@ -1,0 +1,158 @@
+"""Studies: sections in batches, on this process and on a cluster, and what may go wrong meanwhile."""
+
+import json
+import random
+from pathlib import Path
+
+import batches
+import pytest
+
+from experiments.batch import Batch
+from experiments.machine import kind_of, machine
+from experiments.study import Course, Done, Here, Host, Study, Task, next_start
+from report import UsageError
+from report.records.cluster import read_cluster
+from report.records.identity import identity_of
+from report.records.reading import load_record
+
+
+@pytest.fixture
+def log(tmp_path) -> Path:
+    path = tmp_path / "log"
+    path.touch()
+    return path
+
+
+def course(toy, plan, **known) -> Course:
+    return Course(toy.project, "toy", plan, identity_of("toy", "full", toy.project.root), known)
+
+
+def begun(log: Path) -> list[str]:
+    """Names of the batches that were begun, in order."""
+    return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
+
+
+def rows_of(toy) -> list:
+    return load_record(toy.record_path).rows
+
+
+def test_a_record_is_put_together_from_its_batches(toy, log):
+    assert not Study([course(toy, batches.section(str(log), "abc", alone="b"))], Here(machine("cpu"))).run()
+    assert begun(log) == ["a", "b", "c"]
+    record = load_record(toy.record_path)
+    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
+    assert {name for name in record.measured if name.endswith("_s")} == {
+        "batch_a_s", "alone_b_s", "batch_c_s", "batch_sum_s",
+    }  # fmt: skip
+    assert list(toy.project.root.glob(".cache/batch.*")) == [], "what a record was made of is not kept"
+
+
+def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
+    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    other = course(toy, batches.section(str(log), "a"))
+    other.section = "other"
+    failing.section, other.section = "bad-one", "toy"
+    assert Study([failing, other], Here(machine("cpu"))).run()
+    assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
+    assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
+
+
+class Stopped(Here):
+    """One that is stopped, as by Ctrl-C, before the batch ``at``."""
+
+    def __init__(self, at: str):
+        super().__init__(machine("cpu"))
+        self.at = at
+
+    def start(self, task, place):
+        if task.batch.name == self.at:
+            raise KeyboardInterrupt
+        super().start(task, place)
+
+
+def test_what_is_finished_is_found_again_and_only_by_the_same_code(toy, log):
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+    assert begun(log) == ["a", "b", "c", "d"]
+    whole = rows_of(toy)
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+    toy.write("experiments/toy.py", "def measure(conditions):\n    return 2\n")
+    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+    assert begun(log)[4:] == ["a", "b", "a", "b", "c", "d"] and rows_of(toy) == whole
+
+
+def test_what_another_kind_of_machine_has_finished_is_not_found(toy, log):
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "ab"))], Stopped("b")).run()
+    other = Here({**machine("cpu"), "cpu": "Another"})
+    assert not Study([course(toy, batches.section(str(log), "ab"))], other).run()
+    assert begun(log) == ["a", "a", "b"] and load_record(toy.record_path).machine["cpu"] == "Another"
+
+
+@pytest.mark.parametrize("names", ["aa", ""])
+def test_batches_need_names_of_their_own(toy, log, names, capsys):
+    assert Study([course(toy, batches.section(str(log), names))], Here(machine("cpu"))).run()
+    assert "batches need names of their own" in capsys.readouterr().err
+
+
+def task(name: str, seconds: float = 1.0, alone: bool = False) -> Task:
+    return Task("toy", Batch(name, batches.work, alone=alone), seconds)
+
+
+KIND = ("cuda", "NVIDIA H200")
+TWO = [Host("one", KIND, ["0", "1"]), Host("two", KIND, ["0"])]
+
+
+def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
+    short, long, alone = task("short", 1.0), task("long", 9.0), task("alone", 99.0, alone=True)
+    ready = [(each, None) for each in (short, alone, long)]
+    assert next_start(ready, TWO, {})[0] is long
+    assert next_start([(alone, None)], TWO, {("one", "0"): long})[2] == ("two", "0")
+    assert next_start([(alone, None)], TWO[:1], {("one", "0"): long}) is None
+    assert next_start([(short, None)], TWO[:1], {("one", "0"): alone}) is None
+
+
+def test_a_section_stays_on_one_kind_of_machine():
+    assert next_start([(task("a"), ("cuda", "NVIDIA A100"))], TWO, {}) is None
+    assert next_start([(task("a"), KIND)], TWO, {})[1] is TWO[0]
+
+
+def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
+    chance = random.Random(0)
+    for _ in range(50):
+        ready = [(task(f"t{i}", chance.random(), chance.random() < 0.3), None) for i in range(20)]
+        busy = {}
+        while ready or busy:
+            while found := next_start(ready, TWO, busy):
+                busy[found[2]] = found[0]
+                ready = [pair for pair in ready if pair[0] is not found[0]]
+            for host in TWO:
+                there = [each for (name, _), each in busy.items() if name == host.name]
+                assert len(there) <= (1 if any(each.batch.alone for each in there) else len(host.slots))
+            assert busy, "something can always be started"
+            del busy[chance.choice(list(busy))]
+
+
+HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}
+
+
+@pytest.mark.parametrize("asked", [
+    "", "locals", "local:", "local:0", "local:x", "local:-1", "local:1e3", "local:٣", "local:999999999", "ssh", "ssh:",
+    "ssh:/nowhere", "ssh:/", "tcp://", "tcp://x", "tcp://x:0", "tcp://x:99999", "tcp://x:1/y", "http://x:1",
+    *(f"ssh:{name}" for name in HOSTS),
+])  # fmt: skip
+def test_what_names_no_workers_is_refused_in_one_line(asked, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name, text in HOSTS.items():
+        Path(name).write_text(text)
+    with pytest.raises(UsageError, match=f"CLUSTER={asked}") as error:
+        read_cluster(asked)
+    assert "\n" not in str(error.value)
+
+
+def test_hosts_are_read_with_their_folders(tmp_path):
+    (tmp_path / "hosts").write_text("# ours\none\n\ntwo /data/shake report  # the other\n")
+    assert read_cluster(f"ssh:{tmp_path}/hosts").hosts == (("one", ""), ("two", "/data/shake report"))
+    assert read_cluster("local:3").process_count == 3 and read_cluster("tcp://[::1]:8786").scheduler
