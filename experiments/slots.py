@@ -133,8 +133,8 @@ def _still_wanted() -> Callable[[], bool]:
     return is_wanted
 
 
-def stop() -> None:
-    """End all processes."""
+async def stop() -> None:
+    """End all processes: of what the worker is asked, only what is asynchronous is not waited for."""
     for slot in list(_slots.values()):
         slot.end()
 

@@ -236,7 +236,7 @@ class Course:
         machines = [part.machine for part in parts]
         seconds = round(sum(part.seconds for part in parts), 1)
         each = {
-            f"{'alone' if name in self.alone else 'batch'}_{name}_s": part.seconds for name, part in self.done.items()
+            f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds for name in sorted(self.done)
         }
         record = Record(
             section=self.section,

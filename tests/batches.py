@@ -56,3 +56,19 @@ def section(log: str, names: str, seconds: float = 0.0, alone: str = "") -> Plan
 def single(batch: Batch) -> Plan:
     [row] = yield [batch]
     return Rows([row])
+
+
+def slow_after(log: str, names: str, seconds: float = 600.0) -> Plan:
+    """Quick batches, and then one that takes long."""
+    rows = yield [Batch(name, work, (log, name)) for name in names]
+    rows += yield [Batch("slow", work, (log, "slow", seconds))]
+    return Rows(rows)
+
+
+def kill_worker(log: str) -> dict:
+    """The first time the worker that asks for this is killed."""
+    note(log, "begin worker")
+    if Path(log).read_text(encoding="utf-8").count("begin worker") == 1:
+        os.kill(os.getppid(), signal.SIGKILL)
+        time.sleep(60.0)
+    return {"case": "worker", "slip_mm": 1.0}
