@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.measurement import Conditions, Measurement, summarize
 
@@ -28,24 +29,35 @@ def at(side: str, name: str, amplitude_m: float, frequency_hz: float) -> Case:
     )
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
+    cells = map_cells(MAP_SIZE[conditions.profile])
+    chosen = np.linspace(0, len(cells) - 1, ALONE_COUNT[conditions.profile]).round().astype(int)
+    points, (row, table), *alone = yield [
+        Batch("points", measure_points, (conditions,)),
+        Batch("map", measure_map, (conditions, cells), alone=True),
+        *(Batch(f"alone-{index}", measure_alone, (conditions, cells[index]), alone=True) for index in chosen),
+    ]
+    return Measurement([*points, row, *alone], {"map": table})
+
+
+def map_cells(size: int) -> list[Case]:
+    grid = [(a, f) for a in np.geomspace(*AMPLITUDES_M, size) for f in np.geomspace(*FREQUENCIES_HZ, size)]
+    return [at(side, f"map-{index}", float(a), float(f)) for side in SIDES for index, (a, f) in enumerate(grid)]
+
+
+def measure_points(conditions: Conditions) -> list[dict]:
+    """A row for each of the points."""
     points = [at(side, f"{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side in SIDES for cm, hz in POINTS]
     traces = conditions.simulate(points, title="envelope")
-    rows = [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
-    cells, map_rows, table = measure_map(conditions, MAP_SIZE[conditions.profile])
-    return Measurement(
-        rows + map_rows + measure_alone(conditions, cells, ALONE_COUNT[conditions.profile]), {"map": table}
-    )
+    return [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
 
 
-def measure_map(conditions: Conditions, size: int) -> tuple[list[Case], list[dict], dict[str, np.ndarray]]:
-    """All cells of the map as one batch: the cases, a row with the wall time, and a table of the results."""
-    grid = [(a, f) for a in np.geomspace(*AMPLITUDES_M, size) for f in np.geomspace(*FREQUENCIES_HZ, size)]
-    cells = [at(side, f"map-{index}", float(a), float(f)) for side in SIDES for index, (a, f) in enumerate(grid)]
+def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[str, np.ndarray]]:
+    """All cells of the map as one batch: a row with the wall time, and a table of the results."""
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
     columns = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
-    table: dict[str, np.ndarray] = {"side": np.repeat(list(SIDES), len(grid))}
+    table: dict[str, np.ndarray] = {"side": np.repeat(list(SIDES), len(cells) // len(SIDES))}
     table |= {name: np.array([row[name] for row in summaries]) for name in columns}
     row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), "wall_s": traces[0].wall_s}
     for side in SIDES:
@@ -53,20 +65,10 @@ def measure_map(conditions: Conditions, size: int) -> tuple[list[Case], list[dic
         key = side.replace("-", "_")
         row[f"dropped_{key}_count"] = sum(bool(row["dropped"]) for row in mine)
         row[f"failed_{key}_count"] = sum(row["failure"] is not None for row in mine)
-    return cells, [row], table
+    return row, table
 
 
-def measure_alone(conditions: Conditions, cells: list[Case], count: int) -> list[dict]:
-    """Some of the map's cells one by one, each in a simulation of its own, for the wall time."""
-    rows = []
-    for index in np.linspace(0, len(cells) - 1, count).round().astype(int):
-        [trace] = conditions.simulate([cells[index]], title=f"{cells[index].name} alone")
-        rows.append(
-            {
-                "case": f"alone-{cells[index].name}",
-                "world_count": 1,
-                "frame_count": len(trace.phase),
-                "wall_s": trace.wall_s,
-            }
-        )
-    return rows
+def measure_alone(conditions: Conditions, cell: Case) -> dict:
+    """One of the map's cells in a simulation of its own, for the wall time."""
+    [trace] = conditions.simulate([cell], title=f"{cell.name} alone")
+    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(trace.phase), "wall_s": trace.wall_s}

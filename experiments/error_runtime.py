@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 
 from experiments import metrics
+from experiments.batch import Batch, Plan
 from experiments.case import FIXED, Case, differences
 from experiments.error_settings import FRAME_COUNT, PADS, Setting, native_of, reference_of, settings
 from experiments.measurement import Conditions, Measurement, absent
@@ -28,17 +29,23 @@ ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
+    (rows, one_core), worlds = yield [
+        Batch("points", measure_points, (conditions,), alone=True),
+        Batch("worlds", measure_worlds, (conditions,), alone=True),
+    ]
+    return Measurement([*rows, *worlds, one_core])
+
+
+def measure_points(conditions: Conditions) -> tuple[list[dict], dict]:
+    """A row for each setting and each reference, all from the same state of the shake, and one of C on one core."""
     device = wp.get_device(conditions.device)
     points = settings(conditions.profile, cpu_too=conditions.is_cuda)
     finest = REFERENCE_SUBSTEPS[conditions.profile]
-    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 
     pilot = pilot_at_shake(PADS.values(), device)
     shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
-    # Many worlds start where the pilot is now, so they are timed before it runs on.
-    worlds = [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
     starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT + TIMED_FRAME_COUNT), strict=True))
     natives = {
         point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
@@ -52,7 +59,15 @@ def measure(conditions: Conditions) -> Measurement:
     # times, since on the CPU a trace is a view of what later frames write to.
     rows = [point_row(point, shakes | natives, traces, finest) for point in points]
     rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
-    return Measurement([*rows, *worlds, one_core_row(starts["stiff"])])
+    return rows, one_core_row(starts["stiff"])
+
+
+def measure_worlds(conditions: Conditions) -> list[dict]:
+    """A row for each number of worlds."""
+    device = wp.get_device(conditions.device)
+    pilot = pilot_at_shake(PADS.values(), device)
+    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
+    return [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
 
 
 class WarpShake:

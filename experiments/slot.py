@@ -75,6 +75,8 @@ def answer(device: str, call: bytes) -> Done | Failed:
     try:
         here = machine(device)
         function, arguments = pickle.loads(call)
+        if "warp" in sys.modules:
+            warp_device(device)  # with as few words as Warp has
     except Exception as error:  # the device or the code is not there
         return Failed(" ".join(str(error).split()))
     return run_batch(function, arguments, here)

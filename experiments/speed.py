@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
-from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED
+from experiments.batch import Batch, Plan
+from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case
 from experiments.measurement import Conditions, Measurement, summarize
 from experiments.simulation import Simulation
 from experiments.timing import spread
@@ -24,23 +25,25 @@ CHUNK_FRAME_COUNT = 20
 """Frames between two looks at the clock."""
 
 
-def measure(conditions: Conditions) -> Measurement:
-    frame_count = FRAME_COUNT[conditions.profile]
+def measure(conditions: Conditions) -> Plan:
     # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
     cases = CASES if conditions.is_cuda else CASES[1:]
-    rows = []
-    for case in cases:
-        case = replace(case, frame_count=WARMUP_FRAME_COUNT + frame_count)
-        simulation = Simulation([case], wp.get_device(conditions.device))
-        for _ in range(WARMUP_FRAME_COUNT):
-            simulation.step()
-        times = np.array([frame_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
-        wall_s = 1e-3 * CHUNK_FRAME_COUNT * float(times.sum())
-        [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s)
-        row = summarize(case, trace) | spread("frame_ms", times)
-        median = row["frame_ms"]
-        rows.append(row | {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median})
+    rows = yield [Batch(case.name, measure_case, (conditions, case), alone=True) for case in cases]
     return Measurement(rows)
+
+
+def measure_case(conditions: Conditions, case: Case) -> dict[str, object]:
+    frame_count = FRAME_COUNT[conditions.profile]
+    case = replace(case, frame_count=WARMUP_FRAME_COUNT + frame_count)
+    simulation = Simulation([case], wp.get_device(conditions.device))
+    for _ in range(WARMUP_FRAME_COUNT):
+        simulation.step()
+    times = np.array([frame_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
+    wall_s = 1e-3 * CHUNK_FRAME_COUNT * float(times.sum())
+    [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s)
+    row = summarize(case, trace) | spread("frame_ms", times)
+    median = row["frame_ms"]
+    return row | {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median}
 
 
 def frame_ms(simulation: Simulation) -> float:

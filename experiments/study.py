@@ -236,7 +236,9 @@ class Course:
         machines = [part.machine for part in parts]
         seconds = round(sum(part.seconds for part in parts), 1)
         each = {
-            f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds for name in sorted(self.done)
+            f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
+            for name in sorted(self.done)
+            if name != WHOLE or self.alone
         }
         record = Record(
             section=self.section,

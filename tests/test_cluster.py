@@ -49,7 +49,7 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:  # noqa: F811
     return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
 
 
-def named(course, section: str):  # noqa: F811
+def named(course, section: str):
     course.section = section
     return course
 
@@ -102,9 +102,9 @@ def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, cap
 
 
 def test_a_worker_without_the_gpu_of_the_study_is_refused_by_name(scheduler, monkeypatch, capsys):
-    with pytest.raises(ReportError, match="no worker may measure this"):
-        with crew_of(read_cluster(scheduler), "cuda", "nvidia-h200", {}, "quick"):
-            pass
+    wanted = crew_of(read_cluster(scheduler), "cuda", "nvidia-h200", {}, "quick")
+    with pytest.raises(ReportError, match="no worker may measure this"), wanted:
+        pass
     assert "left out: it has no CUDA device, and this is of nvidia-h200" in capsys.readouterr().err
 
 

@@ -1,6 +1,5 @@
 """Studies: sections in batches, on this process and on a cluster, and what may go wrong meanwhile."""
 
-import json
 import random
 from pathlib import Path
 
@@ -8,8 +7,8 @@ import batches
 import pytest
 
 from experiments.batch import Batch
-from experiments.machine import kind_of, machine
-from experiments.study import Course, Done, Here, Host, Study, Task, next_start
+from experiments.machine import machine
+from experiments.study import Course, Here, Host, Study, Task, next_start
 from report import UsageError
 from report.records.cluster import read_cluster
 from report.records.identity import identity_of
