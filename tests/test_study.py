@@ -1,15 +1,20 @@
 """Studies: sections in batches, on this process and on a cluster, and what may go wrong meanwhile."""
 
+import os
 import random
+import subprocess
+import sys
 from pathlib import Path
 
 import batches
 import pytest
+import warp as wp
 
 from experiments.batch import Batch
 from experiments.machine import machine
+from experiments.on_paper import hosts_of, makespan
 from experiments.study import Course, Here, Host, Study, Task, next_start
-from report import UsageError
+from report import ROOT, UsageError
 from report.records.cluster import read_cluster
 from report.records.identity import identity_of
 from report.records.reading import load_record
@@ -134,6 +139,12 @@ def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
             del busy[chance.choice(list(busy))]
 
 
+def test_a_study_on_paper_is_as_by_hand():
+    tasks = [task("a", 3.0), task("b", 2.0), task("c", 2.0), task("d", 4.0, alone=True)]
+    assert [makespan(tasks, hosts_of(count)) for count in (1, 2, 9)] == [11.0, 8.0, 4.0]
+    assert [len(host.slots) for host in hosts_of(17)] == [8, 8, 1]
+
+
 HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}
 
 
@@ -155,3 +166,13 @@ def test_hosts_are_read_with_their_folders(tmp_path):
     (tmp_path / "hosts").write_text("# ours\none\n\ntwo /data/shake report  # the other\n")
     assert read_cluster(f"ssh:{tmp_path}/hosts").hosts == (("one", ""), ("two", "/data/shake report"))
     assert read_cluster("local:3").process_count == 3 and read_cluster("tcp://[::1]:8786").scheduler
+
+
+def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
+    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    command = [sys.executable, ROOT / "tests" / "kernels_at_once.py"]
+
+    both = [subprocess.Popen(command, env=settings, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    assert [process.communicate()[0].strip() for process in both] == ["[0.0, 2.0, 4.0]"] * 2
+    [folder] = (path for path in (tmp_path / wp.config.version).iterdir() if path.name.startswith("wp_"))
+    assert sorted(path.suffix for path in folder.iterdir()) == [".cpp", ".meta", ".o"], "one of each, and no leavings"

@@ -25,6 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 
 from damage import PLACES, RECORD_WAYS, TRACES, damage_record  # noqa: E402
+from torture_study import studies  # noqa: E402
 
 from report.check import check_site  # noqa: E402
 from report.placing import remove  # noqa: E402
@@ -289,6 +290,7 @@ WORDS = (
 )  # fmt: skip
 VARIABLES = {
     "SECTION": ("rerun", "DEVICE=cpu"),
+    "CLUSTER": ("report", "DEVICE=cpu", "PROFILE=quick"),
     "NEWTON": ("status",),
     "DEVICE": ("report",),
     "PROFILE": ("status",),
@@ -463,9 +465,10 @@ TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
     "shown": shown_damages,
     "places": places,
     "setups": setups,
+    "studies": studies,
 }
 """Each goes on where a trial is, and yields it whenever it got farther."""
-COUNTED = {"page", "rerun", "publish", "setups"}
+COUNTED = {"page", "rerun", "publish", "setups", "studies"}
 """Those that go on in the middle; the others begin anew."""
 
 

@@ -29,7 +29,7 @@ UNFIT = 2
 """Exit status of a measurement that could not begin, because of what was asked for."""
 STOP_S = 4.0
 """How long a measurement has to stop after a Ctrl-C."""
-BATCH = re.compile(r"(?:batch|alone)_(.+)_s")
+BATCH = re.compile(r"(batch|alone)_(.+)_s")
 """Under what a record has the time of a batch."""
 
 
@@ -67,7 +67,7 @@ def seconds_known(project: Project, device: str) -> Mapping[str, float]:
             if record.machine.get("device") == device:
                 found[record.section] = record.measured["seconds"]
                 batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
-                found |= {f"{record.section}/{match[1]}": value for match, value in batches.items() if match}
+                found |= {f"{record.section}/{match[2]}": value for match, value in batches.items() if match}
     return found
 
 

@@ -1,0 +1,23 @@
+"""Compile a kernel as a study does, and print what it makes; for processes that do so at once."""
+
+from functools import partial
+
+import numpy as np
+import warp as wp
+
+from experiments.compiling import load_all
+
+
+@wp.kernel(module="unique")
+def double(values: wp.array(dtype=float)):
+    i = wp.tid()
+    values[i] = 2.0 * values[i]
+
+
+if __name__ == "__main__":
+    wp.config.log_level = wp.LOG_ERROR
+    wp.init()
+    load_all([partial(double.module.load, "cpu", 1)])
+    numbers = wp.array(np.arange(3.0, dtype=np.float32), device="cpu")
+    wp.launch(double, dim=3, inputs=[numbers], device="cpu")
+    print(numbers.numpy().tolist())

@@ -1,0 +1,161 @@
+"""Kills of a study's processes, workers and driver, for ``make torture``: the record must be the same as without."""
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+SECTIONS = ("many", "gap")
+"""One without physics, which has many short batches, and one of the report's own."""
+BATCH_COUNT = 60
+MANY = f"""import os
+import random
+import time
+from pathlib import Path
+from experiments.batch import Batch, Plan
+
+LOG = Path(__file__).resolve().parent.parent / "many.log"
+
+
+def measure(conditions) -> Plan:
+    from experiments.measurement import Measurement
+
+    rows = yield [Batch(f"b{{number}}", work, (number,), alone=number % 10 == 9) for number in range({BATCH_COUNT})]
+    [total] = yield [Batch("sum", add, (rows,))]
+    return Measurement([*rows, total])
+
+
+def work(number: int) -> dict:
+    note(f"begin b{{number}}")
+    chance = random.Random(number)
+    time.sleep(chance.uniform(0.5, 1.5))
+    note(f"end b{{number}}")
+    return {{"case": f"b{{number}}", "slip_mm": chance.random()}}
+
+
+def add(rows: list) -> dict:
+    return {{"case": "sum", "slip_mm": sum(row["slip_mm"] for row in rows)}}
+
+
+def note(words: str) -> None:
+    with LOG.open("a") as file:
+        file.write(f"{{words}} {{os.getpid()}}\\n")
+"""
+PROCESS_KILLS, WORKER_KILLS = 20, 5
+
+
+def studies(world, trial, moments: int) -> Iterator:
+    """Processes and workers killed at random while they measure, no batch twice, and the driver now and then."""
+    trial.name = f"a study on two processes: {PROCESS_KILLS} processes, {WORKER_KILLS} workers and the driver killed"
+    root = world.root
+    (root / "experiments" / "many.py").write_text(MANY, encoding="utf-8")
+    whole = _measured(root, [])
+    if not trial.tried:
+        killed, found = _killed(root, random.Random(0))
+        trial(f"{killed['process']} processes and {killed['worker']} workers", *found, *_differs(root, whole, killed))
+        yield trial
+    for number in range(trial.tried, 4):
+        killed = _driver_killed(root, 5.0 * number)
+        trial(f"the driver after {5 * number} s", *_differs(root, whole, killed))
+        yield trial
+
+
+def _start(root: Path, cluster: Sequence[str]) -> subprocess.Popen:
+    command = [sys.executable, "-m", "experiments.run", *SECTIONS, "--device", "cpu", "--profile", "quick", *cluster]
+    with (root / "study.log").open("w") as log:
+        return subprocess.Popen(command, cwd=root, stderr=log, stdout=log, start_new_session=True)
+
+
+def _forget(root: Path) -> None:
+    for path in root.glob("results/quick/newton-*/*"):
+        path.unlink()
+    (root / "many.log").write_text("")
+
+
+def _rows(root: Path) -> dict[str, list]:
+    """The rows of each record, without the times."""
+    found = {path.stem: json.loads(path.read_text())["rows"] for path in root.glob("results/quick/newton-*/*.json")}
+    return {
+        name: [{column: value for column, value in row.items() if column != "wall_s"} for row in rows]
+        for name, rows in found.items()
+    }
+
+
+def _measured(root: Path, cluster: Sequence[str]) -> dict[str, list]:
+    _forget(root)
+    _start(root, cluster).wait()
+    return _rows(root)
+
+
+def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
+    """Measure while processes are killed; how many were, and what was wrong."""
+    _forget(root)
+    wanted = ["process"] * PROCESS_KILLS + ["worker"] * WORKER_KILLS
+    chance.shuffle(wanted)
+    study, hit, killed = _start(root, ("--cluster", "local:2")), set(), Counter()
+    while study.poll() is None:
+        time.sleep(chance.uniform(0.1, 0.5))
+        at_work = {number: name for number, name in _at_work(root).items() if name not in hit}
+        if not wanted or not at_work or (wanted[0] == "worker" and len(at_work) < len(_at_work(root))):
+            continue
+        victim = chance.choice(sorted(at_work))
+        try:
+            target = victim if wanted[0] == "process" else _parent(victim)
+            os.kill(target, signal.SIGKILL)
+        except OSError:
+            continue
+        hit |= set(at_work.values()) if wanted[0] == "worker" else {at_work[victim]}
+        killed[wanted.pop(0)] += 1
+    found = [f"status {study.returncode}: {(root / 'study.log').read_text()[-300:]}"] if study.returncode else []
+    return killed, found + [f"{len(wanted)} kills were left" for _ in wanted[:1]]
+
+
+def _at_work(root: Path) -> dict[int, str]:
+    """The batch of section many that each process is measuring."""
+    last = {int(line.split()[-1]): line.split()[:2] for line in (root / "many.log").read_text().splitlines()}
+    return {number: name for number, (state, name) in last.items() if state == "begin" and _is_there(number)}
+
+
+def _is_there(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def _parent(process: int) -> int:
+    return int(Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[1])
+
+
+def _driver_killed(root: Path, moment_s: float) -> Counter:
+    """Kill the driver so long after the first batch is begun, and let another one finish, without a cluster."""
+    _forget(root)
+    study = _start(root, ("--cluster", "local:2"))
+    while not _at_work(root) and study.poll() is None:
+        time.sleep(0.1)
+    time.sleep(moment_s)
+    os.kill(study.pid, signal.SIGKILL)
+    study.wait()
+    deadline = time.monotonic() + 5.0
+    while _at_work(root) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    _start(root, ()).wait()
+    return Counter()
+
+
+def _differs(root: Path, whole: dict[str, list], killed: Counter) -> list[str]:
+    """What is wrong with what a study has left."""
+    found = [] if _rows(root) == whole and whole.keys() == set(SECTIONS) else ["other rows than without"]
+    lines = [line.split() for line in (root / "many.log").read_text().splitlines()]
+    begun = Counter(name for state, name, _ in lines if state == "begin")
+    ended = Counter(name for state, name, _ in lines if state == "end")
+    found += [f"{name} was begun {count} times" for name, count in begun.items() if count > 2]
+    found += [f"{name} was measured {count} times" for name, count in ended.items() if count > 1 + bool(killed)]
+    time.sleep(2.0)
+    return found + [f"process {line[-1]} still runs" for line in lines if _is_there(int(line[-1]))][:1]
