@@ -6,6 +6,7 @@ alone on their host.
 
 import argparse
 import contextlib
+import logging
 import os
 import pickle
 import shlex
@@ -34,8 +35,9 @@ SETTINGS = {
     "distributed.scheduler.allowed-failures": 0,
     "distributed.scheduler.worker-ttl": "60s",  # a worker always answers: its processes measure
     "distributed.worker.memory.terminate": False,
-    "distributed.logging.distributed": "error",
 }
+QUIET = logging.CRITICAL
+"""What is wrong is said here."""
 CONNECT_S = 30.0
 ORPHANED_S = 60.0
 """How long a scheduler that was started for this study outlives it, if nobody could stop it."""
@@ -44,6 +46,7 @@ ORPHANED_S = 60.0
 @contextlib.contextmanager
 def connected(cluster: Cluster, device: str) -> Iterator[Client]:
     """A client of the cluster, which is started if it is not there; ReportError where that can't be."""
+    logging.getLogger("distributed").setLevel(QUIET)
     with dask.config.set(SETTINGS), contextlib.ExitStack() as stack:
         try:
             if cluster.scheduler:
@@ -62,7 +65,7 @@ def _on_this_host(cluster: Cluster, device: str) -> LocalCluster:
     count = cluster.process_count or there
     if device == "cuda" and count > there:
         raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
-    options = {"threads_per_worker": count, "memory_limit": 0, "dashboard_address": None}
+    options = {"threads_per_worker": count, "memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET}
     return LocalCluster(n_workers=1, host="127.0.0.1", **options)
 
 

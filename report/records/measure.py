@@ -52,15 +52,21 @@ def measure(
     kept = kept_by(project, machine)
     refuse_unwritable(kept.results)
     try:
-        options += ["--edition", kept.release, "--seconds", json.dumps(seconds_known(project, device))]
+        options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
         _run(kept, stack, "experiments.run", *sections, *options)
     finally:
         _note_measured(kept, stack)
     return kept
 
 
-def seconds_known(project: Project, device: str) -> Mapping[str, float]:
-    """How long sections took the last time [s], and each batch as ``section/batch``, on such a device."""
+def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
+    """How long these sections took the last time [s], on such a device and in this profile; 0 unless all are known."""
+    found = seconds_each(project, device)
+    return sum(found[section] for section in sections) if found.keys() >= set(sections) else 0.0
+
+
+def seconds_each(project: Project, device: str) -> Mapping[str, float]:
+    """How long each section took the last time [s], and each batch, as ``section/batch``, on such a device."""
     found = {}
     for release in project.releases:
         for record in records_of(project.of(release)):
