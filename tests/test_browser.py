@@ -36,10 +36,10 @@ OUTSIDE = """[...document.querySelectorAll("svg text")].filter((text) => {
   return text.checkVisibility() && (box.left < drawing.left - 2 || box.right > drawing.right + 2
     || box.top < drawing.top - 2 || box.bottom > drawing.bottom + 2);
 }).map((text) => text.textContent)"""
-SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) => drawing.checkVisibility()
-  && [...drawing.querySelectorAll('g[id*="axes_"]')].some((axes) =>
-    axes.querySelector('g[id*="patch_"] path')?.getBoundingClientRect().width < drawing.clientWidth / 2))
-  .map((drawing) => drawing.closest("figure").id)"""
+SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) =>
+  [...drawing.querySelectorAll("clipPath rect")].some((axes) =>
+    axes.width.baseVal.value < drawing.viewBox.baseVal.width / 2)).map((drawing) => drawing.closest("figure").id)"""
+"""Drawings for a phone whose axes, to which lines are clipped, have less than half of the width."""
 STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], video[controls]")]
   .filter((element) => element.tabIndex >= 0 && element.checkVisibility()).length"""
 
