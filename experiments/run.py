@@ -30,6 +30,7 @@ SIMULATOR = "experiments/simulation.py"
 
 
 def main() -> int:
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which whoever started this may have ignored
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # the output may know ASCII alone

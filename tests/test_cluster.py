@@ -109,6 +109,7 @@ def test_a_worker_without_the_gpu_of_the_study_is_refused_by_name(scheduler, mon
 
 
 DRIVER = """
+import signal
 import sys
 import batches
 from pathlib import Path
@@ -119,6 +120,7 @@ from report.records.identity import identity_of
 from report.records.project import Project
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
     cluster, root, log = sys.argv[1:]
     project = Project("1.4.0", root=Path(root))
     course = Course(project, "toy", batches.slow_after(log, "ab"), identity_of("toy", "full", project.root), {})
