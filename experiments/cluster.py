@@ -23,9 +23,11 @@ import distributed
 from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
 
 from experiments import slots
+from experiments.course import Task
+from experiments.ending import Done, Failed, Lost
 from experiments.machine import kind_of
 from experiments.slot import SELF, Greeting, greet
-from experiments.study import Done, Failed, Host, Lost, Place, Task
+from experiments.study import Host, Place
 from report import ROOT, ReportError
 from report.records.cluster import Cluster
 from report.records.identity import Identity, changes, identity_of

@@ -12,7 +12,8 @@ import sys
 from collections.abc import Sequence
 
 from experiments.batch import Batch
-from experiments.study import CLOCK, WHOLE, Host, Place, Task, next_start
+from experiments.course import CLOCK, WHOLE, Task
+from experiments.study import Host, Place, next_start
 from report.records.measure import BATCH
 from report.records.project import Project, own_release
 from report.records.record import Record

@@ -12,9 +12,10 @@ from types import ModuleType
 
 from tqdm import tqdm
 
+from experiments.course import Course, course_of
 from experiments.machine import machine, warp_device
 from experiments.progress import progress
-from experiments.study import Course, Crew, Here, Study, course_of
+from experiments.study import Crew, Here, Study
 from report import ReportError
 from report.records.cluster import read_cluster
 from report.records.files import refuse_unwritable

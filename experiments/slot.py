@@ -14,8 +14,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
+from experiments.ending import Done, Failed, run_batch
 from experiments.machine import machine, warp_device
-from experiments.study import Done, Failed, run_batch
 from report import ReportError
 from report.records.identity import Identity, identity_of
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from experiments.study import Done, Failed, Lost
+from experiments.ending import Done, Failed, Lost
 from report import ROOT
 from report.records.devices import slug
 

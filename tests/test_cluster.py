@@ -93,12 +93,12 @@ def is_there(process: int) -> bool:
 
 def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, capsys):
     own = clusters.identity_of("slot", "quick")
-    other = replace(own, code="0" * 64, files={**own.files, "experiments/study.py": "0" * 64})
+    other = replace(own, code="0" * 64, files={**own.files, "experiments/ending.py": "0" * 64})
     monkeypatch.setattr(clusters, "identity_of", lambda section, profile: other)
     with pytest.raises(ReportError, match="no worker may measure this"), crew(scheduler):
         pass
     said = capsys.readouterr().err
-    assert f"{os.uname().nodename} is left out: it would measure with another code: experiments/study.py" in said
+    assert f"{os.uname().nodename} is left out: it would measure with another code: experiments/ending.py" in said
 
 
 def test_a_worker_without_the_gpu_of_the_study_is_refused_by_name(scheduler, monkeypatch, capsys):
@@ -114,7 +114,8 @@ import sys
 import batches
 from pathlib import Path
 from experiments.cluster import crew_of
-from experiments.study import Course, Study
+from experiments.course import Course
+from experiments.study import Study
 from report.records.cluster import read_cluster
 from report.records.identity import identity_of
 from report.records.project import Project

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments.study import believable
+from experiments.course import believable
 from report.records.columns import number_problem, unit_of, units_of
 from report.records.files import RecordError
 from report.records.reading import load_record

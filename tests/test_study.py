@@ -11,9 +11,10 @@ import pytest
 import warp as wp
 
 from experiments.batch import Batch
+from experiments.course import Course, Task
 from experiments.machine import machine
 from experiments.on_paper import hosts_of, makespan
-from experiments.study import Course, Here, Host, Study, Task, next_start
+from experiments.study import Here, Host, Study, next_start
 from report import ROOT, UsageError
 from report.records.cluster import read_cluster
 from report.records.identity import identity_of
