@@ -162,10 +162,11 @@ class Workers:
         begun = time.monotonic()
         while not self.hosts:
             self._look_around()
-            if self._threads and not self._introducing:
-                if not self.hosts:
-                    raise ReportError("no worker may measure this")
-            elif not self._threads and patience_s and time.monotonic() - begun > patience_s:
+            if self.hosts:
+                return
+            if self._threads and not self._introducing and self._known.keys() == self._threads.keys():
+                raise ReportError("no worker may measure this")
+            if not self._threads and patience_s and time.monotonic() - begun > patience_s:
                 raise ReportError(f"no worker is there after {patience_s:.0f} s")
             time.sleep(0.1)
 

@@ -2,8 +2,9 @@
 
 import os
 import queue
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future
 from contextlib import ExitStack, contextmanager, suppress
 from functools import partial
 from typing import Any
@@ -26,21 +27,29 @@ def load_all(loads: Sequence[Callable[[], Any]]) -> None:
     What does not compile here is compiled when it is met, and fails there with a message of its own.
     """
     count = min(len(loads), os.cpu_count() or 1)
-    calls: queue.SimpleQueue[tuple[Call, Future]] = queue.SimpleQueue()
-    # A process ends with the thread that started it, so this thread starts them: the others come and go.
-    with (
-        workers(count, "spawn", _begin) as processes,
-        ThreadPoolExecutor(count) as threads,
-        _compilers_elsewhere(calls),
-    ):
-        waiting = {threads.submit(load) for load in loads}
-        with tqdm(desc="compiling kernels", total=len(waiting), unit="module", delay=3.0) as bar:
-            while waiting:
-                with suppress(queue.Empty):
-                    call, future = calls.get(timeout=0.05)
-                    processes.submit(_compile, *call).add_done_callback(partial(_hand_over, future))
-                ended, waiting = wait(waiting, timeout=0.0)
-                bar.update(len(ended))
+    waiting: queue.SimpleQueue[Callable[[], Any]] = queue.SimpleQueue()
+    calls: queue.SimpleQueue[tuple[Call, Future] | None] = queue.SimpleQueue()
+    for load in loads:
+        waiting.put(load)
+    # A process ends with the thread that started it, so this thread starts them. Nobody waits for the other threads:
+    # after a Ctrl-C nothing would answer them.
+    with workers(count, "spawn", _begin) as processes, _compilers_elsewhere(calls):
+        for _ in range(count):
+            threading.Thread(target=_load, args=(waiting, calls), daemon=True).start()
+        for _ in tqdm(loads, desc="compiling kernels", unit="module", delay=3.0):
+            while call := calls.get():
+                request, future = call
+                processes.submit(_compile, *request).add_done_callback(partial(_hand_over, future))
+
+
+def _load(waiting: queue.SimpleQueue, calls: queue.SimpleQueue) -> None:
+    """Load what waits, and say after each that it is done."""
+    with suppress(queue.Empty):
+        while True:
+            load = waiting.get_nowait()
+            with suppress(Exception):
+                load()
+            calls.put(None)
 
 
 @contextmanager

@@ -1,11 +1,14 @@
 """Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
 
+import signal
+
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
+
 import argparse
 import importlib
 import importlib.util
 import io
 import json
-import signal
 import sys
 from collections.abc import Sequence
 from types import ModuleType

@@ -28,8 +28,8 @@ def log(tmp_path) -> Path:
     return path
 
 
-def course(toy, plan, **known) -> Course:
-    return Course(toy.project, "toy", plan, identity_of("toy", "full", toy.project.root), known)
+def course(toy, plan) -> Course:
+    return Course(toy.project, "toy", plan, identity_of("toy", "full", toy.project.root), {})
 
 
 def begun(log: Path) -> list[str]:
@@ -60,6 +60,24 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
     assert Study([failing, other], Here(machine("cpu"))).run()
     assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
     assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
+
+
+def test_a_study_says_how_far_it_is(toy, log):
+    said = []
+
+    class Watched(Here):
+        def start(self, task, place):
+            super().start(task, place)
+            said.append(study.status())
+
+    known = course(toy, batches.section(str(log), "ab"))
+    known.known = {"toy": 300.0}
+    study = Study([known], Watched(machine("cpu")))
+    study.run()
+    assert said == [f"{done}; about 5 min left" for done in (
+        "0 of 2 batches; toy/a running", "1 of 2 batches; toy/b running", "2 of 3 batches; toy/sum running"
+    )]  # fmt: skip
+    assert study.status() == "3 of 3 batches; nothing running; about 0 s left"
 
 
 class Stopped(Here):
