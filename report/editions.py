@@ -15,7 +15,7 @@ from report.derived import LostError, Noted, Outline, Reads, derive_section, out
 from report.keeping import Derivation, Keeper, Made
 from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates, Text
-from report.pages import FRONT, PAGES, REPLAY, Page
+from report.pages import FRONT, HISTORY, PAGES, REPLAY, Page
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
@@ -41,12 +41,21 @@ class Edition:
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
     keeper: Keeper = field(default_factory=Keeper)
 
-    @property
+    @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
         """Its pages with what each shows; one that would show nothing is not there."""
         chapters = self.chapters.values()
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
-        return {page: found for page, found in shown.items() if found or page == FRONT}
+        always = (FRONT, HISTORY) if len(self.project.releases) > 1 else (FRONT,)
+        return {page: found for page, found in shown.items() if found or page in always}
+
+    @property
+    def uncompared(self) -> Chapters:
+        """Its chapters; of those that compare releases, and say what is so on one page alone, their results."""
+        return {
+            name: replace(chapter, section=Section()) if chapter.compares else chapter
+            for name, chapter in self.chapters.items()
+        }
 
     @cached_property
     def clips(self) -> Clips | None:
@@ -76,6 +85,8 @@ class Edition:
     def _text(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
         section = self._retold(anchor) if anchor in RETOLD else Section()
+        if anchor == HISTORY.name:
+            section = self._history({link.release: link.edition.uncompared for link in names["releases"]})
         if not section.claims:  # where the shake test was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
@@ -100,13 +111,25 @@ class Edition:
         return text.prose(anchor, {**known, **names}, level)
 
     def _retold(self, name: str) -> Section:
-        def make(reads: Reads) -> Derivation:
-            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads)), {}
+        def make(reads: Reads) -> Section:
+            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads))
 
-        project = self.project
+        return self._told(name, {"": self.chapters}, make)
+
+    def _history(self, releases: Releases) -> Section:
+        def make(reads: Reads) -> Section:
+            from report.story.history import history_of
+
+            return history_of({release: Noted(reads, release) for release in releases}, self.project.release)
+
+        return self._told(HISTORY.name, releases, make)
+
+    def _told(self, name: str, places: Releases, make: Callable[[Reads], Section]) -> Section:
+        """What a module of report/story/ makes of the chapters of one release, or of all by their labels."""
+        digests = {(place, each): chapter.digest for place, found in places.items() for each, chapter in found.items()}
         code = ROOT / "report" / "story" / f"{name}.py"
-        reads = Reads({"": self.chapters}, {("", name): chapter.digest for name, chapter in self.chapters.items()})
-        return self.keeper.made((project.profile, project.release, name), code, (), reads, make).section
+        place = self.project.profile, self.project.release, name
+        return self.keeper.made(place, code, (), Reads(places, digests), lambda reads: (make(reads), {})).section
 
 
 def editions_of(

@@ -114,14 +114,21 @@ def newest(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def history(project: Project, arguments: argparse.Namespace) -> int:
-    """Print a value or a claim over all editions; without one, the numbers that say most."""
+    """Print a value or a claim over all editions; without one, the numbers that say most and the claims that flip."""
     from report.editions import editions_of
-    from report.history import headline_questions, history
+    from report.history import flip_history, history
     from report.page import Templates
 
-    asked = [_question(arguments)] if arguments.claim or arguments.value else headline_questions()
     editions = editions_of(project, Templates(project.templates))
-    print("\n\n".join(history(editions, question) for question in asked))
+    releases = {release: edition.uncompared for release, edition in editions.items()}
+    if arguments.claim or arguments.value:
+        print(history(releases, _question(arguments)))
+        return 0
+    from report.question import Question
+    from report.sections.upgrade.tables import HEADLINES
+
+    told = [history(releases, Question(headline.place, is_claim=False)) for headline in HEADLINES]
+    print("\n\n".join([*told, flip_history(releases, project.release)]))
     return 0
 
 
