@@ -8,8 +8,9 @@ import time
 from pathlib import Path
 
 from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.machine import machine
 from experiments.measurement import Conditions
-from experiments.run import compile_first, machine, measuring_device, reason_of
+from experiments.run import compile_first, measuring_device, reason_of
 
 
 def main() -> int:

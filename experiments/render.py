@@ -24,7 +24,8 @@ from experiments.clips import (
     write_image,
     write_video,
 )
-from experiments.run import commit, machine, measuring_device
+from experiments.machine import commit, machine
+from experiments.run import measuring_device
 from report import ReportError
 from report.records import clips as shown
 from report.records.columns import units_of

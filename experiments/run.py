@@ -1,44 +1,47 @@
 """Measure sections and keep their records: ``python -m experiments.run SECTION [SECTION …]``."""
 
 import argparse
-import hashlib
 import importlib.util
 import io
-import os
-import platform
 import re
-import subprocess
 import sys
 import threading
 import time
 import traceback
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
+from concurrent.futures import as_completed
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime, timezone
-from pathlib import Path
 from types import ModuleType
 
 import warp as wp
 from tqdm import tqdm
 
 from experiments.case import AS_SHIPPED
+from experiments.compat import release
 from experiments.kernels import compile_for
+from experiments.machine import commit, device_kind, machine
 from experiments.measurement import Conditions
+from experiments.scene import build_scene
 from experiments.simulation import Simulation
-from report import ROOT, ReportError
+from experiments.worlds import WORLDS_BUILT
+from report import ReportError
 from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from report.records.devices import NO_CUDA
 from report.records.files import refuse_unwritable
 from report.records.identity import identity_of, package_versions, sections
 from report.records.label import read_label
+from report.records.processes import workers
 from report.records.project import Project, own_release
 from report.records.record import Record, write_record
 from report.records.sources import EDITED
 from report.records.traces import packed
 
-# 1.3.0 is built and compiled, with the packages of its day, and is not finite from frame 1 on.
-OLDEST = "1.4.0 is the oldest release that can"
+OLDEST = (1, 4, 0)
+"""The oldest release that can run the scene."""
+TIMED = ("cure_cost", "error_runtime", "leave_out", "scaling", "speed")
+"""Sections that are about time, beside which nothing may run."""
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
@@ -52,34 +55,58 @@ def main() -> int:
     arguments = parse_arguments()
     try:
         device = measuring_device(arguments.device)
-        modules = {section: section_module(section) for section in arguments.section}
+        for section in arguments.section:
+            section_module(section)
         project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
         refuse_unwritable(project.results)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
-    with progress(arguments.seconds):
-        return measure_all(project, modules, device)
-
-
-def measure_all(project: Project, modules: Mapping[str, ModuleType], device: wp.Device) -> int:
-    """Measure the sections, one line each, and return the exit status."""
-    failures = 0
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
-    if reason := compile_first(device):
-        print(f"newton {package_versions()['newton']} cannot run the scene: {reason}; {OLDEST}", file=sys.stderr)
+    if reason := too_old(device) or compile_first(device):
+        version, oldest = package_versions()["newton"], ".".join(map(str, OLDEST))
+        print(f"newton {version} cannot run the scene: {reason}; {oldest} is the oldest that can", file=sys.stderr)
         return 2
-    for number, (section, module) in enumerate(modules.items(), start=1):
-        tqdm.write(f"[{number}/{len(modules)}] {section}")
-        try:
-            measure_section(project, section, module, device)
-        except Exception as error:  # one section's fault must not cost the others
-            print(f"{section}: measuring failed; what was there is kept: {reason_of(error)}", file=sys.stderr)
-            failures += 1
-        except KeyboardInterrupt:
-            print(f"{section}: stopped; what was there is kept", file=sys.stderr)
-            return 130
+    return measure_all(project, arguments.section, device, arguments.processes, arguments.seconds)
+
+
+def measure_all(project: Project, names: Sequence[str], device: wp.Device, count: int, seconds: float) -> int:
+    """Measure the sections, those that may be up to ``count`` at once, a line each, and return the exit status.
+
+    Processes are forks of this one, so that they have the kernels that it has loaded.
+    """
+    plain = [section for section in names if section not in TIMED]
+    together = plain if min(count, len(plain)) > 1 else []
+    failures = 0
+    try:
+        with workers(count, "fork") as pool:
+            if together:
+                tqdm.write(f"[1–{len(together)}/{len(names)}] {', '.join(together)}, {count} at a time")
+            running = [pool.submit(measure_named, project, section, device.alias, count) for section in together]
+            with progress(seconds):
+                for ended in as_completed(running):
+                    failures += ended.result()
+                alone = [section for section in names if section not in together]
+                for number, section in enumerate(alone, start=len(together) + 1):
+                    tqdm.write(f"[{number}/{len(names)}] {section}")
+                    failures += measure_named(project, section, device.alias)
+    except ReportError as error:
+        print(error, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("stopped; what was there is kept", file=sys.stderr)
+        return 130
     return 1 if failures else 0
+
+
+def measure_named(project: Project, section: str, alias: str, count: int = 1) -> bool:
+    """Measure a section beside ``count`` less one others, and say how it went; whether it failed."""
+    try:
+        measure_section(project, section, section_module(section), wp.get_device(alias), count)
+    except Exception as error:  # one section's fault must not cost the others
+        print(f"{section}: measuring failed; what was there is kept: {reason_of(error)}", file=sys.stderr, flush=True)
+        return True
+    return False
 
 
 def reason_of(error: Exception) -> str:
@@ -116,6 +143,16 @@ def progress(seconds: float) -> Iterator[None]:
             done.set()
 
 
+def too_old(device: wp.Device) -> str:
+    """Why a release that is older than the oldest can't build the scene, before minutes go into its kernels."""
+    try:
+        if release() < OLDEST:
+            build_scene([AS_SHIPPED] * (WORLDS_BUILT + 1), device)
+    except Exception as error:  # each of them for a reason of its own
+        return " ".join(str(error).split())[:200]
+    return ""
+
+
 def compile_first(device: wp.Device) -> str:
     """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
 
@@ -140,6 +177,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("section", nargs="+", metavar="SECTION", help=", ".join(sections()))
     parser.add_argument("--device", choices=("cuda", "cpu"), help="default: cuda where there is one")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
+    parser.add_argument("--processes", type=int, default=1, help="sections at once, on a CPU, but for those about time")
     parser.add_argument("--seconds", type=float, default=0.0, help="how long it took before, for the bar")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
     return parser.parse_args()
@@ -178,15 +216,15 @@ def edition_of(asked: str | None) -> str:
     return str(label)
 
 
-def measure_section(project: Project, section: str, module: ModuleType, device: wp.Device) -> None:
-    """Let the section's module measure, and write its record and traces."""
+def measure_section(project: Project, section: str, module: ModuleType, device: wp.Device, count: int) -> None:
+    """Let the section's module measure, beside ``count`` less one others, and write its record and traces."""
     profile = project.profile
     started, start = now(), time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(
         section=section,
         identity=identity_of(section, profile),
-        machine=machine(device),
+        machine=machine(device) | ({"sections_at_once": count} if count > 1 else {}),
         measured={
             "date": now(),
             "started": started,
@@ -211,60 +249,6 @@ def believable(row: dict[str, object]) -> dict[str, object]:
     """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
     return row | dict.fromkeys(lost) | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}
-
-
-def device_kind(device: wp.Device) -> str:
-    return "cuda" if device.is_cuda else "cpu"
-
-
-def machine(device: wp.Device) -> dict[str, str | None]:
-    """The machine that measures, as far as a reader needs it to judge a number.
-
-    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
-    """
-    gpu = driver = None
-    if device.is_cuda:
-        gpu = device.name
-        driver = _said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
-    return {
-        "device": device_kind(device),
-        "gpu": gpu,
-        "driver": driver,
-        "cpu": cpu_name(),
-        "cores": str(os.cpu_count()),
-        "python": platform.python_version(),
-        "host": hashlib.sha256(platform.node().encode()).hexdigest()[:12],
-        "gpu_uuid": device.uuid if device.is_cuda else None,
-        "system": f"{platform.system()} {platform.machine()}",
-    }
-
-
-def cpu_name() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.processor() or platform.machine()
-
-
-def commit() -> str | None:
-    """The commit that is checked out, with a mark when the working tree differs from it.
-
-    Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
-    """
-    if told := os.environ.get("GIT_COMMIT"):
-        return told
-    found = _said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = _said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
-    return f"{found.removesuffix('-dirty')}-dirty" if found and untracked else found or None
-
-
-def _said(*command: str) -> str:
-    """What a command prints; nothing when it fails or is not there."""
-    try:
-        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
-    except OSError:
-        return ""
 
 
 if __name__ == "__main__":

@@ -6,12 +6,12 @@ import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from report import UsageError
+from report import ReportError, UsageError
 from report.commands.building import build_site
 from report.records.devices import NO_CUDA, measuring_device
 from report.records.environment import environment_of
 from report.records.identity import sections
-from report.records.measure import measure
+from report.records.measure import kept_by, measure
 from report.records.project import PROFILES, Project
 from report.records.stack import stack_of
 from report.records.status import states_of
@@ -30,7 +30,7 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
 
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or stack_of(base_of(project) or project.own_release)
-    sides = []
+    sides, failed = [], False
     for stack in (base, arguments.stack):
         side = project.of(str(stack.label))
         lacking = [section for section in DECIDING if not side.record_path(section).exists()]
@@ -45,7 +45,14 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
         if lacking:
             minutes = seconds_expected(side, device, lacking) / 60
             print(f"newton {side.release}: measuring {', '.join(lacking)}, about {max(minutes, 1):.0f} min", flush=True)
-            side = measure(side, stack, [section for section in DECIDING if section in lacking], device)
+            side = kept_by(side, device)
+            try:
+                measure(side, stack, [section for section in DECIDING if section in lacking], device)
+            except UsageError:
+                raise
+            except ReportError as error:  # what was measured may say enough
+                print(error, file=sys.stderr)
+                failed = True
         sides.append(side)
     names = [side.release for side in sides]
     editions = editions_of(project, Templates(project.templates), among=names)
@@ -53,7 +60,7 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
     print(upgrade_said(comparison, verdict(comparison, *(editions[name] for name in names)), arguments.format))
     if arguments.format == "text":
         build_site(sides[1], "")
-    return int(comparison.is_alarm)
+    return int(failed or comparison.is_alarm)
 
 
 def bisect(project: Project, arguments: argparse.Namespace) -> int:
