@@ -24,6 +24,7 @@ from report.records.project import Project
 from report.records.status import State, states_of
 from report.records.traces import traces_of
 from report.results import Results, ResultsError
+from report.short import marked
 from report.story.cards import cards_of
 from report.story.found import Found
 
@@ -140,7 +141,17 @@ def editions_of(
     shown = project.releases if among is None else among
     derived = {release: derive_edition(project.of(release), templates, keeper) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
-    return {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
+    editions = {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
+    return editions if project.profile == "full" else _with_marks(project, editions, templates)
+
+
+def _with_marks(project: Project, editions: Mapping[str, Edition], templates: Templates) -> dict[str, Edition]:
+    """The same with a mark at each claim that full runs, where there are any, answer otherwise."""
+    full = replace(project, profile="full")
+    there = [release for release in editions if full.of(release).results.is_dir()]
+    told = {release: derive_edition(full.of(release), templates).chapters for release in there}
+    chapters = marked({release: edition.chapters for release, edition in editions.items()}, told)
+    return {release: replace(edition, chapters=chapters[release]) for release, edition in editions.items()}
 
 
 def derive_edition(project: Project, templates: Templates, keeper: Keeper | None = None) -> Edition:
