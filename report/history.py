@@ -7,7 +7,7 @@ from markupsafe import Markup
 
 from report.chapters import Releases
 from report.deriving.releases import Turn, turns
-from report.noise import NOISE, Floor, is_beyond, noise_floors, verdict
+from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
 from report.question import Answer, Question
 
 FLIPPED, MOVED = "flipped", "moved"
@@ -40,7 +40,7 @@ def points(releases: Releases, question: Question) -> list[Point]:
         answer = question.answer(chapters)
         if answer is not None:
             floor = _floors({release: chapters}).get(column, noisiest)
-            noise = None if isinstance(answer, str) or not floor else floor.at(answer)
+            noise = None if isinstance(answer, str) or not floor else max(floor.at(answer), RESOLUTION.get(column, 0.0))
             point = Point(release, answer, noise)
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found
