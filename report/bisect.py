@@ -26,6 +26,10 @@ CANNOT_TELL = 125
 """What ``git bisect run`` takes for a commit that can't be judged."""
 
 
+class Alike(UsageError):
+    """The two ends of a search do not differ, or can't tell."""
+
+
 @dataclass(frozen=True)
 class Bisection:
     """One search: what is asked, and how it is measured."""
@@ -38,13 +42,16 @@ class Bisection:
     def answer(self, stack: Stack) -> Answer | None:
         """What a stack answers, measured unless that was done before; None, and why is said, where it can't tell."""
         try:
-            edition = self._edition(stack, [self.question.section])
-            answer = self.question.answer(edition.chapters)
-            if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
-                answer = self.question.answer(self._edition(stack, [self.question.section, NOISE]).chapters)
+            return self._answer(stack)
         except ReportError as error:
             print(f"{stack.label}: cannot be measured: {error}".rstrip(": "), flush=True)
             return None
+
+    def _answer(self, stack: Stack) -> Answer | None:
+        edition = self._edition(stack, [self.question.section])
+        answer = self.question.answer(edition.chapters)
+        if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
+            answer = self.question.answer(self._edition(stack, [self.question.section, NOISE]).chapters)
         print(f"{stack.label}: {self.question.text} {_said(answer)}", flush=True)
         return answer
 
@@ -59,10 +66,10 @@ class Bisection:
         return state_of(self.project.of(str(stack.label)), self.question.section).record
 
     def ends(self, first: Stack, last: Stack) -> tuple[Answer, Answer]:
-        """What both ends answer; UsageError when there is nothing to find between them."""
-        answers = self.answer(first), self.answer(last)
+        """What both ends answer, which must be measured; Alike when there is nothing to find between them."""
+        answers = self._answer(first), self._answer(last)
         if None in answers or answers[0] == answers[1]:
-            raise UsageError(f"{self.question.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
+            raise Alike(f"{self.question.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
         return answers
 
 

@@ -98,6 +98,18 @@ def test_there_is_nothing_to_find_between_ends_that_agree(search):
         bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.0"))
 
 
+def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
+    """And does not begin one with full runs, which take hours."""
+
+    def fail(project, stack, *others):
+        raise ReportError("measuring ended")
+
+    monkeypatch.setattr(bisect, "measure", fail)
+    with pytest.raises(ReportError, match="measuring ended") as error:
+        search.ends(stack_of("1.4.0"), stack_of("1.9.0"))
+    assert not isinstance(error.value, UsageError)
+
+
 def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
     code = checkout / "newton/__init__.py"
     commits = []

@@ -90,7 +90,7 @@ def aside() -> Iterator[None]:
 
 def bisect(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
-    from report.bisect import Bisection, bisect_commits, bisect_releases, common_repository
+    from report.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
     from report.page import Templates
 
     device = measuring_device(arguments.device, "quick")
@@ -98,7 +98,7 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     search = Bisection(replace(project, profile="quick"), question, device, templates)
     try:
         search.ends(arguments.a, arguments.b)
-    except UsageError as error:
+    except Alike as error:
         print(f"{error} in a quick run; it takes full ones", flush=True)
         search = replace(search, project=project)
     repository = common_repository(arguments.a, arguments.b)
