@@ -122,6 +122,7 @@ class Course:
         """Write the record; the batches that it is made of need not be kept any longer."""
         parts = list(self.done.values())
         machines = [part.machine for part in parts]
+        names = dict.fromkeys(name for machine in machines for name in machine)
         seconds = round(sum(part.seconds for part in parts), 1)
         each = {
             f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
@@ -131,7 +132,7 @@ class Course:
         record = Record(
             section=self.section,
             identity=self.identity,
-            machine={name: _together(machine[name] for machine in machines) for name in machines[0]},
+            machine={name: _together(machine.get(name) for machine in machines) for name in names},
             measured={
                 "date": now(),
                 "started": min(part.started for part in parts),
@@ -176,7 +177,7 @@ def _as_one(batch: Batch) -> Plan:
 
 def _together(values: Iterable[str | None]) -> str | None:
     """What several machines say: what they agree on, or each of what they say."""
-    found = sorted({*values}, key=str)
+    found = sorted({*values} - {None}, key=str) or [None]
     said = ", ".join(map(str, found))
     return found[0] if len(found) == 1 else said if len(said) <= 400 else f"{len(found)} different ones"
 

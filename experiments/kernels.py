@@ -20,12 +20,26 @@ from tqdm import tqdm
 from experiments import recorder
 from experiments import simulation as simulations
 from experiments.case import AS_SHIPPED, Case
+from experiments.compat import release
 from experiments.compiling import load_all
 from experiments.scene import build_scene
+from experiments.worlds import WORLDS_BUILT
 
+OLDEST = (1, 4, 0)
+"""The oldest release that can run the scene."""
 Module = type(wp.get_module(__name__))
 LONGEST_FIRST = ("_lm_solve_tiled", "_tile_cholesky", "_update_gradient", "narrow_phase")
 """How the modules begin that take the longest: those with matrices in tiles, the inverse kinematics by far the most."""
+
+
+def too_old(device: wp.Device) -> str:
+    """Why a release that is older than the oldest can't build the scene, before minutes go into its kernels."""
+    try:
+        if release() < OLDEST:
+            build_scene([AS_SHIPPED] * (WORLDS_BUILT + 1), device)
+    except Exception as error:  # each of them for a reason of its own
+        return " ".join(str(error).split())[:200]
+    return ""
 
 
 def compile_first(device: wp.Device) -> str:

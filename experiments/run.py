@@ -16,6 +16,7 @@ from types import ModuleType
 from tqdm import tqdm
 
 from experiments.course import Course, course_of
+from experiments.forks import Forks
 from experiments.machine import machine, warp_device
 from experiments.progress import progress
 from experiments.study import Crew, Here, Study
@@ -24,11 +25,10 @@ from report.records.cluster import read_cluster
 from report.records.files import refuse_unwritable
 from report.records.identity import package_versions, sections
 from report.records.label import read_label
+from report.records.processes import workers
 from report.records.project import Project, own_release
 from report.records.sources import EDITED
 
-# 1.3.0 is built and compiled, with the packages of its day, and is not finite from frame 1 on.
-OLDEST = "1.4.0 is the oldest release that can"
 SIMULATOR = "experiments/simulation.py"
 """What a section reads whose kernels are compiled before."""
 
@@ -53,16 +53,28 @@ def main() -> int:
             asked = {course.section: course.identity for course in courses}
             with crew_of(read_cluster(arguments.cluster), kind, arguments.processor, asked, project.profile) as crew:
                 return measure_all(courses, crew)
-        if reason := compiled(courses, device):
-            raise ReportError(f"newton {package_versions()['newton']} cannot run the scene: {reason}; {OLDEST}")
-        return measure_all(courses, Here(machine(kind)))
+        compile_first(courses, device)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
-        print("stopped; what is finished is kept", file=sys.stderr)
-        return 130
+        return stopped()
+    try:
+        if arguments.processes == 1:
+            return measure_all(courses, Here(machine(kind)))
+        with workers(arguments.processes, "fork") as pool:
+            return measure_all(courses, Forks(pool, arguments.processes, machine(kind)))
+    except ReportError as error:
+        print(error, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return stopped()
+
+
+def stopped() -> int:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    print("stopped; what is finished is kept", file=sys.stderr)
+    return 130
 
 
 def measure_all(courses: Sequence[Course], crew: Crew) -> int:
@@ -72,14 +84,16 @@ def measure_all(courses: Sequence[Course], crew: Crew) -> int:
         return int(study.run())
 
 
-def compiled(courses: Sequence[Course], device) -> str:
-    """Compile what the sections need; why the scene can't be run, where it can't."""
+def compile_first(courses: Sequence[Course], device) -> None:
+    """Compile what the sections need; ReportError where this release can't run the scene."""
     if not any(SIMULATOR in course.identity.files for course in courses):
-        return ""
-    from experiments.kernels import compile_first
+        return
+    from experiments import kernels
 
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
-    return compile_first(device)
+    if reason := kernels.too_old(device) or kernels.compile_first(device):
+        version, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
+        raise ReportError(f"newton {version} cannot run the scene: {reason}; {oldest} is the oldest that can")
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -89,6 +103,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--seconds", default="{}", metavar="JSON", help="how long each took before, by section")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
+    parser.add_argument("--processes", type=int, default=1, help="batches at once, on a CPU, but for those about time")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, local:2, ssh:FILE, tcp://HOST:PORT")
     parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
     return parser.parse_args()

@@ -11,6 +11,7 @@ from report import ReportError, UsageError
 from report.editions import Edition, derive_edition
 from report.noise import NOISE
 from report.page import Templates
+from report.question import Answer, Question
 from report.records.measure import measure
 from report.records.project import Project
 from report.records.record import Record
@@ -18,7 +19,6 @@ from report.records.stack import Stack, releases_between, stack_of
 from report.records.status import state_of
 
 Point = TypeVar("Point")
-Answer = str | float
 FIRST = re.compile(r"^([0-9a-f]{40}) is the first bad commit", re.MULTILINE)
 UNITS = {"warp-lang": ("warp-lang",), "mujoco-warp and mujoco": ("mujoco-warp", "mujoco")}
 """Packages that are changed together, besides newton itself: the two of MuJoCo come out together."""
@@ -26,38 +26,8 @@ CANNOT_TELL = 125
 """What ``git bisect run`` takes for a commit that can't be judged."""
 
 
-@dataclass(frozen=True)
-class Question:
-    """What is asked of each edition: a claim, ``section.claim``, or a value, of the page or of a row."""
-
-    text: str
-    """As CLAIM= or VALUE= said it: ``section.claim``, ``section.value`` or ``section.case.column``."""
-    is_claim: bool
-
-    @property
-    def section(self) -> str:
-        return self.text.partition(".")[0]
-
-    def answer(self, edition: Edition) -> Answer | None:
-        """What an edition says; None where it can't tell."""
-        chapter = edition.chapters.get(self.section)
-        name = self.text.partition(".")[2]
-        if chapter is None:
-            return None
-        if self.is_claim:
-            found = [claim.outcome.name for claim in chapter.section.claims if claim.name == name]
-            return next((outcome for outcome in found if outcome != "unknown"), None)
-        case, _, column = name.rpartition(".")
-        if not case:
-            return chapter.results.derived[name].value if name in chapter.results.derived else None
-        row = chapter.results.row[case]
-        return row[column].value if column in row else None
-
-    def is_as(self, answer: Answer, first: Answer, last: Answer) -> bool:
-        """Whether an answer is the first one rather than the last; of numbers, whether it is nearer."""
-        if self.is_claim:
-            return answer == first
-        return abs(float(answer) - float(first)) < abs(float(answer) - float(last))
+class Alike(UsageError):
+    """The two ends of a search do not differ, or can't tell."""
 
 
 @dataclass(frozen=True)
@@ -72,13 +42,16 @@ class Bisection:
     def answer(self, stack: Stack) -> Answer | None:
         """What a stack answers, measured unless that was done before; None, and why is said, where it can't tell."""
         try:
-            edition = self._edition(stack, [self.question.section])
-            answer = self.question.answer(edition)
-            if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
-                answer = self.question.answer(self._edition(stack, [self.question.section, NOISE]))
+            return self._answer(stack)
         except ReportError as error:
             print(f"{stack.label}: cannot be measured: {error}".rstrip(": "), flush=True)
             return None
+
+    def _answer(self, stack: Stack) -> Answer | None:
+        edition = self._edition(stack, [self.question.section])
+        answer = self.question.answer(edition.chapters)
+        if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
+            answer = self.question.answer(self._edition(stack, [self.question.section, NOISE]).chapters)
         print(f"{stack.label}: {self.question.text} {_said(answer)}", flush=True)
         return answer
 
@@ -93,10 +66,10 @@ class Bisection:
         return state_of(self.project.of(str(stack.label)), self.question.section).record
 
     def ends(self, first: Stack, last: Stack) -> tuple[Answer, Answer]:
-        """What both ends answer; UsageError when there is nothing to find between them."""
-        answers = self.answer(first), self.answer(last)
+        """What both ends answer, which must be measured; Alike when there is nothing to find between them."""
+        answers = self._answer(first), self._answer(last)
         if None in answers or answers[0] == answers[1]:
-            raise UsageError(f"{self.question.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
+            raise Alike(f"{self.question.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
         return answers
 
 

@@ -16,7 +16,7 @@ from report.reading import Drawn, Reading
 
 TYPED = re.compile(
     r"kd = 2√ke|2/kd = 2·dt|dt² ke \+ 2 dt kd > 4|clamped to 2 dt|damping ratio 1\b|^[12]\. |RK4|link7|1/s|3D"
-    r"|[\d\u202f]+ worlds?|\d+ runs(?: in \d+ sections)?|\d+ dropped|Newton \d+\.\d+\.\d+"
+    r"|[\d\u202f]+ worlds?|\d+ runs(?: in \d+ sections)?|\d+ dropped|Newton \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 )
 """Numbers in drawings and in their words that are names and formulas."""
 

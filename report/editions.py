@@ -15,7 +15,7 @@ from report.derived import LostError, Noted, Outline, Reads, derive_section, out
 from report.keeping import Derivation, Keeper, Made
 from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates, Text
-from report.pages import FRONT, PAGES, REPLAY, Page
+from report.pages import FRONT, HISTORY, PAGES, REPLAY, Page
 from report.pairs import refuse_contradictions
 from report.parts import Making, Section
 from report.records.files import RecordError, place_of
@@ -24,6 +24,7 @@ from report.records.project import Project
 from report.records.status import State, states_of
 from report.records.traces import traces_of
 from report.results import Results, ResultsError
+from report.short import marked
 from report.story.cards import cards_of
 from report.story.found import Found
 
@@ -41,12 +42,21 @@ class Edition:
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
     keeper: Keeper = field(default_factory=Keeper)
 
-    @property
+    @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
         """Its pages with what each shows; one that would show nothing is not there."""
         chapters = self.chapters.values()
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
-        return {page: found for page, found in shown.items() if found or page == FRONT}
+        always = (FRONT, HISTORY) if len(self.project.releases) > 1 else (FRONT,)
+        return {page: found for page, found in shown.items() if found or page in always}
+
+    @property
+    def uncompared(self) -> Chapters:
+        """Its chapters; of those that compare releases, and say what is so on one page alone, their results."""
+        return {
+            name: replace(chapter, section=Section()) if chapter.compares else chapter
+            for name, chapter in self.chapters.items()
+        }
 
     @cached_property
     def clips(self) -> Clips | None:
@@ -76,6 +86,8 @@ class Edition:
     def _text(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
         section = self._retold(anchor) if anchor in RETOLD else Section()
+        if anchor == HISTORY.name:
+            section = self._history({link.release: link.edition.uncompared for link in names["releases"]})
         if not section.claims:  # where the shake test was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
@@ -100,13 +112,25 @@ class Edition:
         return text.prose(anchor, {**known, **names}, level)
 
     def _retold(self, name: str) -> Section:
-        def make(reads: Reads) -> Derivation:
-            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads)), {}
+        def make(reads: Reads) -> Section:
+            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads))
 
-        project = self.project
+        return self._told(name, {"": self.chapters}, make)
+
+    def _history(self, releases: Releases) -> Section:
+        def make(reads: Reads) -> Section:
+            from report.story.history import history_of
+
+            return history_of({release: Noted(reads, release) for release in releases}, self.project.release)
+
+        return self._told(HISTORY.name, releases, make)
+
+    def _told(self, name: str, places: Releases, make: Callable[[Reads], Section]) -> Section:
+        """What a module of report/story/ makes of the chapters of one release, or of all by their labels."""
+        digests = {(place, each): chapter.digest for place, found in places.items() for each, chapter in found.items()}
         code = ROOT / "report" / "story" / f"{name}.py"
-        reads = Reads({"": self.chapters}, {("", name): chapter.digest for name, chapter in self.chapters.items()})
-        return self.keeper.made((project.profile, project.release, name), code, (), reads, make).section
+        place = self.project.profile, self.project.release, name
+        return self.keeper.made(place, code, (), Reads(places, digests), lambda reads: (make(reads), {})).section
 
 
 def editions_of(
@@ -117,7 +141,17 @@ def editions_of(
     shown = project.releases if among is None else among
     derived = {release: derive_edition(project.of(release), templates, keeper) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
-    return {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
+    editions = {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
+    return editions if project.profile == "full" else _with_marks(project, editions, templates)
+
+
+def _with_marks(project: Project, editions: Mapping[str, Edition], templates: Templates) -> dict[str, Edition]:
+    """The same with a mark at each claim that full runs, where there are any, answer otherwise."""
+    full = replace(project, profile="full")
+    there = [release for release in editions if full.of(release).results.is_dir()]
+    told = {release: derive_edition(full.of(release), templates).chapters for release in there}
+    chapters = marked({release: edition.chapters for release, edition in editions.items()}, told)
+    return {release: replace(edition, chapters=chapters[release]) for release, edition in editions.items()}
 
 
 def derive_edition(project: Project, templates: Templates, keeper: Keeper | None = None) -> Edition:

@@ -1,42 +1,116 @@
-"""History: a number or a claim over all editions, with the noise, and whether each is better or worse than the last."""
+"""History: numbers and claims over all editions, with the noise, and what each does against the edition before."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
-from report.bisect import Question
-from report.deriving.releases import Headline
-from report.editions import Edition
-from report.noise import NOISE, is_beyond, noise_floors, verdict
-from report.sections.upgrade.tables import HEADLINES
+from markupsafe import Markup
+
+from report.chapters import Releases
+from report.deriving.releases import Turn, turns
+from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
+from report.question import Answer, Question
+
+FLIPPED, MOVED = "flipped", "moved"
 
 
-def history(editions: Mapping[str, Edition], question: Question) -> str:
-    """A line for each edition that answers, oldest first."""
+@dataclass(frozen=True)
+class Point:
+    """What one edition answers."""
+
+    release: str
+    answer: Answer
+    noise: float | None
+    """How far apart two runs of it come out; None where nobody knows, or where it is no number."""
+    mark: str = ""
+    """What it is against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The number less its noise, and with it."""
+        off = self.noise or 0.0
+        return float(self.answer) - off, float(self.answer) + off
+
+
+def points(releases: Releases, question: Question) -> list[Point]:
+    """The editions that answer, oldest first."""
     column = question.text.rpartition(".")[2]
-    records = [edition.chapters[NOISE].results.record for edition in editions.values() if NOISE in edition.chapters]
-    floor = noise_floors(records).get(column)
-    lines = [(question.text, "", "")]
-    before: Any = None
-    for release, edition in editions.items():
-        answer: Any = question.answer(edition)
-        if answer is None:
-            continue
-        if isinstance(answer, str):
-            lines.append((release, answer, "flipped" if before not in (None, answer) else ""))
-        else:
-            noise = floor.at(answer, answer if before is None else before) if floor else None
-            moved = before is not None and is_beyond(noise or 0.0, before, answer)
-            mark = (verdict(column, before, answer) or "moved") if moved else ""
-            lines.append((release, f"{answer:.4g}" + (f" ± {noise:.2g}" if noise is not None else ""), mark))
-        before = answer
-    widths = [max(len(line[place]) for line in lines[1:] or lines) for place in range(3)]
-    return "\n".join([lines[0][0], *("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines[1:])])
+    noisiest = _floors(releases).get(column)
+    found: list[Point] = []
+    for release, chapters in releases.items():
+        answer = question.answer(chapters)
+        if answer is not None:
+            floor = _floors({release: chapters}).get(column, noisiest)
+            noise = None if isinstance(answer, str) or not floor else max(floor.at(answer), RESOLUTION.get(column, 0.0))
+            point = Point(release, answer, noise)
+            found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
+    return found
 
 
-def headline_questions() -> list[Question]:
-    """The numbers that say most, in the order of the page."""
-    return [Question(_place(headline), is_claim=False) for headline in HEADLINES]
+def _floors(releases: Releases) -> dict[str, Floor]:
+    """By column, of the edition that is noisiest."""
+    return noise_floors(chapters[NOISE].results.record for chapters in releases.values() if NOISE in chapters)
 
 
-def _place(headline: Headline) -> str:
-    return f"{headline.section}.{headline.case}.{headline.column}"
+def _mark(column: str, before: Point, after: Point) -> str:
+    if isinstance(before.answer, str) or isinstance(after.answer, str):
+        return FLIPPED if before.answer != after.answer else ""
+    is_moved = is_beyond(max(before.noise or 0.0, after.noise or 0.0), before.answer, after.answer)
+    return (verdict(column, before.answer, after.answer) or MOVED) if is_moved else ""
+
+
+@dataclass(frozen=True)
+class Flip:
+    """A claim that one edition upholds and another doesn't."""
+
+    turn: Turn
+
+    @property
+    def name(self) -> str:
+        """As CLAIM= says it."""
+        return f"{self.turn.section}.{self.turn.name}"
+
+    @property
+    def said(self) -> dict[str, str]:
+        """What each edition says to it, by label; those whose answer can't be compared are not there."""
+        return {release: claim.outcome.said for names, claim in self.turn.said for release in names}
+
+    @property
+    def question(self) -> Markup:
+        """What it asks."""
+        return Markup(str(self.turn.said[0][1].said("asks")).rstrip(","))
+
+    @property
+    def told(self) -> list[tuple[str, Sequence[str]]]:
+        """The answers to that, each with the neighbouring editions that give it; not every question has a yes or no."""
+        if self.question.startswith("whether"):
+            return [(claim.outcome.answer, names) for names, claim in self.turn.said]
+        words = {"holds": "one answer", "fails": "another"}
+        return [(words.get(claim.outcome.name, claim.outcome.answer), names) for names, claim in self.turn.said]
+
+
+def flips(releases: Releases, shown: str) -> list[Flip]:
+    """All of them, as the edition ``shown`` words them."""
+    return [Flip(turn) for turn in turns(releases, shown) if turn.is_decided]
+
+
+def history(releases: Releases, question: Question) -> str:
+    """A line for each edition that answers, oldest first."""
+    lines = [(point.release, _said(point), point.mark) for point in points(releases, question)]
+    return "\n".join([question.text, *_aligned(lines)])
+
+
+def _said(point: Point) -> str:
+    if isinstance(point.answer, str):
+        return point.answer
+    return f"{point.answer:.4g}" + (f" ± {point.noise:.2g}" if point.noise is not None else "")
+
+
+def flip_history(releases: Releases, shown: str) -> str:
+    """A line for each claim that flips, with what each edition says to it."""
+    lines = [(flip.name, *(flip.said.get(release, "") for release in releases)) for flip in flips(releases, shown)]
+    return "\n".join(["claims that flip", *_aligned([("", *releases), *lines])]) if lines else "no claim flips"
+
+
+def _aligned(lines: Sequence[Sequence[str]]) -> list[str]:
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]

@@ -25,6 +25,8 @@ def _page(name: str, label: str) -> Page:
 
 
 FRONT = Page("index", "Overview", ("front.md.j2", "story.md.j2"))
+HISTORY = _page("history", "History")
+"""Where there is more than one edition: what all of them have side by side, and no section."""
 PAGES = (
     FRONT,
     _page("evidence", "Suspects"),
@@ -34,6 +36,7 @@ PAGES = (
     _page("error", "Error and run time"),
     _page("cost", "Cost and speed"),
     _page("releases", "Releases"),
+    HISTORY,
     _page("method", "Method"),
 )
 REPLAY = "replay.html"
@@ -50,7 +53,7 @@ DEFAULT = "evidence"
 
 def page_named(name: str, place: str) -> Page:
     """ReportError where there is no such page for sections, as ``place`` says there is."""
-    there = {page.name: page for page in PAGES if page != FRONT}
+    there = {page.name: page for page in PAGES if page not in (FRONT, HISTORY)}
     if name not in there:
         raise ReportError(f"{place} names the page {name!r}; there are: {', '.join(there)}")
     return there[name]

@@ -1,17 +1,20 @@
 """Upgrade: what a few sections say of a new Newton, in five lines: what flipped, what moved, why, and what to do."""
 
+import shlex
 from collections.abc import Sequence
+from dataclasses import replace
 
 from report.claims import HOLDS
 from report.compare import Comparison, Move
 from report.deriving.releases import Headline, cell
 from report.editions import Edition
+from report.faults import Fault
 from report.records.measure import seconds_known
 from report.records.project import Project
 
-DECIDING = ("reproduction", "contact_source", "upgrade", "noise")
-"""Sections that tell most in least time."""
-CPU_SECONDS = {"full": 770, "quick": 170}
+DECIDING = ("noise", "reproduction", "upgrade", "contact_source")
+"""Sections that tell most in least time, the longest first: where several are measured at once that ends soonest."""
+CPU_SECONDS = {"full": 770, "quick": 100}
 """What they take on two cores of a CPU, where no record says."""
 SLIP = Headline("slip as shipped", "reproduction", "as-shipped", "slip_mm", "mm")
 CAUSE = ("upgrade", "cause")
@@ -26,15 +29,24 @@ def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> 
 
 
 def base_of(project: Project) -> str | None:
-    """The edition before this one that has what decides; None where there is none in this profile."""
-    order = project.releases
-    before = order[: order.index(project.release)]
-    there = [release for release in before if _has_deciding(project.of(release))]
-    return there[-1] if there else None
+    """The edition before this one that has what decides, in this profile or in full runs; None where there is none."""
+    found = {
+        release
+        for side in (project, replace(project, profile="full"))
+        for release in side.releases
+        if side.of(release).order < project.order and _has_deciding(side.of(release))
+    }
+    return max(found, key=lambda release: project.of(release).order, default=None)
 
 
 def _has_deciding(project: Project) -> bool:
     return all(project.record_path(section).exists() for section in DECIDING)
+
+
+def unmeasured(project: Project) -> list[Fault]:
+    """The sections that should have been measured, and are not there."""
+    lacking = [section for section in DECIDING if not project.record_path(section).exists()]
+    return [Fault(project.release, section, "missing", "it could not be measured") for section in lacking]
 
 
 def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
@@ -50,12 +62,14 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     lines.append(f"flipped: {_few(flips) if flips else 'no claim'}")
     lines.append(f"moved: {_moved(found.moves, before, after)}")
     lines.append(f"why: {_why(after) if flips else 'nothing to explain'}")
-    lines.append(f"what to do: {_advice(found)}")
+    lines.append(f"what to do: {_advice(found, before, after)}")
     return lines
 
 
 def _measured(edition: Edition) -> str:
     records = [chapter.results.record for name, chapter in edition.chapters.items() if name in DECIDING]
+    if not records:
+        return "nothing of it could be measured"
     machines = sorted({record.machine_text for record in records})
     seconds = sum(record.measured["seconds"] for record in records)
     profile = "" if edition.project.profile == "full" else f", {edition.project.profile}"
@@ -82,11 +96,16 @@ def _why(after: Edition) -> str:
     return told[0].text if told else "the sections that were measured do not say"
 
 
-def _advice(found: Comparison) -> str:
-    a, b = found.releases
+def _advice(found: Comparison, before: Edition, after: Edition) -> str:
+    a, b = before.project.asked, after.project.asked
     if found.faults:
         return "look at what can't be trusted first; nothing else can be said"
     if found.flips:
         flip = found.flips[0]
-        return f"make bisect CLAIM={flip.section}.{flip.before.name} A={a} B={b} finds which change did it"
+        claim, ends = f"{flip.section}.{flip.before.name}", f"{shlex.quote(f'A={a}')} {shlex.quote(f'B={b}')}"
+        return f"make bisect CLAIM={claim} {ends} finds which change did it"
+    if any(not move.is_near for move in found.moves):
+        profile = "" if after.project.profile == "full" else f" PROFILE={after.project.profile}"
+        ends = f"A={before.project.release} B={after.project.release}"
+        return f"see whether what moved was meant to: make diff {ends} VALUES=all{profile} lists it"
     return "nothing; make report measures the rest"

@@ -1,5 +1,6 @@
 """Bisect, history and retire: on records that are there already, and on a small repository."""
 
+import shutil
 import subprocess
 import sys
 from argparse import Namespace
@@ -14,7 +15,7 @@ from report import ReportError, UsageError, bisect
 from report.bisect import Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
 from report.check import check_site
 from report.editions import editions_of
-from report.history import history
+from report.history import flip_history, flips, history
 from report.page import Templates
 from report.records.manifest import Manifest, write_manifest
 from report.records.record import write_record
@@ -97,6 +98,18 @@ def test_there_is_nothing_to_find_between_ends_that_agree(search):
         bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.0"))
 
 
+def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
+    """And does not begin one with full runs, which take hours."""
+
+    def fail(project, stack, *others):
+        raise ReportError("measuring ended")
+
+    monkeypatch.setattr(bisect, "measure", fail)
+    with pytest.raises(ReportError, match="measuring ended") as error:
+        search.ends(stack_of("1.4.0"), stack_of("1.9.0"))
+    assert not isinstance(error.value, UsageError)
+
+
 def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
     code = checkout / "newton/__init__.py"
     commits = []
@@ -122,16 +135,44 @@ def test_commits_of_one_repository_are_seen_as_such(checkout):  # noqa: F811
     assert common_repository(first, stack_of("1.8.0")) is None
 
 
-def test_a_history_has_every_edition_and_says_what_moved(toy, search):
+@pytest.fixture
+def told(search, toy):
+    """What all editions of the toy have, as a history takes it."""
     editions = editions_of(toy.project, Templates(toy.project.templates))
-    lines = history(editions, Question("toy.soft.slip_mm", False)).splitlines()
+    return {release: edition.uncompared for release, edition in editions.items()}
+
+
+def test_a_history_has_every_edition_and_says_what_moved(told):
+    lines = history(told, Question("toy.soft.slip_mm", False)).splitlines()
     assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.0", "6.362"], ["1.6.0", "0.4", "better"]]
-    lines = history(editions, Question("toy.helps", True)).splitlines()
+    lines = history(told, Question("toy.helps", True)).splitlines()
     assert [line.split() for line in lines[1:4]] == [
         ["1.4.0", "holds"],
         ["1.5.0", "holds"],
         ["1.6.0", "fails", "flipped"],
     ]
+    assert history(told, Question("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
+
+
+def test_claims_that_flip_are_listed_with_what_each_edition_says(told):
+    (flip,) = flips(told, "1.4.0")
+    assert flip.said == dict.fromkeys(("1.4.0", "1.5.0"), "holds") | dict.fromkeys(
+        ("1.6.0", "1.7.0", "1.8.0"), "not shown"
+    )
+    assert flip.told == [("true", ["1.4.0", "1.5.0"]), ("not true", ["1.6.0", "1.7.0", "1.8.0"])]
+    assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
+
+
+def test_the_page_of_the_history_is_there_where_there_is_more_than_one_edition(toy, search):
+    toy.build()
+    site = toy.project.site
+    page = (site / "history.html").read_text(encoding="utf-8")
+    assert "<b>true</b> in 1.4.0, 1.5.0; <b>not true</b> in 1.6.0, 1.7.0, 1.8.0" in page
+    assert check_site(site) == []
+    for release in ("1.5.0", "1.6.0", "1.7.0", "1.8.0"):
+        shutil.rmtree(toy.of(release).project.results)
+    toy.build()
+    assert not (site / "history.html").exists() and check_site(site) == []
 
 
 def test_a_retired_edition_leaves_no_link(toy, search, capsys):

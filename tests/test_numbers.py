@@ -9,6 +9,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from report.check import check_site
+from report.check_numbers import TYPED
 from report.figures import draw_svg, new_figure, write
 from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
 from report.noise import Floor, cell_noise, derived_noise
@@ -212,3 +213,8 @@ def test_the_check_reads_drawings_and_their_words(toy):
         toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
         found = check_site(toy.project.site)
         assert any(problem in line for line in found) if problem else found == [], new
+
+
+@pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
+def test_the_label_of_an_edition_is_no_number(label):
+    assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"

@@ -12,12 +12,14 @@ import warp as wp
 
 from experiments.batch import Batch
 from experiments.course import Course, Task
+from experiments.forks import Forks
 from experiments.machine import machine
 from experiments.on_paper import hosts_of, makespan
 from experiments.study import Here, Host, Study, next_start
 from report import ROOT, UsageError
 from report.records.cluster import read_cluster
 from report.records.identity import identity_of
+from report.records.processes import workers
 from report.records.reading import load_record
 
 
@@ -50,6 +52,20 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
         "batch_a_s", "alone_b_s", "batch_c_s", "batch_sum_s",
     }  # fmt: skip
     assert list(toy.project.root.glob(".cache/batch.*")) == [], "what a record was made of is not kept"
+
+
+def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy, log, capsys):
+    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    failing.section = "bad-one"
+    with workers(2, "fork") as pool:
+        crew = Forks(pool, 2, machine("cpu"))
+        assert Study([failing, course(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], crew).run()
+    said = [line.split() for line in log.read_text().splitlines()]
+    times = {(what, name): float(time) for what, name, time, _ in said}
+    assert times["begin", "d"] > max(times["end", name] for name in "abc")
+    assert str(os.getpid()) not in {line[3] for line in said}
+    assert load_record(toy.record_path).machine["sections_at_once"] == 2
+    assert "bad-one: measuring failed" in capsys.readouterr().err
 
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):

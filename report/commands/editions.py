@@ -1,23 +1,29 @@
 """Commands about editions: measured after an upgrade, searched for a change, told over time, removed."""
 
 import argparse
+import os
 import shutil
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext, redirect_stdout
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from report import UsageError
+from report import ReportError, UsageError
 from report.commands.building import build_site
 from report.records.devices import NO_CUDA, measuring_device
 from report.records.environment import environment_of
 from report.records.identity import sections
-from report.records.measure import measure
+from report.records.measure import kept_by, measure
 from report.records.project import PROFILES, Project
-from report.records.stack import stack_of
+from report.records.stack import Stack, stack_of
 from report.records.status import states_of
 
 if TYPE_CHECKING:
-    from report.bisect import Question
+    from report.question import Question
+
+STDOUT, STDERR = 1, 2
+"""As programs that are started from here know them."""
 
 
 def upgrade(project: Project, arguments: argparse.Namespace) -> int:
@@ -26,39 +32,65 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
     from report.compare import compare
     from report.editions import editions_of
     from report.page import Templates
-    from report.upgrade import DECIDING, base_of, seconds_expected, verdict
+    from report.upgrade import base_of, unmeasured, verdict
 
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or stack_of(base_of(project) or project.own_release)
-    sides = []
-    for stack in (base, arguments.stack):
-        side = project.of(str(stack.label))
-        lacking = [section for section in DECIDING if not side.record_path(section).exists()]
-        if device and stack is not base:  # of the base, what is there will do
-            lacking = [
-                state.section for state in states_of(side) if state.section in DECIDING and state.kind != "fresh"
-            ]
-        if lacking and not device:
-            quick = replace(project, profile="quick")
-            full, short = (seconds_expected(each, "cpu", DECIDING) / 60 for each in (project, quick))
-            raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
-        if lacking:
-            minutes = seconds_expected(side, device, lacking) / 60
-            print(f"newton {side.release}: measuring {', '.join(lacking)}, about {max(minutes, 1):.0f} min", flush=True)
-            side = measure(side, stack, [section for section in DECIDING if section in lacking], device)
-        sides.append(side)
+    with nullcontext() if arguments.format == "text" else aside():
+        sides = [_decided(project, stack, device, anew=stack is not base) for stack in (base, arguments.stack)]
     names = [side.release for side in sides]
     editions = editions_of(project, Templates(project.templates), among=names)
-    comparison = compare(*(editions[name] for name in names))
-    print(upgrade_said(comparison, verdict(comparison, *(editions[name] for name in names)), arguments.format))
+    found = compare(*(editions[name] for name in names))
+    found = replace(found, faults=[*unmeasured(sides[1]), *found.faults])
+    print(upgrade_said(found, verdict(found, *(editions[name] for name in names)), arguments.format))
     if arguments.format == "text":
         build_site(sides[1], "")
-    return int(comparison.is_alarm)
+    return int(found.is_alarm)
+
+
+def _decided(project: Project, stack: Stack, device: str | None, *, anew: bool) -> Project:
+    """The report of a stack with what decides, measured where it is not there, or, ``anew``, not fresh."""
+    from report.upgrade import DECIDING, seconds_expected
+
+    side = project.of(str(stack.label))
+    lacking = [section for section in DECIDING if not side.record_path(section).exists()]
+    if device and anew:  # of what it is held against, what is there will do
+        stale = [state.section for state in states_of(side) if state.kind != "fresh"]
+        lacking = [section for section in DECIDING if section in stale]
+    if lacking and not device:
+        quick = replace(project, profile="quick")
+        full, short = (seconds_expected(each, "cpu", DECIDING) / 60 for each in (project, quick))
+        raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
+    if lacking:
+        minutes = seconds_expected(side, device, lacking) / 60
+        print(f"newton {side.release}: measuring {', '.join(lacking)}, about {max(minutes, 1):.0f} min", flush=True)
+        side = kept_by(side, device)
+        try:
+            measure(side, stack, lacking, device)
+        except UsageError:
+            raise
+        except ReportError as error:  # what could be measured may say enough
+            print(error, file=sys.stderr)
+    return side
+
+
+@contextmanager
+def aside() -> Iterator[None]:
+    """Within it, what is printed, by other programs as well, goes where errors go: the answer is for a program."""
+    sys.stdout.flush()
+    kept = os.dup(STDOUT)
+    os.dup2(STDERR, STDOUT)
+    try:
+        with redirect_stdout(sys.stderr):
+            yield
+    finally:
+        os.dup2(kept, STDOUT)
+        os.close(kept)
 
 
 def bisect(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
-    from report.bisect import Bisection, bisect_commits, bisect_releases, common_repository
+    from report.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
     from report.page import Templates
 
     device = measuring_device(arguments.device, "quick")
@@ -66,7 +98,7 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     search = Bisection(replace(project, profile="quick"), question, device, templates)
     try:
         search.ends(arguments.a, arguments.b)
-    except UsageError as error:
+    except Alike as error:
         print(f"{error} in a quick run; it takes full ones", flush=True)
         search = replace(search, project=project)
     repository = common_repository(arguments.a, arguments.b)
@@ -100,7 +132,9 @@ def newest(project: Project, arguments: argparse.Namespace) -> int:
 
     known = [each for profile in PROFILES for each in _editions(replace(project, profile=profile))]
     latest = [read_label(release) for release in releases_of("newton")[-1:]]
-    if latest and all(label.order > each.label.order for label in latest for each in known):
+    if not latest:
+        raise ReportError("the index says of no release of newton; this takes the network")
+    if all(label.order > each.label.order for label in latest for each in known):
         print(f"newton={latest[0]}\nwith=")
         return 0
     newton = max((each.label for each in known), key=lambda label: label.order).version
@@ -114,14 +148,21 @@ def newest(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def history(project: Project, arguments: argparse.Namespace) -> int:
-    """Print a value or a claim over all editions; without one, the numbers that say most."""
+    """Print a value or a claim over all editions; without one, the numbers that say most and the claims that flip."""
     from report.editions import editions_of
-    from report.history import headline_questions, history
+    from report.history import flip_history, history
     from report.page import Templates
 
-    asked = [_question(arguments)] if arguments.claim or arguments.value else headline_questions()
     editions = editions_of(project, Templates(project.templates))
-    print("\n\n".join(history(editions, question) for question in asked))
+    releases = {release: edition.uncompared for release, edition in editions.items()}
+    if arguments.claim or arguments.value:
+        print(history(releases, _question(arguments)))
+        return 0
+    from report.question import Question
+    from report.sections.upgrade.tables import HEADLINES
+
+    told = [history(releases, Question(headline.place, is_claim=False)) for headline in HEADLINES]
+    print("\n\n".join([*told, flip_history(releases, project.release)]))
     return 0
 
 
@@ -141,7 +182,7 @@ def retire(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def _question(arguments: argparse.Namespace) -> "Question":
-    from report.bisect import Question
+    from report.question import Question
 
     if bool(arguments.claim) == bool(arguments.value):
         raise UsageError("one of CLAIM=reproduction.slips and VALUE=reproduction.as-shipped.slip_mm is needed")

@@ -33,6 +33,11 @@ class Headline:
     """For a section that has the case on several devices and with several numbers of worlds: of which to take one."""
     worlds: int = 1
 
+    @property
+    def place(self) -> str:
+        """As VALUE= says it."""
+        return f"{self.section}.{self.case}.{self.column}"
+
 
 def cell(releases: Releases, release: str, headline: Headline) -> Quantity:
     """What a release has in the place of a headline; without a number, and with a reason, when it has nothing."""

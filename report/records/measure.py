@@ -53,6 +53,7 @@ def measure(
     refuse_unwritable(kept.results)
     try:
         options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
+        options += [] if cluster else ["--processes", str(_batches_at_once(project, device))]
         _run(kept, stack, "experiments.run", *sections, *options)
     finally:
         _note_measured(kept, stack)
@@ -60,9 +61,18 @@ def measure(
 
 
 def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
-    """How long these sections took the last time [s], on such a device and in this profile; 0 unless all are known."""
+    """How long these sections will take [s], by the last time on such a device and in this profile; 0 unless all are
+    known."""
     found = seconds_each(project, device)
-    return sum(found[section] for section in sections) if found.keys() >= set(sections) else 0.0
+    known = [found[section] for section in sections if section in found]
+    if len(known) < len(sections):
+        return 0.0
+    return max(max(known), sum(known) / _batches_at_once(project, device))
+
+
+def _batches_at_once(project: Project, device: str) -> int:
+    """How many batches are measured at once: one, but for quick runs on a CPU, of which each takes one core."""
+    return (os.cpu_count() or 1) if device == "cpu" and project.profile == "quick" else 1
 
 
 def seconds_each(project: Project, device: str) -> Mapping[str, float]:

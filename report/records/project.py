@@ -1,6 +1,7 @@
 """Which report is meant: the project's folder, a Newton release and a profile."""
 
 import re
+import shlex
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -64,7 +65,7 @@ class Project:
     @property
     def releases(self) -> list[str]:
         """The editions that have results, and this one, by version and date."""
-        return sorted({self.release, *self._found()}, key=lambda release: self.of(release)._order())
+        return sorted({self.release, *self._found()}, key=lambda release: self.of(release).order)
 
     def _found(self) -> Iterator[str]:
         for folder in {path.parent for path in self.results.parent.glob("newton-*/*.json")}:
@@ -72,7 +73,9 @@ class Project:
             if read_label(name):
                 yield name
 
-    def _order(self) -> tuple:
+    @property
+    def order(self) -> tuple:
+        """Sorts editions by version and date."""
         manifest = self.manifest
         return *self.label.order, manifest.date if manifest else "", self.release
 
@@ -84,14 +87,21 @@ class Project:
         return record_path(section, self.release, self.profile, self.root)
 
     def rerun(self, section: str, device: str | None = None) -> str:
-        """The command that measures a section, on ``device`` where one is named."""
+        """The command that measures a section, on ``device`` where one is named, or on a CPU where these are of one."""
         options = {
             "SECTION": section,
-            "DEVICE": device,
-            "NEWTON": None if self.is_own else self.release,
+            "DEVICE": device or ("cpu" if self.label.machine == "cpu" else None),
+            "NEWTON": None if self.is_own else self.asked,
             "PROFILE": None if self.profile == "full" else self.profile,
         }
-        return " ".join(["make rerun", *(f"{name}={value}" for name, value in options.items() if value)])
+        told = (shlex.quote(f"{name}={value}") for name, value in options.items() if value)
+        return " ".join(["make rerun", *told])
+
+    @property
+    def asked(self) -> str:
+        """What names this edition to make: its label, unless that does not say where its code is."""
+        manifest = self.manifest if self.label.source else None
+        return manifest.newton if manifest else self.release
 
 
 def own_release(root: Path = ROOT) -> str:

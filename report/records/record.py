@@ -67,7 +67,8 @@ class Record:
     def machine_in_full(self) -> str:
         """All that must be the same for two times to be compared."""
         cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
-        return cores if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
+        beside = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
+        return f"{cores}{beside}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
 
     @property
     def time_text(self) -> str:
@@ -81,7 +82,11 @@ class Record:
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
         """What must be the same for two times to be compared."""
-        return tuple(self.machine.get(part) for part in ("device", "gpu", "driver", "cpu", "cores"))
+        return tuple(self.machine.get(part) for part in SPEED_PARTS)
+
+
+SPEED_PARTS = ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")
+"""Of a machine, and of how it was used: what decides how fast it is."""
 
 
 def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:

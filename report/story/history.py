@@ -1,0 +1,113 @@
+"""What the page of the history shows: the numbers that say most, and the claims that flip, over all editions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import pandas as pd
+from markupsafe import Markup, escape
+
+from report.chapters import Releases
+from report.deriving.releases import Headline, cell
+from report.format import unit_label
+from report.history import Flip, Point, flips, points
+from report.names import section_name
+from report.noise import NOISE
+from report.parts import Section, Table
+from report.quantities import Quantity, absent
+from report.question import Question
+from report.sections.upgrade.tables import FLOORS, HEADLINES
+
+WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0
+"""Of the line beside a number's name [px], and how far its marks keep from the edges."""
+LINE = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
+BAND = Markup('<path d="M{}Z" style="fill: var(--series-2); fill-opacity: 0.35"/>')
+WAY = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-width: 1.5"/>')
+DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-1)"/>')
+
+
+def history_of(releases: Releases, shown: str) -> Section:
+    """The tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
+    return Section(
+        tables={"numbers": _numbers(releases), "flips": FlipList(flips(releases, shown), list(releases[shown]))}
+    )
+
+
+def _numbers(releases: Releases) -> Table:
+    labels: list[Markup] = []
+    columns: dict[str, list[Markup]] = {name: [] for name in ("line", *releases, "noise")}
+    for headline in HEADLINES:
+        found = points(releases, Question(headline.place, is_claim=False))
+        if found:
+            labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
+            cells = [
+                _line(found, list(releases)),
+                *_cells(releases, headline, found),
+                _floor(releases, headline.unit).bare,
+            ]
+            for column, content in zip(columns.values(), cells, strict=True):
+                column.append(content)
+    return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
+
+
+def _cells(releases: Releases, headline: Headline, found: Sequence[Point]) -> list[Markup]:
+    marks = {point.release: point.mark for point in found}
+    return [_marked(cell(releases, release, headline), marks.get(release, "")) for release in releases]
+
+
+def _marked(number: Quantity, mark: str) -> Markup:
+    return Markup('{} <span class="moved {}">{}</span>').format(number.bare, mark, mark) if mark else number.bare
+
+
+def _floor(releases: Releases, unit: str) -> Quantity:
+    """How far apart runs of one edition come out, of the noisiest."""
+    measured = [chapters[NOISE].results.derived[FLOORS[unit]] for chapters in releases.values() if NOISE in chapters]
+    there = [floor for floor in measured if floor.value is not None]
+    return max(there, key=lambda floor: floor.value, default=absent(unit, "section noise has no results here"))
+
+
+def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:
+    """The way of a number over the editions, from zero up, with the noise around it as a band."""
+    across = (WIDTH - 2 * EDGE) / max(1, len(releases) - 1)
+    lowest, highest = min(0.0, *(point.ends[0] for point in found)), max(0.0, *(point.ends[1] for point in found))
+
+    def place(point: Point, value: float) -> tuple[float, float]:
+        height = (value - lowest) / (highest - lowest or 1.0)
+        return EDGE + across * releases.index(point.release), HEIGHT - EDGE - height * (HEIGHT - 2 * EDGE)
+
+    band = [place(point, point.ends[1]) for point in found] + [place(point, point.ends[0]) for point in reversed(found)]
+    way = [place(point, float(point.answer)) for point in found]
+    dots = Markup("").join(DOT.format(*spot) for spot in way)
+    return LINE.format(WIDTH, HEIGHT, BAND.format(_path(band)) + WAY.format(_path(way)) + dots)
+
+
+def _path(places: Sequence[tuple[float, float]]) -> str:
+    return "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
+
+
+@dataclass(frozen=True)
+class FlipList:
+    """The claims that flip; printed, each is a question with the answers of all editions."""
+
+    flips: Sequence[Flip]
+    shown: Sequence[str]
+    """Sections of the page's edition, to link to."""
+
+    def __html__(self) -> Markup:
+        before = [""] + [flip.turn.section for flip in self.flips]
+        told = Markup("\n").join(
+            Markup("<dt>{}: {}</dt>\n<dd>{}</dd>").format(
+                self._section(flip, is_link=flip.turn.section != section), flip.question, _answers(flip)
+            )
+            for section, flip in zip(before, self.flips, strict=False)
+        )
+        return Markup('<figure class="turns">\n<dl>\n{}\n</dl>\n</figure>').format(told or Markup("<dt>none</dt>"))
+
+    def _section(self, flip: Flip, *, is_link: bool) -> Markup:
+        """One link to a section is enough for whoever goes from link to link."""
+        name = section_name(flip.turn.section)
+        is_linked = is_link and flip.turn.section in self.shown
+        return Markup('<a href="#{}">{}</a>').format(flip.turn.section, name) if is_linked else escape(name)
+
+
+def _answers(flip: Flip) -> Markup:
+    return Markup("; ").join(Markup("<b>{}</b> in {}").format(said, ", ".join(names)) for said, names in flip.told)

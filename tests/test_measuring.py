@@ -1,0 +1,29 @@
+"""Measuring for an upgrade: what it is held against, and where progress is said."""
+
+import subprocess
+import sys
+
+from report.commands.editions import aside
+from report.records.project import Project
+from report.upgrade import DECIDING, base_of, unmeasured
+
+
+def test_progress_does_not_run_into_an_answer_for_a_program(capfd):
+    with aside():
+        print("measuring")
+        subprocess.run([sys.executable, "-c", "print('compiling')"], check=True)
+    print("{}")
+    assert capfd.readouterr() == ("{}\n", "measuring\ncompiling\n")
+
+
+def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(toy):
+    newer = toy.of("1.9.0")
+    assert base_of(newer.project) is None
+    for release, profile in (("1.4.0", "quick"), ("1.8.0", "full"), ("1.10.0", "full")):
+        for section in DECIDING:
+            path = Project(release, profile, root=toy.project.root).record_path(section)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text("{}")
+    for profile in ("full", "quick"):
+        assert base_of(Project("1.9.0", profile, root=toy.project.root)) == "1.8.0"
+    assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(DECIDING)

@@ -1,0 +1,41 @@
+"""Short runs: a claim that full runs answer otherwise is marked on their page."""
+
+from dataclasses import replace
+
+from conftest import ROWS, Toy
+
+from report.check import check_site
+
+SOFT, STIFF = ROWS
+NO_HELP = ({**SOFT, "slip_mm": 0.4}, STIFF)
+"""With these rows the toy's claim fails."""
+OTHERWISE = "otherwise in full runs</span> <span"
+
+
+def of_profile(toy: Toy, profile: str, release: str = "1.4.0") -> Toy:
+    return replace(toy, project=replace(toy.project, profile=profile).of(release))
+
+
+def test_a_claim_that_full_runs_answer_otherwise_is_marked(toy):
+    quick = of_profile(toy, "quick")
+    quick.measure(NO_HELP)
+    quick.build()
+    mark = 'title="Newton 1.4.0: not true in short runs, true in full ones">'
+    assert f'{mark}{OTHERWISE} class="claim" data-claim="toy.helps"' in quick.page
+    assert check_site(toy.project.site) == []
+    quick.measure(ROWS)
+    quick.build()
+    assert OTHERWISE not in quick.page
+    toy.build()
+    assert OTHERWISE not in toy.page
+
+
+def test_and_so_is_one_that_they_answered_otherwise_in_another_edition(toy):
+    of_profile(toy, "quick").measure(NO_HELP)
+    newer = of_profile(toy, "quick", "1.9.0")
+    newer.measure(NO_HELP)
+    newer.build()
+    assert f">perhaps {OTHERWISE}" in newer.page and f">{OTHERWISE}" not in newer.page
+    of_profile(toy, "full", "1.9.0").measure(NO_HELP)  # whose full runs answer as its short ones do
+    newer.build()
+    assert OTHERWISE not in newer.page

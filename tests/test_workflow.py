@@ -1,0 +1,76 @@
+"""The workflow of the alarm, as far as that goes without GitHub: its scripts, run as a runner runs them."""
+
+import os
+import re
+import subprocess
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from report import ROOT
+
+SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
+PROGRAM = """#!/bin/bash
+printf '%s|' "${0##*/}" "$@" >> "$FOLDER/log"; echo >> "$FOLDER/log"
+case "$1 $2" in
+  "label create") exit 1;;
+  "issue list") printf %s "$OPEN_ISSUE";;
+  "build.py newest") printf 'newton=1.9.0\\nwith=\\n';;
+  "build.py upgrade") printf %s "$ANSWER"; echo "it took a while" >&2; exit "$STATUS";;
+esac
+"""
+"""In place of ``gh`` and of Python."""
+
+
+def run_script(folder: Path, number: int, **settings: str) -> subprocess.CompletedProcess:
+    """A script of the workflow as a runner runs it, in a folder with programs that note what they are called with."""
+    for name in ("gh", ".venv/bin/python", "nvidia-smi"):
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("#!/bin/bash\nexit 1\n" if name == "nvidia-smi" else PROGRAM)
+        path.chmod(0o755)
+    script = textwrap.dedent(SCRIPT.findall((ROOT / ".github/workflows/upgrade.yml").read_text())[number])
+    given = {"FOLDER": folder, "GITHUB_OUTPUT": folder / "output", "PATH": f"{folder}:{os.environ['PATH']}", **settings}
+    command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script]
+    return subprocess.run(command, cwd=folder, env=given, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(
+    ("newton", "packages", "output"),
+    [
+        ("", "", "newton=1.9.0\nwith=\n"),
+        ("git+https://host/n.git@main", "", "newton=git+https://host/n.git@main\nwith=\n"),
+        ("1.8.0", "warp-lang==1.19.0", "newton=1.8.0\nwith=warp-lang==1.19.0\n"),
+    ],
+)
+def test_the_workflow_measures_what_was_asked_for_or_what_is_new(tmp_path, newton, packages, output):
+    assert run_script(tmp_path, 0, NEWTON=newton, WITH=packages).returncode == 0
+    assert (tmp_path / "output").read_text() == output
+    assert run_script(tmp_path, 0, NEWTON="", WITH="warp-lang==1.19.0").returncode == 1
+
+
+@pytest.mark.parametrize(
+    ("answer", "status", "comment"),
+    [
+        ("all is well", "0", "all is well"),
+        ("it flips", "1", "it flips"),
+        ("", "1", "It could not be"),
+        ("", "2", "It could"),
+    ],
+)
+def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
+    done = run_script(tmp_path, 1, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
+    assert done.returncode == 0 and (tmp_path / "output").read_text() == f"status={status}\n"
+    said = (tmp_path / "comment.md").read_text()
+    assert said.startswith(comment) and ("it took a while" in said) == (not answer)
+    called = (tmp_path / "log").read_text()
+    assert called == "python|build.py|upgrade|--newton|1.9.0|--with||--profile|quick|--format|markdown|\n"
+
+
+@pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])
+def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
+    title = 'Upgrade: newton 1.9.0 "$(touch evil)"'
+    assert run_script(tmp_path, 2, OPEN_ISSUE=open_issue, TITLE=title).returncode == 0
+    assert (tmp_path / "log").read_text().splitlines()[-1] == f"{call}|--title|{title}|--body-file|comment.md|"
+    assert not (tmp_path / "evil").exists()
