@@ -13,7 +13,7 @@ import warp as wp
 
 from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case
 from experiments.linting.findings import Buffer, Finding, columns, grouped
-from experiments.linting.rules import lint
+from experiments.linting.rules import Engine, lint
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement
 from experiments.scene import build_scene
 from experiments.simulation import CONSTRAINT_MAX, CONTACT_MAX
@@ -31,8 +31,10 @@ class LintedScene:
     peaks: Case
 
     @property
-    def substep_dt(self) -> float:
-        return 1.0 / FRAME_RATE / self.case.substeps
+    def engine(self) -> Engine:
+        case = self.case
+        step = 1.0 / FRAME_RATE / case.substeps
+        return Engine(step, contacts=case.contacts, cone=case.cone, impratio=case.impratio)
 
     def model(self) -> newton.Model:
         return build_scene([self.case], wp.get_device("cpu")).model
@@ -68,8 +70,7 @@ def lint_scenes(conditions: Conditions, names: Sequence[str]) -> dict[str, list[
             Buffer("contacts", scene.case.contact_max or CONTACT_MAX, trace.peak_contact_count),
             Buffer("constraints", scene.case.constraint_max or CONSTRAINT_MAX, trace.peak_constraint_count),
         )
-        options = {"cone": scene.case.cone, "impratio": scene.case.impratio}
-        found[name] = lint(scene.model(), scene.substep_dt, buffers=buffers, **options)
+        found[name] = lint(scene.model(), scene.engine, buffers)
     return found
 
 

@@ -23,11 +23,12 @@ from experiments.linting.contacts import (
     contacts_of,
 )
 from experiments.linting.findings import Buffer, columns, grouped, lines
-from experiments.linting.rules import lint
+from experiments.linting.rules import Engine, lint
 from experiments.measurement import Conditions
 from experiments.simulation import Simulation
 
 DT = 1.0 / 960.0
+ENGINE = Engine(DT)
 ShapeConfig = newton.ModelBuilder.ShapeConfig
 PAIR = ("body_0/box_0", "body_1/box_1")
 
@@ -51,7 +52,7 @@ def found(model: newton.Model, **options) -> list[tuple]:
             *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
             finding.used if finding.used is None else pytest.approx(finding.used),
         )
-        for finding in lint(model, DT, **options)
+        for finding in lint(model, Engine(DT, **options))
     ]
 
 
@@ -118,16 +119,21 @@ def test_the_damping_ratio_of_a_stiffness_and_a_damping():
         assert [rule for rule, *_ in found(model)] == rules
 
 
-def test_kf_is_read_by_some_releases_and_cones():
+def test_kf_is_read_by_some_releases_and_cones_and_contacts():
     model = two_boxes({"kf": 50.0}, {})
-    mass = float(model.body_mass.numpy()[0])
-    assert found(model, cone="pyramidal") == [("kf", PAIR[:1], "kf", 50.0, None)]
-    assert found(model, cone="elliptic") == ([] if kf_is_read() else [("kf", PAIR[:1], "kf", 50.0, None)])
-    assert found(two_boxes({}, {}), cone="elliptic") == []
-    heavy = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
-    [(rule, shapes, _, _, used)] = found(heavy, cone="elliptic", impratio=1.0)
+    unread = [("kf", PAIR[:1], "kf", 50.0, None)]
+    assert found(model, contacts="newton", cone="pyramidal") == unread
+    assert found(model, contacts="mujoco", cone="elliptic") == unread
+    assert found(model, contacts="newton", cone="elliptic") == ([] if kf_is_read() else unread)
+    assert found(two_boxes({}, {}), contacts="newton", cone="elliptic") == []
+
+
+def test_a_kf_that_asks_for_less_than_two_substeps_is_clamped():
+    model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
+    [(rule, shapes, _, _, used)] = found(model, contacts="newton", cone="elliptic", impratio=1.0)
     if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
-        assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * 2.0 / mass)))
+        weight = 2.0 / float(model.body_mass.numpy()[0])
+        assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
     else:
         assert (rule, shapes, used) == ("kf", PAIR[:1], None)
 
@@ -149,7 +155,7 @@ def test_spinning_and_rolling_take_rows_of_their_own(condim, unread):
 
 @pytest.mark.parametrize(("capacity", "says"), [(9, "smaller"), (10, None), (40, None), (41, "larger")])
 def test_a_buffer_is_compared_with_the_measured_peak(capacity, says):
-    findings = lint(two_boxes({}, {}), DT, buffers=[Buffer("contacts", capacity, 10)])
+    findings = lint(two_boxes({}, {}), ENGINE, buffers=[Buffer("contacts", capacity, 10)])
     assert [(finding.rule, says in finding.message) for finding in findings] == ([("buffer", True)] if says else [])
 
 
@@ -157,9 +163,9 @@ MJCF = """
 <mujoco>
   <worldbody>
     <geom name="floor" type="plane" size="1 1 1" solref="{geom} 1"/>
-    <body name="ball"><freejoint/><geom name="skin" size="0.1" solref="{geom} 1" friction="1 0.1 0.0001"/></body>
+    <body name="ball"><freejoint/><geom name="skin" size="0.1" solref="{geom} 1"/></body>
   </worldbody>
-  <contact><pair geom1="floor" geom2="skin" solref="{pair}" condim="{condim}"/></contact>
+  <contact><pair geom1="floor" geom2="skin" solref="{pair}"/></contact>
 </mujoco>
 """
 
@@ -175,14 +181,16 @@ def mjcf_model(**values) -> newton.Model:
     ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", [])]
 )
 def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
-    assert [rule for rule, *_ in found(mjcf_model(geom=0.001, pair=pair, condim=3))] == rules
+    model = mjcf_model(geom=0.001, pair=pair)
+    assert [rule for rule, *_ in found(model)] == rules
+    assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
 
 
 def test_a_model_without_shapes():
-    assert lint(newton.ModelBuilder().finalize(device="cpu"), DT) == []
+    assert lint(newton.ModelBuilder().finalize(device="cpu"), ENGINE) == []
     builder = newton.ModelBuilder()
     builder.add_body()
-    assert lint(builder.finalize(device="cpu"), DT, buffers=[Buffer("contacts", 5, 5)]) == []
+    assert lint(builder.finalize(device="cpu"), ENGINE, buffers=[Buffer("contacts", 5, 5)]) == []
 
 
 def test_600_shapes_in_under_a_second():
@@ -192,7 +200,7 @@ def test_600_shapes_in_under_a_second():
     builder.shape_gap[0] = 0.001
     model = builder.finalize(device="cpu")
     start = time.process_time()
-    findings = lint(model, DT)
+    findings = lint(model, ENGINE)
     assert time.process_time() - start < 1.0
     assert sum(len(finding.against) for finding in findings if finding.rule == "timeconst") == 600 * 599 / 2
     assert sum(finding.rule == "default-gap" for finding in findings) == 599
@@ -209,14 +217,14 @@ def test_shapes_that_cannot_touch_are_left_alone():
             cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
             custom_attributes={"mujoco:geom_priority": priority},
         )
-    assert lint(builder.finalize(device="cpu"), DT) == []
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
 
 
 def test_a_model_without_the_solvers_attributes():
     builder = newton.ModelBuilder()
     builder.add_shape_box(builder.add_body(), cfg=ShapeConfig(ke=2.5e7, kd=1e4))
     builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
-    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), DT)] == ["timeconst"]
+    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
 
 
 def test_the_constants_are_newtons():
@@ -233,7 +241,7 @@ def test_the_constants_are_newtons():
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_real_scenes(scene):
-    findings = lint(SCENES[scene].model(), DT, cone="elliptic", impratio=50.0)
+    findings = lint(SCENES[scene].model(), SCENES[scene].engine)
     groups = {(group.first.rule, group.subject, group.first.parameter): group for group in grouped(findings)}
     stiffness = groups["priority", "cube", "ke"]
     assert (stiffness.against, stiffness.count) == ("fr3_leftfinger, fr3_rightfinger", 8)

@@ -110,18 +110,20 @@ class Contacts:
             return np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
 
 
-def contacts_of(shapes: Shapes, world: int = 0) -> Contacts:
-    """The pairs of one world, shared shapes included, that no filter keeps apart, and those that MJCF names.
+def contacts_of(shapes: Shapes, world: int = 0, named: bool = True) -> Contacts:
+    """The pairs of one world, shared shapes included, that no filter keeps apart; combined as ``contact_params`` of
+    Newton's MuJoCo kernels does.
 
-    Combined as ``contact_params`` of Newton's MuJoCo kernels does.
+    Args:
+        named: Whether pairs that MJCF names are taken as named there.
     """
-    named, parameters = _explicit_pairs(shapes, world)
+    explicit, parameters = _explicit_pairs(shapes, world, named)
     pairs = np.zeros((0, 2), dtype=int)
     found = shapes.model.shape_contact_pairs
     if found is not None and len(found):
         pairs = found.numpy().reshape(-1, 2).astype(int)
         pairs = pairs[_in_world(shapes.world[pairs], world).all(axis=1)]
-        pairs = pairs[~np.isin(_key(pairs, shapes), _key(named, shapes))]
+        pairs = pairs[~np.isin(_key(pairs, shapes), _key(explicit, shapes))]
     swap = shapes.priority[pairs[:, 0]] < shapes.priority[pairs[:, 1]]
     first, second = np.where(swap[:, None], pairs[:, ::-1], pairs).T
     outranks = shapes.priority[first] != shapes.priority[second]
@@ -134,10 +136,10 @@ def contacts_of(shapes: Shapes, world: int = 0) -> Contacts:
     combined[(shapes.mode[first] == FORCE_SPACE) & (shapes.mode[second] == FORCE_SPACE)] = np.nan
     condim = np.maximum(shapes.condim[first], shapes.condim[second])
     mu = np.maximum(shapes.mu[first], shapes.mu[second])
-    count = len(named)
+    count = len(explicit)
     return Contacts(
-        first=np.append(first, named[:, 0]),
-        second=np.append(second, named[:, 1]),
+        first=np.append(first, explicit[:, 0]),
+        second=np.append(second, explicit[:, 1]),
         explicit=np.repeat([False, True], [len(pairs), count]),
         mix=np.append(mix, np.ones(count)),
         solref=np.concatenate([combined, parameters["pair_solref"]]),
@@ -152,11 +154,11 @@ def contacts_of(shapes: Shapes, world: int = 0) -> Contacts:
 PAIR_DEFAULTS = {"pair_solref": DEFAULT_SOLREF, "pair_solimp": SOLIMP, "pair_condim": CONDIM, "pair_friction": (1.0,)}
 
 
-def _explicit_pairs(shapes: Shapes, world: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def _explicit_pairs(shapes: Shapes, world: int, named: bool) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Shapes of the pairs that MJCF names, and their parameters, by the names of the solver's custom attributes."""
     attributes = getattr(shapes.model, "mujoco", None)
     arrays = {name: getattr(attributes, name, None) for name in ("pair_geom1", "pair_geom2", "pair_world")}
-    if any(array is None or not len(array) for array in arrays.values()):
+    if not named or any(array is None or not len(array) for array in arrays.values()):
         return np.zeros((0, 2), dtype=int), {name: np.array([value])[:0] for name, value in PAIR_DEFAULTS.items()}
     pairs = np.stack([arrays["pair_geom1"].numpy(), arrays["pair_geom2"].numpy()], axis=1).astype(int)
     there = (pairs >= 0).all(axis=1) & _in_world(arrays["pair_world"].numpy(), world)

@@ -1,7 +1,7 @@
 """The rules: what a scene says and ``SolverMuJoCo`` does not do. A function each, over arrays of shapes and pairs."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import newton
 import numpy as np
@@ -31,15 +31,28 @@ NOT_READ = "is not read by SolverMuJoCo"
 
 
 @dataclass(frozen=True)
+class Engine:
+    """What the solver is given that is not in the model."""
+
+    substep_dt: float
+    """Time step of the solver [s]."""
+    refsafe: bool = True
+    """Whether it keeps a contact's timeconst at 2 time steps or more, as it does by default."""
+    contacts: str = "mujoco"
+    """Whose contacts it solves: ``mujoco``, its own, or ``newton``, which read kf and no pair that MJCF names."""
+    cone: str | None = None
+    """``elliptic`` or ``pyramidal``; None: as the model says."""
+    impratio: float | None = None
+    """None: as the model says."""
+
+
+@dataclass(frozen=True)
 class Scene:
     """What the rules read."""
 
     shapes: Shapes
     contacts: Contacts
-    substep_dt: float
-    refsafe: bool
-    cone: str
-    impratio: float
+    engine: Engine
 
     @property
     def settled(self) -> tuple[np.ndarray, np.ndarray]:
@@ -68,54 +81,32 @@ class Hits:
     """The message of the hit at an index."""
 
 
-def lint(
-    model: newton.Model,
-    substep_dt: float,
-    *,
-    buffers: Sequence[Buffer] = (),
-    refsafe: bool = True,
-    cone: str | None = None,
-    impratio: float | None = None,
-    world: int = 0,
-) -> list[Finding]:
+def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = (), world: int = 0) -> list[Finding]:
     """Everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
 
     Args:
         model: Any finalized model, with or without the solver's custom attributes, or without shapes.
-        substep_dt: Time step of the solver [s].
+        engine: What the solver is given besides.
         buffers: Buffers with what a run was measured to need of them.
-        refsafe: Whether the engine keeps a contact's timeconst at 2 time steps or more, as it does by default.
-        cone: ``elliptic`` or ``pyramidal``, as the solver is given it; None: as the model says.
-        impratio: As the solver is given it; None: as the model says.
         world: World whose shapes are read, with those that all worlds share.
     """
     missized = [finding for buffer in buffers for finding in _missized(buffer)]
     if not model.shape_count:
         return missized
-    scene = read(model, substep_dt, refsafe, cone, impratio, world)
+    scene = read(model, engine, world)
     names = scene.shapes.names()
     rules = (priority, default_gap, timeconst, ke_without_kd, dampratio, friction_gain, unused)
     return [finding for rule in rules for hits in rule(scene) for finding in _findings(hits, names)] + missized
 
 
-def read(
-    model: newton.Model,
-    substep_dt: float,
-    refsafe: bool = True,
-    cone: str | None = None,
-    impratio: float | None = None,
-    world: int = 0,
-) -> Scene:
-    """What the rules read of a model that has shapes; arguments as those of ``lint``."""
+def read(model: newton.Model, engine: Engine, world: int = 0) -> Scene:
+    """What the rules read of a model that has shapes."""
     shapes = Shapes(model)
-    return Scene(
-        shapes=shapes,
-        contacts=contacts_of(shapes, world),
-        substep_dt=substep_dt,
-        refsafe=refsafe,
-        cone=cone or CONES[int(shapes.option("cone", 0))],
-        impratio=shapes.option("impratio", 1.0) if impratio is None else impratio,
-    )
+    told = {
+        "cone": engine.cone or CONES[int(shapes.option("cone", 0))],
+        "impratio": shapes.option("impratio", 1.0) if engine.impratio is None else engine.impratio,
+    }
+    return Scene(shapes, contacts_of(shapes, world, named=engine.contacts == "mujoco"), replace(engine, **told))
 
 
 def priority(scene: Scene) -> Iterator[Hits]:
@@ -159,9 +150,9 @@ def default_gap(scene: Scene) -> Iterator[Hits]:
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
     """A timeconst below two substeps, which the engine does not take."""
-    if not scene.refsafe:
+    if not scene.engine.refsafe:
         return
-    contacts, limit = scene.contacts, 2.0 * scene.substep_dt
+    contacts, limit = scene.contacts, 2.0 * scene.engine.substep_dt
     with np.errstate(invalid="ignore"):
         below = (contacts.timeconst > 0.0) & (contacts.timeconst < limit) & ~same(contacts.timeconst, limit)
     found = contacts.timeconst[below]
@@ -213,23 +204,32 @@ def friction_gain(scene: Scene) -> Iterator[Hits]:
     shapes, contacts = scene.shapes, scene.contacts
     authored = ~same(shapes.kf, newton.ModelBuilder.ShapeConfig().kf)
     shape, pair = scene.settled
-    if not (kf_is_read() and scene.cone == "elliptic"):
+    engine = scene.engine
+    if reason := kf_unread(engine):
         unread = np.unique(shape[authored[shape]])
-        reason = "with a pyramidal cone" if kf_is_read() else "of this release"
         yield _hits("kf", "kf", unread, None, shapes.kf[unread], np.nan, f"{NOT_READ} {reason}")
         return
     inverse = shapes.inverse_mass()
     first, second = contacts.first, contacts.second
     kf = contacts.mix * shapes.kf[first] + (1.0 - contacts.mix) * shapes.kf[second]
     dmax = contacts.solimp[:, 1]
-    weight = (inverse[first] + inverse[second]) * ((1.0 - dmax) / scene.impratio + dmax)
+    weight = (inverse[first] + inverse[second]) * ((1.0 - dmax) / engine.impratio + dmax)
     with np.errstate(divide="ignore", invalid="ignore"):
-        most = 1.0 / (scene.substep_dt * weight)
-        clamped = scene.refsafe & ~contacts.explicit & (kf > most) & ~same(kf, most)
+        most = 1.0 / (engine.substep_dt * weight)
+        clamped = engine.refsafe & ~contacts.explicit & (kf > most) & ~same(kf, most)
     own = np.isin(np.arange(len(kf)), pair[authored[shape]])
     hit = np.flatnonzero(clamped & own)
     message = "asks for a friction timeconst below two substeps, which the engine clamps it to"
     yield _hits("kf", "kf", first[hit], second[hit], kf[hit], most[hit], message)
+
+
+def kf_unread(engine: Engine) -> str:
+    """Why kf is not read; empty where it is."""
+    if not kf_is_read():
+        return "of this release"
+    if engine.contacts != "newton":
+        return "in contacts of MuJoCo"
+    return "" if engine.cone == "elliptic" else "with a pyramidal cone"
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
