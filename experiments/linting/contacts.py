@@ -123,7 +123,8 @@ def contacts_of(shapes: Shapes, world: int = 0, named: bool = True) -> Contacts:
     if found is not None and len(found):
         pairs = found.numpy().reshape(-1, 2).astype(int)
         pairs = pairs[_in_world(shapes.world[pairs], world).all(axis=1)]
-        pairs = pairs[~np.isin(_key(pairs, shapes), _key(explicit, shapes))]
+        if len(explicit):
+            pairs = pairs[~np.isin(_key(pairs, shapes), _key(explicit, shapes))]
     swap = shapes.priority[pairs[:, 0]] < shapes.priority[pairs[:, 1]]
     first, second = np.where(swap[:, None], pairs[:, ::-1], pairs).T
     outranks = shapes.priority[first] != shapes.priority[second]
@@ -175,7 +176,7 @@ def _in_world(worlds: np.ndarray, world: int) -> np.ndarray:
 
 def _key(pairs: np.ndarray, shapes: Shapes) -> np.ndarray:
     """A number for each pair, whichever of its shapes comes first."""
-    return pairs.min(axis=1, initial=0) * shapes.model.shape_count + pairs.max(axis=1, initial=0)
+    return pairs.min(axis=1) * shapes.model.shape_count + pairs.max(axis=1)
 
 
 def _mixed(values: Sequence[np.ndarray], mix: np.ndarray) -> np.ndarray:

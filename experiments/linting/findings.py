@@ -120,3 +120,13 @@ def named(names: Iterable[str]) -> str:
     if len(different) > SHOWN + 1:
         return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"
     return ", ".join(different)
+
+
+def tally(findings: Iterable[Finding]) -> list[dict[str, object]]:
+    """What is found, without the shapes: one for each rule, parameter and value, with the number of pairs or shapes."""
+    alike: dict[tuple, int] = {}
+    for finding in findings:
+        key = (finding.rule, finding.parameter, finding.value, finding.used, finding.unit)
+        alike[key] = alike.get(key, 0) + max(1, len(finding.against))
+    names = ("rule", "parameter", "value", "used", "unit")
+    return [{**dict(zip(names, key, strict=True)), "count": count} for key, count in alike.items()]

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import newton
 import numpy as np
@@ -54,7 +55,7 @@ class Scene:
     contacts: Contacts
     engine: Engine
 
-    @property
+    @cached_property
     def settled(self) -> tuple[np.ndarray, np.ndarray]:
         """Which shapes' parameters count in a pair, and in which: both of a pair unless one outranks the other."""
         contacts, priority = self.contacts, self.shapes.priority
@@ -91,12 +92,14 @@ def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = (), wo
         world: World whose shapes are read, with those that all worlds share.
     """
     missized = [finding for buffer in buffers for finding in _missized(buffer)]
-    if not model.shape_count:
-        return missized
-    scene = read(model, engine, world)
+    return (findings_of(read(model, engine, world)) if model.shape_count else []) + missized
+
+
+def findings_of(scene: Scene) -> list[Finding]:
+    """What the rules say of a scene that has shapes."""
     names = scene.shapes.names()
     rules = (priority, default_gap, timeconst, ke_without_kd, dampratio, friction_gain, unused)
-    return [finding for rule in rules for hits in rule(scene) for finding in _findings(hits, names)] + missized
+    return [finding for rule in rules for hits in rule(scene) for finding in _findings(hits, names)]
 
 
 def read(model: newton.Model, engine: Engine, world: int = 0) -> Scene:
@@ -166,7 +169,7 @@ def ke_without_kd(scene: Scene) -> Iterator[Hits]:
     """ke or kd of which the other is 0: neither is read, and the contact is as stiff and as damped as by default."""
     shapes = scene.shapes
     counts, _ = scene.settled
-    shape = np.unique(counts)
+    shape = _each(counts)
     shape = shape[shapes.mode[shape] == CONVERTED]
     timeconst_s, ratio = DEFAULT_SOLREF
     defaults = {"ke": 1.0 / (timeconst_s * ratio) ** 2, "kd": 2.0 / timeconst_s}
@@ -206,7 +209,7 @@ def friction_gain(scene: Scene) -> Iterator[Hits]:
     shape, pair = scene.settled
     engine = scene.engine
     if reason := kf_unread(engine):
-        unread = np.unique(shape[authored[shape]])
+        unread = _each(shape[authored[shape]])
         yield _hits("kf", "kf", unread, None, shapes.kf[unread], np.nan, f"{NOT_READ} {reason}")
         return
     inverse = shapes.inverse_mass()
@@ -217,7 +220,8 @@ def friction_gain(scene: Scene) -> Iterator[Hits]:
     with np.errstate(divide="ignore", invalid="ignore"):
         most = 1.0 / (engine.substep_dt * weight)
         clamped = engine.refsafe & ~contacts.explicit & (kf > most) & ~same(kf, most)
-    own = np.isin(np.arange(len(kf)), pair[authored[shape]])
+    own = np.zeros(len(kf), dtype=bool)
+    own[pair[authored[shape]]] = True
     hit = np.flatnonzero(clamped & own)
     message = "asks for a friction timeconst below two substeps, which the engine clamps it to"
     yield _hits("kf", "kf", first[hit], second[hit], kf[hit], most[hit], message)
@@ -239,13 +243,18 @@ def unused(scene: Scene) -> Iterator[Hits]:
     shape, pair = scene.settled
     condim = np.zeros(len(shapes.body), dtype=int)
     np.maximum.at(condim, shape, contacts.condim[pair].astype(int))
-    bounces = np.unique(shape[shapes.restitution[shape] != 0.0])
+    bounces = _each(shape[shapes.restitution[shape] != 0.0])
     yield _hits("unused", "restitution", bounces, None, shapes.restitution[bounces], np.nan, NOT_READ)
     for name, least in (("mu_torsional", TORSIONAL_CONDIM), ("mu_rolling", ROLLING_CONDIM)):
         values = getattr(shapes, name)
         authored = np.flatnonzero((condim > 0) & (condim < least) & ~same(values, getattr(config, name)))
         message = f"has no rows in its contacts: their condim is below {least}"
         yield _hits("unused", name, authored, None, values[authored], np.nan, message)
+
+
+def _each(shapes: np.ndarray) -> np.ndarray:
+    """Each of the shapes once, in their order in the model."""
+    return np.flatnonzero(np.bincount(shapes))
 
 
 def _missized(buffer: Buffer) -> Iterator[Finding]:
