@@ -72,19 +72,21 @@ class _Reached(BaseException):
 
 
 def examples() -> list[Example]:
-    """All that the installed release has, by name; those that offer MuJoCo among other solvers twice."""
+    """All that the installed release has, by name; those that offer MuJoCo besides another solver twice."""
     found = []
     for name, module in sorted(newton.examples.get_examples().items()):
         found.append(Example(name, module))
         with contextlib.suppress(Exception):  # what does not import says so when it is built
-            if MUJOCO in _solver_choices(module):
+            if _offers_mujoco(module):
                 found.append(Example(name, module, MUJOCO))
     return found
 
 
-def _solver_choices(module: str) -> list[str]:
-    parser = _parser(importlib.import_module(module))
-    return next((list(action.choices or ()) for action in parser._actions if action.dest == "solver"), [])
+def _offers_mujoco(module: str) -> bool:
+    """Whether it has ``--solver`` with MuJoCo among the choices, and another one where nothing is said."""
+    options = _parser(importlib.import_module(module))._actions
+    choices = [option for option in options if option.dest == "solver" and MUJOCO in (option.choices or ())]
+    return any(option.default != MUJOCO for option in choices)
 
 
 def _parser(module):
