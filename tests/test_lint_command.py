@@ -17,7 +17,8 @@ SCENE = """
   </worldbody>
 </mujoco>
 """
-URDF = '<robot name="r"><link name="a"><collision><geometry><sphere radius="0.1"/></geometry></collision></link></robot>'
+SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+URDF = f'<robot name="ball"><link name="skin">{SPHERE}</link></robot>'
 KINDS = {
     "findings": {
         **{"rule": str, "shape": str, "against": list, "parameter": str, "value": float, "used": float | None},
