@@ -14,9 +14,10 @@ from tqdm import tqdm
 
 from experiments.batch import Batch, Plan
 from experiments.ending import Done, now
-from experiments.machine import alias_of, commit, kind_of
+from experiments.machine import alias_of, commit, kind_of, without_gpu
 from report.records.cache import Cache
 from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
+from report.records.devices import needs_gpu
 from report.records.identity import Identity, identity_of
 from report.records.project import Project
 from report.records.record import Record, write_record
@@ -52,6 +53,8 @@ class Course:
 
     project: Project
     section: str
+    device: str
+    """``cuda`` or ``cpu``: what it measures on, whatever else the hosts have."""
     plan: Plan
     identity: Identity
     known: Mapping[str, float]
@@ -121,7 +124,7 @@ class Course:
     def _write(self, measurement: "Measurement") -> None:
         """Write the record; the batches that it is made of need not be kept any longer."""
         parts = list(self.done.values())
-        machines = [part.machine for part in parts]
+        machines = [without_gpu(part.machine) if self.device == "cpu" else part.machine for part in parts]
         names = dict.fromkeys(name for machine in machines for name in machine)
         seconds = round(sum(part.seconds for part in parts), 1)
         each = {
@@ -161,13 +164,14 @@ def course_of(project: Project, section: str, module: ModuleType, device: str, k
     """The way of a section: of one that declares no batches, all of it as one."""
     from experiments.measurement import Conditions
 
+    device = device if needs_gpu(section, project.root) else "cpu"
     identity = identity_of(section, project.profile, project.root)
     conditions = Conditions(device=alias_of(device), quick=project.profile == "quick")
     if inspect.isgeneratorfunction(module.measure):
         plan = module.measure(conditions)
     else:
         plan = _as_one(Batch(WHOLE, module.measure, (conditions,), alone=CLOCK in identity.files))
-    return Course(project, section, plan, identity, known)
+    return Course(project, section, device, plan, identity, known)
 
 
 def _as_one(batch: Batch) -> Plan:

@@ -61,6 +61,11 @@ def machine(kind: str) -> dict[str, str | None]:
     }
 
 
+def without_gpu(machine: Mapping[str, Any]) -> dict[str, Any]:
+    """The machine, as what was measured on its CPU alone."""
+    return {**machine, "device": "cpu", "gpu": None, "driver": None, "gpu_uuid": None}
+
+
 def kind_of(machine: Mapping[str, Any]) -> tuple:
     return tuple(machine[part] for part in KIND)
 

@@ -53,7 +53,7 @@ def main() -> int:
             asked = {course.section: course.identity for course in courses}
             with crew_of(read_cluster(arguments.cluster), kind, arguments.processor, asked, project.profile) as crew:
                 return measure_all(courses, crew)
-        compile_first(courses, device)
+        compile_first(courses)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
@@ -84,16 +84,16 @@ def measure_all(courses: Sequence[Course], crew: Crew) -> int:
         return int(study.run())
 
 
-def compile_first(courses: Sequence[Course], device) -> None:
+def compile_first(courses: Sequence[Course]) -> None:
     """Compile what the sections need; ReportError where this release can't run the scene."""
-    if not any(SIMULATOR in course.identity.files for course in courses):
-        return
-    from experiments import kernels
+    for kind in sorted({course.device for course in courses if SIMULATOR in course.identity.files}):
+        from experiments import kernels
 
-    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
-    if reason := kernels.too_old(device) or kernels.compile_first(device):
-        version, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
-        raise ReportError(f"newton {version} cannot run the scene: {reason}; {oldest} is the oldest that can")
+        tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
+        device = warp_device(kind)
+        if reason := kernels.too_old(device) or kernels.compile_first(device):
+            version, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
+            raise ReportError(f"newton {version} cannot run the scene: {reason}; {oldest} is the oldest that can")
 
 
 def parse_arguments() -> argparse.Namespace:

@@ -124,7 +124,7 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
     cluster, root, log = sys.argv[1:]
     project = Project("1.4.0", root=Path(root))
-    course = Course(project, "toy", batches.slow_after(log, "ab"), identity_of("toy", "full", project.root), {})
+    course = Course(project, "toy", "cpu", batches.slow_after(log, "ab"), identity_of("toy", "full", project.root), {})
     with crew_of(read_cluster(cluster), "cpu", None, {}, "quick") as crew:
         Study([course], crew).run()
 """

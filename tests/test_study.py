@@ -31,7 +31,7 @@ def log(tmp_path) -> Path:
 
 
 def course(toy, plan) -> Course:
-    return Course(toy.project, "toy", plan, identity_of("toy", "full", toy.project.root), {})
+    return Course(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
 
 
 def begun(log: Path) -> list[str]:

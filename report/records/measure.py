@@ -15,7 +15,7 @@ from typing import Any
 
 from report import ReportError, UsageError
 from report.records.cluster import Cluster
-from report.records.devices import machine_name, machine_of, slug
+from report.records.devices import machine_name, machine_of, needs_gpu, slug
 from report.records.environment import add_cluster, python_of
 from report.records.files import refuse_unwritable
 from report.records.identity import sections as all_sections
@@ -49,7 +49,7 @@ def measure(
         is_here = cluster is None or cluster.is_here
         machine = machine_name(device) if is_here else _gpu_of(cluster, python, project.root)
         options += ["--processor", machine]
-    kept = kept_by(project, machine)
+    kept = kept_by(project, machine, sections)
     refuse_unwritable(kept.results)
     try:
         options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
@@ -80,7 +80,7 @@ def seconds_each(project: Project, device: str) -> Mapping[str, float]:
     found = {}
     for release in project.releases:
         for record in records_of(project.of(release)):
-            if record.machine.get("device") == device:
+            if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
                 found[record.section] = record.measured["seconds"]
                 batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
                 found |= {f"{record.section}/{match[2]}": value for match, value in batches.items() if match}
@@ -134,12 +134,18 @@ def _gpu_of(cluster: Cluster, python: Path, root: Path) -> str:
     return slug(said.stdout)
 
 
-def kept_by(project: Project, machine: str) -> Project:
-    """The report that the results of ``machine`` belong to: one of its own where others' are kept already."""
+def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
+    """The report that the results of ``machine`` belong to: one of its own where others' are kept already.
+
+    Sections that need no GPU count as measured on any machine.
+    """
+    if not any(needs_gpu(section, project.root) for section in sections):
+        return project
     label = project.label
     if label.machine not in ("", machine):
         raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
-    others = {machine_of(record) for record in records_of(project)} - {machine}
+    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
+    others = {machine_of(record) for record in kept} - {machine}
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))
