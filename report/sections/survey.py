@@ -1,11 +1,9 @@
 """The survey: what the lint says of the examples that Newton ships, release by release."""
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import pandas as pd
-from markupsafe import Markup
 
 from report.chapters import Releases
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
@@ -38,8 +36,8 @@ def derive(results: Results, releases: Releases) -> Section:
     return Section(
         tables={
             "rules": _rule_table(results, releases),
-            "scenes": _scene_table(found),
-            "others": _scene_table([row for row in linted if row.solver != MUJOCO and row.finding_count.value]),
+            "scenes": _scene_table(results, found),
+            "others": _scene_table(results, [row for row in linted if row.solver != MUJOCO]),
             "changed": _changed_table(ends),
             "unbuilt": _unbuilt_table(unbuilt),
         },
@@ -82,6 +80,8 @@ def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row],
 
 
 def _names_the_undamped(results: Results) -> Claim:
+    if any(case not in results.row for case in UNDAMPED):
+        return Claim("names_the_undamped", Outcome("unknown", "this release does not have all three, or not linted"))
     counts = [results.row[case].ke_without_kd_count for case in UNDAMPED]
     outcomes = [decided(bool(count.value), count) for count in counts]
     return Claim("names_the_undamped", all_of(*outcomes))
@@ -138,15 +138,22 @@ def _releases_differ(results: Results, ends: Ends | None) -> Claim:
 
 def _changed_table(ends: Ends | None) -> Table:
     """What is found in the examples that changed, in the oldest and in the newest release."""
-    sides = [ends.old, ends.new] if ends else []
-    changed = ends.changed if ends else []
-    columns = {side.edition: [_listed(side, case) for case in changed] for side in sides}
-    return Table(pd.DataFrame(columns, index=pd.Index(changed, name="example"), dtype=object))
+    sides = [(case, side) for case in (ends.changed if ends else []) for side in (ends.old, ends.new)]
+    found = [(side, row) for case, side in sides for row in _findings(side, case)]
+    columns = {"release": [side.edition for side, _ in found], **_columns([row for _, row in found])}
+    return Table(_frame(columns, [row.scene for _, row in found], "example"))
 
 
-def _listed(results: Results, case: str) -> Markup | str:
-    found = [Markup("{}: {} {}").format(row.rule, row.parameter, _authored(row)) for row in _findings(results, case)]
-    return Markup("; ").join(found) or "nothing"
+def _columns(findings: Sequence[Row]) -> dict[str, list]:
+    return {
+        "rule": [row.rule for row in findings],
+        "parameter": [row.parameter for row in findings],
+        "authored": [_authored(row) for row in findings],
+    }
+
+
+def _frame(columns: Mapping[str, Sequence], index: Sequence[str], name: str) -> pd.DataFrame:
+    return pd.DataFrame(columns, index=pd.Index(index, name=name), dtype=object)
 
 
 def _rule_table(results: Results, releases: Releases) -> Table:
@@ -166,20 +173,20 @@ def _rule_table(results: Results, releases: Releases) -> Table:
             )
             for name, column in RULES.items()
         ]
-    return Table(pd.DataFrame(columns, index=pd.Index(list(RULES), name="rule"), dtype=object))
+    return Table(_frame(columns, list(RULES), "rule"))
 
 
-def _scene_table(rows: Sequence[Row]) -> Table:
-    columns: Mapping[str, list] = {
-        "solver": [row.solver.removeprefix("Solver") for row in rows],
-        "pairs": [row.pair_count for row in rows],
-        **{name: [row[column] if row[column].value else "" for row in rows] for name, column in RULES.items()},
+def _scene_table(results: Results, rows: Sequence[Row]) -> Table:
+    """A line for each thing that is found in these examples."""
+    found = [(row, finding) for row in rows for finding in _findings(results, row.case)]
+    columns = {
+        "solver": [row.solver.removeprefix("Solver") for row, _ in found],
+        **_columns([finding for _, finding in found]),
+        "places": [finding.place_count for _, finding in found],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index([row.case for row in rows], name="example"), dtype=object))
+    return Table(_frame(columns, [row.case for row, _ in found], "example"))
 
 
 def _unbuilt_table(rows: Sequence[Row]) -> Table:
-    reasons = Counter(row.unbuilt for row in rows)
-    names = {reason: [row.case for row in rows if row.unbuilt == reason] for reason in reasons}
-    columns = {"examples": [", ".join(found) for found in names.values()]}
-    return Table(pd.DataFrame(columns, index=pd.Index(list(names), name="reason"), dtype=object))
+    ordered = sorted(rows, key=lambda row: (row.unbuilt, row.case))
+    return Table(_frame({"why": [row.unbuilt for row in ordered]}, [row.case for row in ordered], "example"))
