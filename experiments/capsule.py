@@ -32,7 +32,7 @@ def measure(conditions: Conditions) -> Measurement:
         row |= {"impratio": case.impratio, "noslip_iterations": case.noslip_iterations, "condim": case.condim}
         row |= {"timeconst_s": case.timeconst_s, "half_length_m": case.half_length_m}
         if case.engine != "c" and case.noslip_iterations and not warp_has_noslip():
-            names = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s")
+            names = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")
             rows.append(row | absent(names, "MuJoCo Warp here has no noslip"))
             continue
         rows.append(row | columns(case, run(case, SECONDS[conditions.profile], conditions.device)))

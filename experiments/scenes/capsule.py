@@ -5,11 +5,13 @@ was chosen by what it says of the loads: with a gain of 20 kN/m the pads press w
 timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from experiments.linting.creep import predicted_creep
 from experiments.scenes.engines import ENGINES, Contacts, Engine
 
 MASS_KG = 0.045
@@ -23,7 +25,9 @@ SQUEEZE_M = 0.002
 """How far past touching the actuators pull each pad."""
 GAIN_N_M = 20e3
 DAMPING_N_S_M = 100.0
-FRICTION = "0.7 0.005 0.0001"
+FRICTION = (0.7, 0.005, 0.0001)
+DMAX = 0.95
+"""MuJoCo's own."""
 GRAVITY_M_S2 = 9.81
 SETTLE_S = 0.5
 SECONDS = {"full": 2.0, "quick": 0.5}
@@ -44,8 +48,8 @@ class Pinch:
 
     def mjcf(self) -> str:
         """The scene."""
-        contact = f'friction="{FRICTION}" condim="{self.condim}" solref="{self.timeconst_s} 1"'
-        half_size = " ".join(map(str, PAD_HALF_SIZE_M))
+        friction, half_size = (" ".join(map(str, values)) for values in (FRICTION, PAD_HALF_SIZE_M))
+        contact = f'friction="{friction}" condim="{self.condim}" solref="{self.timeconst_s} 1"'
         place = RADIUS_M + GAP_M + PAD_HALF_SIZE_M[0]
         pads = "".join(
             f"""
@@ -105,13 +109,28 @@ def run(case: Pinch, seconds: float, device: str) -> Sinking:
 
 
 def columns(case: Pinch, sinking: Sinking) -> dict[str, float]:
-    """Numbers of a row: rates, and the one by the law R W = b v of the contacts that the run ends with."""
-    law = 0.0 if case.noslip_iterations else sinking.contacts.creep_m_s(MASS_KG * GRAVITY_M_S2)
+    """Numbers of a row: how fast it sank, and how fast by R f = b v.
+
+    Once with R of the contacts that the run ends with, and once from the parameters alone, for contacts as deep as
+    solimp is wide.
+    """
+    weight_n = MASS_KG * GRAVITY_M_S2
+    law = 0.0 if case.noslip_iterations else sinking.contacts.creep_m_s(weight_n)
     pad, capsule = sinking.inverse_masses_1_kg
+    forecast = predicted_creep(
+        (case.timeconst_s, 1.0),
+        DMAX,
+        load_n=weight_n / sinking.contacts.count,
+        inverse_mass_1_kg=pad + capsule,
+        impratio=math.inf if case.noslip_iterations else case.impratio,
+        cone=case.cone,
+        mu=FRICTION[0],
+    )
     return {
         "creep_mm_s": 1e3 * sinking.mean_m_s,
         "steady_creep_mm_s": 1e3 * float(np.median(sinking.speed_m_s)),
         "predicted_creep_mm_s": 1e3 * law,
+        "forecast_creep_mm_s": forecast.load_mm_s,
         "normal_force_n": sinking.contacts.normal_n,
         "loaded_contact_count": sinking.contacts.count,
         "pad_inverse_mass": pad,

@@ -175,6 +175,7 @@ class ThroughNewton(InWarp):
         scene.add_mjcf(mjcf)
         builder.replicate(scene, self.world_count)
         newton_model = builder.finalize(device=self.device)
+        newton_model.joint_q.assign(np.tile(_in_newton(self.model), self.world_count))
         self.actuated = [self.model.jnt_qposadr[joint] for joint in self.model.actuator_trnid[:, 0]]
         self.solver = make_solver(
             newton_model, use_mujoco_contacts=True, nconmax=CONTACT_MAX, njmax=CONSTRAINT_MAX, update_data_interval=0
@@ -199,6 +200,15 @@ class ThroughNewton(InWarp):
 
 ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
 """By the name that a case says."""
+
+
+def _in_newton(model: mujoco.MjModel) -> np.ndarray:
+    """The initial qpos as Newton has it: the free body's quaternion ends with its real part."""
+    qpos = start(model).qpos.copy()
+    position, _ = free_joint(model)
+    turn = slice(position.stop, position.stop + 4)
+    qpos[turn] = np.roll(qpos[turn], -1)
+    return qpos
 
 
 def start(model: mujoco.MjModel) -> mujoco.MjData:
