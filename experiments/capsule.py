@@ -20,7 +20,9 @@ VARIANTS = (
     Pinch("short", half_length_m=0.02),
 )
 CASES = [
-    replace(case, name=f"{case.name}-{engine}", engine=engine) for engine in ("c", "warp", "newton") for case in VARIANTS
+    replace(case, name=f"{case.name}-{engine}", engine=engine)
+    for engine in ("c", "warp", "newton")
+    for case in VARIANTS
 ]
 
 

@@ -1,7 +1,7 @@
 """A capsule between two pads, and nothing but gravity pulls at it.
 
-After google-deepmind/mujoco issue #3328, which gives masses, sizes, friction and damping. What its text leaves open here
-was chosen by what it says of the loads: with a gain of 20 kN/m the pads press with the 12 N that it gives, and with a
+After google-deepmind/mujoco issue #3328, which gives masses, sizes, friction and damping. What its text leaves open was
+chosen by what it says of the loads: with a gain of 20 kN/m the pads press with the 12 N that it gives, and with a
 timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
 """
 

@@ -1,11 +1,12 @@
 """A scene in MJCF in MuJoCo's C engine, in MuJoCo Warp, and in MuJoCo Warp through Newton: the same few calls.
 
-A scene has one free body, which is what is held, and actuators that take a control each. Two steps are run at a time,
-because Newton goes from one state into another and back.
+A scene has one free body, its last one, which is what is held, and actuators that take a control each. Two steps are
+run at a time, because Newton goes from one state into another and back.
 """
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import mujoco
 import mujoco_warp as mjw
@@ -34,13 +35,15 @@ class Contacts:
     """R of their friction rows as one row: 1 / Σ 1/R [1/kg]; 0 where nothing is touched."""
     damping_per_s: float
     """b of the rows [1/s], the least where they are not alike; 0 where nothing is touched."""
+    depth_m: float
+    """How deep they are on average [m]."""
 
     @classmethod
-    def of(cls, model: mujoco.MjModel, rows, friction, solref, solimp, force, stiffness) -> "Contacts":
-        """From the contacts' first rows and parameters, and the rows' force and D, which is 1 / R."""
+    def of(cls, model: mujoco.MjModel, rows, friction, solref, solimp, dist, force, stiffness) -> "Contacts":
+        """From the contacts' first rows, parameters and distance, and the rows' force and D, which is 1 / R."""
         loaded = [index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0]
         if not loaded:
-            return cls(0, 0.0, 0.0, 0.0)
+            return cls(0, 0.0, 0.0, 0.0, 0.0)
         if model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
             stiff = [stiffness[rows[index] + 1] for index in loaded]
             normal = [force[rows[index]] for index in loaded]
@@ -49,7 +52,8 @@ class Contacts:
             stiff = [2.0 * friction[index][0] ** 2 * stiffness[rows[index]] for index in loaded]
             normal = [np.sum(force[rows[index] : rows[index] + 4]) for index in loaded]
         damping = min(contact_bias_c.damping(model, solref[index], solimp[index]) for index in loaded)
-        return cls(len(loaded), float(np.sum(normal)), float(1.0 / np.sum(stiff)), float(damping))
+        depth = -np.mean([dist[index] for index in loaded])
+        return cls(len(loaded), float(np.sum(normal)), float(1.0 / np.sum(stiff)), float(damping), float(depth))
 
     def creep_m_s(self, load_n: float) -> float:
         """How fast what is held slides under a constant load [m/s]: each row yields R f = b v."""
@@ -111,7 +115,8 @@ class InC:
         data = self.worlds[world]
         found = data.contact
         rows = np.asarray(found.efc_address).reshape(-1)
-        return Contacts.of(self.model, rows, found.friction, found.solref, found.solimp, data.efc_force, data.efc_D)
+        friction, solref, solimp = found.friction, found.solref, found.solimp
+        return Contacts.of(self.model, rows, friction, solref, solimp, found.dist, data.efc_force, data.efc_D)
 
 
 class InWarp:
@@ -159,10 +164,10 @@ class InWarp:
         data, found = self.data, self.data.contact
         count = int(data.nacon.numpy()[0])
         mine = found.worldid.numpy()[:count] == world
-        of_contacts = [found.efc_address.numpy()[:, 0], found.friction.numpy(), found.solref.numpy()]
-        of_contacts.append(found.solimp.numpy())
-        of_contacts = [array[:count][mine] for array in of_contacts]
-        return Contacts.of(self.model, *of_contacts, data.efc.force.numpy()[world], data.efc.D.numpy()[world])
+        kept = (found.efc_address, found.friction, found.solref, found.solimp, found.dist)
+        rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in kept)
+        force, stiffness = data.efc.force.numpy()[world], data.efc.D.numpy()[world]
+        return Contacts.of(self.model, rows[:, 0], friction, solref, solimp, dist, force, stiffness)
 
 
 class ThroughNewton(InWarp):
@@ -181,7 +186,7 @@ class ThroughNewton(InWarp):
             newton_model, use_mujoco_contacts=True, nconmax=CONTACT_MAX, njmax=CONSTRAINT_MAX, update_data_interval=0
         )
         self.states = newton_model.state(), newton_model.state()
-        self.control = newton_model.control()
+        self.control: Any = newton_model.control()  # which has what the solver's attributes add to it
         self.time_step = float(self.model.opt.timestep)
         self.model = self.solver.mj_model
         self.engine, self.data = self.solver.mjw_model, self.solver.mjw_data
@@ -198,7 +203,7 @@ class ThroughNewton(InWarp):
         self.solver.step(back, there, self.control, None, self.time_step)
 
 
-ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
+ENGINES: Mapping[str, Callable[[str, int, str], Engine]] = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
 """By the name that a case says."""
 
 

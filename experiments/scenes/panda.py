@@ -71,6 +71,8 @@ LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
 """Poses of the arm [rad]."""
 PHASES_S = (1.0, 2.0, 3.0, 4.0)
 """Ends of the motion over the object, of the one down to it, of closing and of lifting [s]."""
+PAD_HALF_SIZE_M = (0.00875, 0.0076, 0.00825)
+"""The last of them along the finger."""
 PAD_SOLREF, PAD_SOLIMP = (0.01, 1.0), (0.99, 0.995, 0.01)
 OBJECT_AT_M = (0.65, 0.0, 0.02)
 
@@ -95,7 +97,7 @@ def mjcf(object_geom: str, option: str, *, pad_solref: Sequence[float] = PAD_SOL
       <default>
         <joint armature="0.1" damping="1"/>
         <default class="pad">
-          <geom type="box" size="0.00875 0.0076 0.00825" pos="0 0.00758 0.04525" contype="0" conaffinity="3"
+          <geom type="box" size="{_text(PAD_HALF_SIZE_M)}" pos="0 0.00758 0.04525" contype="0" conaffinity="3"
             friction="1 0.005 0.0001" solref="{_text(pad_solref)}" solimp="{_text(PAD_SOLIMP)}"/>
         </default>
       </default>

@@ -29,7 +29,9 @@ PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff
 def derive(results: Results) -> Section:
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for engine in ENGINES for variant in VARIANTS)}
     published = {
-        variant: results.value(f"published_{variant}", "published, and not measured here", lambda rate=rate: rate, unit="mm/s")
+        variant: results.value(
+            f"published_{variant}", "published, and not measured here", lambda rate=rate: rate, unit="mm/s"
+        )
         for variant, rate in PUBLISHED_MM_S.items()
     }
     rates = Figure(
@@ -87,7 +89,13 @@ def _follows_law(results: Results, rows: Mapping[str, Row]) -> Claim:
 def _rest_is_jolts(results: Results, rows: Mapping[str, Row]) -> Claim:
     """The rate on average is more than the steady one, and for a capsule that ends between the pads it is not."""
     long, short = (
-        departure(results, f"{name}_jolts", "rate on average less the steady one, of the latter", row.creep_mm_s, row.steady_creep_mm_s)
+        departure(
+            results,
+            f"{name}_jolts",
+            "rate on average less the steady one, of the latter",
+            row.creep_mm_s,
+            row.steady_creep_mm_s,
+        )
         for name, row in (("long", rows["recipe-c"]), ("short", rows["short-c"]))
     )
     bound = results.chosen("jolt_bound", "no jolts", 0.1, unit="%")
@@ -152,7 +160,9 @@ def _draw(rows: Mapping[str, Row], published: Mapping[str, Value]) -> Drawing:
     for number, (engine, label) in enumerate(ENGINES.items()):
         cells = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
         _mark(axes, cells, label, SERIES[number], **marks[engine])
-    _mark(axes, [rows[f"{variant}-c"].predicted_creep_mm_s for variant in VARIANTS], "law", INK, marker="|", markersize=15)
+    _mark(
+        axes, [rows[f"{variant}-c"].predicted_creep_mm_s for variant in VARIANTS], "law", INK, marker="|", markersize=15
+    )
     _mark(axes, [published.get(variant) for variant in VARIANTS], "published", SERIES[3], marker="D", markersize=4)
     axes.set_xscale("log")
     axes.set_yticks(range(len(VARIANTS)), map(name_of, VARIANTS))
