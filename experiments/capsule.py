@@ -17,7 +17,7 @@ VARIANTS = (
     Pinch("stiff", timeconst_s=0.004),
     Pinch("noslip", noslip_iterations=10),
     Pinch("condim-6", condim=6),
-    Pinch("short", half_length_m=0.02),
+    Pinch("within-pads", half_length_m=0.02),
 )
 CASES = [
     replace(case, name=f"{case.name}-{engine}", engine=engine)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.linting.creep import predicted_creep
+from experiments.linting.creep import impedance_at, predicted_creep
 from experiments.scenes.engines import ENGINES, Contacts, Engine
 
 MASS_KG = 0.045
@@ -26,7 +26,7 @@ SQUEEZE_M = 0.002
 GAIN_N_M = 20e3
 DAMPING_N_S_M = 100.0
 FRICTION = (0.7, 0.005, 0.0001)
-DMAX = 0.95
+SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)
 """MuJoCo's own."""
 GRAVITY_M_S2 = 9.81
 SETTLE_S = 0.5
@@ -111,17 +111,17 @@ def run(case: Pinch, seconds: float, device: str) -> Sinking:
 def columns(case: Pinch, sinking: Sinking) -> dict[str, float]:
     """Numbers of a row: how fast it sank, and how fast by R f = b v.
 
-    Once with R of the contacts that the run ends with, and once from the parameters alone, for contacts as deep as
-    solimp is wide.
+    Once with R of the contacts that the run ends with, and once from what is authored and how deep they are.
     """
     weight_n = MASS_KG * GRAVITY_M_S2
     law = 0.0 if case.noslip_iterations else sinking.contacts.creep_m_s(weight_n)
     pad, capsule = sinking.inverse_masses_1_kg
     forecast = predicted_creep(
         (case.timeconst_s, 1.0),
-        DMAX,
+        SOLIMP[1],
         load_n=weight_n / sinking.contacts.count,
         inverse_mass_1_kg=pad + capsule,
+        impedance=impedance_at(SOLIMP, sinking.contacts.depth_m),
         impratio=math.inf if case.noslip_iterations else case.impratio,
         cone=case.cone,
         mu=FRICTION[0],

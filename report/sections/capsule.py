@@ -20,7 +20,7 @@ page = "scenes"
 ENGINES = {"c": "MuJoCo C", "warp": "MuJoCo Warp", "newton": "through Newton"}
 VARIANTS = (
     *("recipe", "impratio-1", "impratio-100", "impratio-1000", "pyramidal"),
-    *("stiff", "noslip", "condim-6", "short"),
+    *("stiff", "noslip", "condim-6", "within-pads"),
 )
 PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff": 0.05, "noslip": 0.0014}
 """The first from google-deepmind/mujoco pull request 3526, which measured it again, the others from issue 3328."""
@@ -82,8 +82,8 @@ def _follows_law(results: Results, rows: Mapping[str, Row]) -> Claim:
     largest = extreme(results, "law_off", "largest of the departures from the law", max, found)
     bound = results.chosen("law_bound", "the same rate", 1.0, unit="%")
     count = results.value("law_count", "runs for which the law gives a rate", lambda *rates: len(rates), *found)
-    numbers = {"count": count, "largest": largest, "rate": rows["short-c"].steady_creep_mm_s}
-    return Claim("follows_law", at_most(largest, bound), numbers | {"law": rows["short-c"].predicted_creep_mm_s})
+    numbers = {"count": count, "largest": largest, "rate": rows["within-pads-c"].steady_creep_mm_s}
+    return Claim("follows_law", at_most(largest, bound), numbers | {"law": rows["within-pads-c"].predicted_creep_mm_s})
 
 
 def _rest_is_jolts(results: Results, rows: Mapping[str, Row]) -> Claim:
@@ -96,7 +96,7 @@ def _rest_is_jolts(results: Results, rows: Mapping[str, Row]) -> Claim:
             row.creep_mm_s,
             row.steady_creep_mm_s,
         )
-        for name, row in (("long", rows["recipe-c"]), ("short", rows["short-c"]))
+        for name, row in (("long", rows["recipe-c"]), ("within-pads", rows["within-pads-c"]))
     )
     bound = results.chosen("jolt_bound", "no jolts", 0.1, unit="%")
     outcome = all_of(greater(long, short, noise=bound), at_most(short, bound))
@@ -122,7 +122,7 @@ def _noslip_helps(results: Results, rows: Mapping[str, Row]) -> Claim:
 
 def _newton_changes_a_mass(results: Results, rows: Mapping[str, Row]) -> Claim:
     """Through Newton the steady rate is another, and so are the pads' inverse masses as the engine has them."""
-    plain, newton = rows["short-warp"], rows["short-newton"]
+    plain, newton = rows["within-pads-warp"], rows["within-pads-newton"]
     formula = "steady rate through Newton less that in MuJoCo Warp, in size, of the latter"
     moved = departure(results, "newton_change", formula, newton.steady_creep_mm_s, plain.steady_creep_mm_s)
     bound = results.chosen("newton_bound", "another rate", 1.0, unit="%")
