@@ -65,7 +65,6 @@ def _as_published(results: Results, rows: Mapping[str, Row], published: Mapping[
         "count": results.value("published_count", "rates that were published", lambda *rates: len(rates), *found),
         "recipe": rows["recipe-c"].creep_mm_s,
         "published": published["recipe"],
-        "own": found[0],
         "largest": largest,
     }
     return Claim("as_published", at_most(largest, bound), numbers)
@@ -100,8 +99,7 @@ def _rest_is_jolts(results: Results, rows: Mapping[str, Row]) -> Claim:
     )
     bound = results.chosen("jolt_bound", "no jolts", 0.1, unit="%")
     outcome = all_of(greater(long, short, noise=bound), at_most(short, bound))
-    numbers = {"long": long, "short": short, "rate": rows["recipe-c"].creep_mm_s}
-    return Claim("rest_is_jolts", outcome, numbers | {"steady": rows["recipe-c"].steady_creep_mm_s})
+    return Claim("rest_is_jolts", outcome, {"long": long, "short": short, "bound": bound})
 
 
 def _impratio_divides(results: Results, rows: Mapping[str, Row]) -> Claim:

@@ -9,7 +9,7 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import extreme
+from report.deriving.arithmetic import extreme, other_value
 from report.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from report.names import cases_html
 from report.parts import Figure, Section, Table
@@ -32,8 +32,6 @@ COLUMNS = {"turntable": ("growth_per_s", "predicted_growth_per_s"), "contacts": 
 MARKERS = ("o", "s", "^", "D", "v")
 SHAKE_S = 2.0
 """How long the slide of the shake test was watched: two periods."""
-LEAST_MM_S = 1e-4
-"""What is predicted to be slower is below what the engines in single precision resolve."""
 
 
 @dataclass(frozen=True)
@@ -51,22 +49,24 @@ class Point:
 def derive(results: Results) -> Section:
     points = [point for scene in SCENES for point in _points(results, scene)]
     there = [point for point in points if point.factor.value is not None]
+    claim = _predicted(results, there)
     figure = Figure(
         draw=lambda: _draw(there),
         sources=[point.measured for point in points],
-        numbers={"count": _count(results, there), "scenes": len({point.scene for point in there})},
+        numbers={name: claim.numbers[name] for name in ("count", "scenes", "bound")},
     )
     return Section(
         tables={"scenes": _table(results, there)},
         figures={"creep": figure},
-        claims=[_predicted(results, there)],
+        claims=[claim],
     )
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
+    resolution = other_value(results, "turntable", "resolution", unit="%/s")
     record = results if scene == "forecast" else results.others.get(scene)
     for row in record.rows if record else ():
-        found = _creep(results, scene, row)
+        found = _creep(results, scene, row, resolution)
         if found is None:
             continue
         measured, predicted = found
@@ -80,10 +80,17 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
         yield Point(scene, row.case, measured, predicted, factor)
 
 
-def _creep(results: Results, scene: str, row: Row) -> tuple[Value, Value] | None:
-    """Measured and predicted [mm/s], in size; None for a row that is about something else."""
+def _below(rate: Quantity, resolution: Quantity) -> bool:
+    """Whether a growth [1/s] is too slow for single precision, of which section turntable says what it shows [%/s]."""
+    return None not in (rate.value, resolution.value) and 100.0 * abs(rate.value) < resolution.value
+
+
+def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:
+    """Measured and predicted [mm/s], in size; None for a row that is about something else, or too slow to be seen."""
     measured_in, predicted_in = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if any(cell not in row or row[cell].value is None for cell in (measured_in, predicted_in)):
+        return None
+    if scene == "turntable" and row.backend == "warp" and _below(row[predicted_in], resolution):
         return None
     radius = (row.start_radius_mm,) if scene == "turntable" else ()
     seconds = SHAKE_S if scene == "contacts" else 1.0
@@ -99,8 +106,8 @@ def _creep(results: Results, scene: str, row: Row) -> tuple[Value, Value] | None
             unit="mm/s",
         )
 
-    measured, predicted = value("measured", row[measured_in]), value("predicted", row[predicted_in])
-    return (measured, predicted) if predicted.value and predicted.value > LEAST_MM_S else None
+    predicted = value("predicted", row[predicted_in])
+    return (value("measured", row[measured_in]), predicted) if predicted.value else None
 
 
 def _count(results: Results, points: list[Point]) -> Value:
@@ -130,8 +137,11 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     )
     least = results.chosen("least_decades", "a range to test it over", 3.0)
     outside = [point.case for point in points if point.factor.value > bound.value]
-    scenes = len({point.scene for point in points})
-    numbers = {"largest": largest, "bound": bound, "count": results.derived["point_count"], "scenes": scenes}
+    formula = "scenes that these runs are of"
+    factors = [point.factor for point in points]
+    names = {point.scene for point in points}
+    scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
+    numbers = {"largest": largest, "bound": bound, "count": _count(results, points), "scenes": scenes}
     numbers |= {"fast": fast, "slow": slow, "outside": cases_html(outside)}
     return Claim("predicted", all_of(at_most(largest, bound), at_least(decades, least)), numbers)
 

@@ -85,7 +85,13 @@ def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:
     largest = extreme(results, "coulomb_off", "largest of the departures from Coulomb's law", max, found)
     bound = results.chosen("coulomb_bound", "the same friction", 5.0, unit="%")
     elliptic = rows["elliptic-impratio-1"]
-    numbers = {"largest": largest, "factor": elliptic.least_factor, "law": elliptic.coulomb_factor}
+    factor, law = (
+        results.value(
+            name, f"{name.replace('_', ' ')} of m g / N, with an elliptic cone", lambda a: 100 * (a - 1), cell, unit="%"
+        )
+        for name, cell in (("least_excess", elliptic.least_factor), ("coulomb_excess", elliptic.coulomb_factor))
+    )
+    numbers = {"largest": largest, "factor": factor, "law": law}
     return Claim("by_coulomb", at_most(largest, bound), numbers)
 
 
