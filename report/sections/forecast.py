@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -141,7 +142,7 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     factors = [point.factor for point in points]
     names = {point.scene for point in points}
     scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
-    numbers = {"largest": largest, "bound": bound, "count": _count(results, points), "scenes": scenes}
+    numbers: dict[str, Any] = {"largest": largest, "bound": bound, "count": _count(results, points), "scenes": scenes}
     numbers |= {"fast": fast, "slow": slow, "outside": cases_html(outside)}
     return Claim("predicted", all_of(at_most(largest, bound), at_least(decades, least)), numbers)
 
@@ -185,5 +186,5 @@ def _draw(points: list[Point]) -> Drawing:
             label=label,
         )
     axes.set(xscale="log", yscale="log", xlabel="creep predicted [mm/s]", ylabel="creep measured [mm/s]")
-    drawing.legend(loc="outside upper center", ncols=2 if is_narrow() else 5)
+    drawing.legend(loc="outside upper center", ncols=2 if is_narrow() else 3)
     return drawing

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most, decided
 from report.deriving.arithmetic import departure, extreme
-from report.figures import INK, SERIES, is_narrow, new_figure
+from report.figures import INK, SERIES, is_narrow, new_figure, tick_125
 from report.names import case_html, name_of
 from report.parts import Figure, Section, Table
 from report.quantities import Value
@@ -173,7 +173,7 @@ def _draw(rows: Mapping[str, Row]) -> Drawing:
         )
     axes.axvline(1.0, color=INK, linewidth=0.8, marker="", linestyle=":")
     axes.set_xscale("log")
-    axes.set_xticks([1, 2, 5], ["1", "2", "5"])
+    tick_125(axes.xaxis)
     axes.set_yticks(range(len(SETTINGS)), map(name_of, SETTINGS))
     axes.invert_yaxis()
     axes.set_xlabel("friction, over m g / N")

@@ -192,7 +192,16 @@ def _draw(rows: Mapping[str, Row], published: Mapping[tuple[str, str], Value]) -
             text = None if named else label
             colour = SERIES[number]
             if ends:
-                axes.plot(ends, [place + shift] * 2, color=colour, linewidth=3.0, marker="|", markevery=1, label=text)
+                axes.plot(
+                    ends,
+                    [place + shift] * 2,
+                    color=colour,
+                    linestyle="-",
+                    linewidth=3.0,
+                    marker="|",
+                    markevery=1,
+                    label=text,
+                )
             if row.held_count.value:
                 axes.plot(
                     [END_S],
