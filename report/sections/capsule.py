@@ -132,8 +132,7 @@ def _newton_changes_a_mass(results: Results, rows: Mapping[str, Row]) -> Claim:
         newton.pad_inverse_mass,
     )
     least = results.chosen("mass_bound", "another inverse mass", 0.01)
-    numbers = {"rate": newton.steady_creep_mm_s, "plain": plain.steady_creep_mm_s, "moved": moved}
-    numbers |= {"inverse": newton.pad_inverse_mass, "plain_inverse": plain.pad_inverse_mass}
+    numbers = {"moved": moved, "inverse": newton.pad_inverse_mass, "plain_inverse": plain.pad_inverse_mass}
     return Claim("newton_changes_a_mass", all_of(at_least(moved, bound), at_least(lost, least)), numbers)
 
 
