@@ -8,6 +8,8 @@ from experiments.compat import warp_has_noslip
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.capsule import SECONDS, Pinch, columns, run
 
+NEEDS_GPU = False
+"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
 VARIANTS = (
     Pinch("recipe"),
     Pinch("impratio-1", impratio=1.0),

@@ -5,6 +5,8 @@ from itertools import product
 from experiments.measurement import Conditions, Measurement
 from experiments.scenes.slope import Slope, creep_mm_s
 
+NEEDS_GPU = False
+"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
 TIMECONSTS_S = (0.002, 0.02, 0.1)
 IMPRATIOS = (1.0, 10.0, 100.0)
 CASES = (

@@ -14,6 +14,8 @@ from experiments.scenes.least_friction import (
     warm_up,
 )
 
+NEEDS_GPU = False
+"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
 SETTINGS = (
     Setting("published-euler"),
     Setting("published-implicitfast", integrator="implicitfast"),

@@ -10,6 +10,8 @@ from tqdm import tqdm
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.pick import END_S, HOLD_S, OBJECTS, Held, Pick, Picked, hold, shake
 
+NEEDS_GPU = False
+"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
 SEED_COUNT = {"full": 8, "quick": 2}
 SETTINGS: dict[str, dict[str, Any]] = {
     "published": {},
