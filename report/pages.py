@@ -33,6 +33,7 @@ PAGES = (
     _page("cause", "Cause"),
     _page("fix", "Fix"),
     _page("limits", "Limits"),
+    _page("scenes", "Other grasps"),
     _page("error", "Error and run time"),
     _page("cost", "Cost and speed"),
     _page("releases", "Releases"),

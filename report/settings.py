@@ -9,7 +9,7 @@ from report import ROOT
 
 CASE = ROOT / "experiments" / "case.py"
 WORLDS = {"worlds", "world_count"}
-COUNTS = {"cycle_count", "repeat_count", "run_count", "frame_count"}
+COUNTS = {"cycle_count", "repeat_count", "run_count", "frame_count", "seed_count"}
 """How much was run."""
 TIMES = {"shake_start_s", "shake_duration_s", "cube_edge_mm", "overlap_mm", "authored", "authored_m", "authored_s"}
 """Parameters of a case in other units, and those that a person types."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from report import ReportError, UsageError
 from report.commands.building import build_site
-from report.records.devices import NO_CUDA, measuring_device
+from report.records.devices import NO_CUDA, machine_name, measuring_device
 from report.records.environment import environment_of
 from report.records.identity import sections
 from report.records.measure import kept_by, measure
@@ -64,7 +64,7 @@ def _decided(project: Project, stack: Stack, device: str | None, *, anew: bool) 
     if lacking:
         minutes = seconds_expected(side, device, lacking) / 60
         print(f"newton {side.release}: measuring {', '.join(lacking)}, about {max(minutes, 1):.0f} min", flush=True)
-        side = kept_by(side, device)
+        side = kept_by(side, machine_name(device), lacking)
         try:
             measure(side, stack, lacking, device)
         except UsageError:

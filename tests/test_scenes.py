@@ -1,0 +1,109 @@
+"""Other people's grasps: what is set up, what is measured of it, and the laws that it is held against."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments import forecast, least_friction, pick
+from experiments.scenes import capsule, panda
+from experiments.scenes.engines import InC, ThroughNewton
+from experiments.scenes.least_friction import Setting, Start, coulomb_factor, drop_m, warm_up
+from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
+from experiments.scenes.slope import creep_mm_s
+
+RECIPE = capsule.Pinch("recipe")
+
+
+def test_the_capsule_sinks_as_published():
+    sinking = capsule.run(RECIPE, 2.0, "cpu")
+    assert sinking.mean_m_s == pytest.approx(154.99e-6, rel=0.001)
+    assert sinking.contacts.normal_n == pytest.approx(12.4, abs=0.1)
+    assert sinking.contacts.count == 4
+
+
+@pytest.mark.parametrize("changes", [{}, {"impratio": 100.0}, {"cone": "pyramidal", "impratio": 1.0}])
+def test_a_capsule_within_the_pads_sinks_by_the_law_alone(changes):
+    case = replace(RECIPE, half_length_m=0.02, **changes)
+    row = capsule.columns(case, capsule.run(case, 0.2, "cpu"))
+    assert row["creep_mm_s"] == pytest.approx(row["predicted_creep_mm_s"], rel=1e-3)
+    assert row["creep_mm_s"] == pytest.approx(row["forecast_creep_mm_s"], rel=1e-3)
+
+
+def test_newton_sets_the_capsule_up_as_it_is_authored_but_for_the_pads_inverse_mass():
+    plain, newton = InC(RECIPE.mjcf()).model, ThroughNewton(RECIPE.mjcf()).model
+    for name in ("geom_solref", "geom_solimp", "geom_friction", "actuator_gainprm", "dof_damping", "body_mass"):
+        assert getattr(newton, name) == pytest.approx(getattr(plain, name), rel=1e-5), name
+    assert newton.opt.impratio == pytest.approx(plain.opt.impratio)
+    assert plain.body_invweight0[1, 0] == pytest.approx(1.0 / capsule.PAD_MASS_KG)
+    assert newton.body_invweight0[1, 0] == pytest.approx(1.0 / capsule.PAD_MASS_KG / 3.0)
+
+
+def test_the_box_creeps_down_the_slope_as_predicted():
+    for case in forecast.CASES[::4]:
+        measured, predicted = creep_mm_s(case)
+        assert measured == pytest.approx(predicted, rel=0.01), case.name
+
+
+def test_the_panda_goes_where_it_is_told():
+    assert panda.command(0.0) == pytest.approx([*panda.READY, panda.OPEN_M])
+    assert panda.command(2.0) == pytest.approx([*panda.AT_OBJECT, panda.OPEN_M])
+    assert panda.command(3.0) == pytest.approx([*panda.AT_OBJECT, 0.0])
+    assert panda.command(9.0) == pytest.approx([*panda.LIFTED, 0.0])
+    engine = InC(panda.mjcf(OBJECTS["cube"], ""))
+    [world] = engine.worlds
+    world.qpos[:7] = panda.AT_OBJECT
+    engine.command(panda.command(2.0)[None])
+    engine.advance()
+    # With the fingers open around the cube, which lies on the floor.
+    assert world.body("hand").xpos == pytest.approx([0.65, 0.0, 0.11], abs=0.02)
+
+
+def test_the_ball_is_dropped_as_published_and_held_with_an_elliptic_cone():
+    published = shake(Pick("", object="ball"), [0], 7.0, "cpu")
+    assert published.lifted.all() and published.drop_s == pytest.approx([6.022], abs=0.2)
+    elliptic = shake(Pick("", object="ball", cone="elliptic", impratio=10.0), [0], 7.0, "cpu")
+    assert np.isnan(elliptic.drop_s).all()
+
+
+def test_a_ball_held_still_creeps_as_predicted():
+    held = hold(Pick("", object="ball"))
+    assert held.creep_m_s == pytest.approx(held.forecast_m_s, rel=0.05)
+    assert 0.0 < held.margin_m < 2.0 * panda.PAD_HALF_SIZE_M[2]
+
+
+def test_shakes_are_counted():
+    row = pick.shake_columns(Picked(np.array([True, True, False]), np.array([5.0, np.nan, 4.0])))
+    assert (row["seed_count"], row["lifted_count"], row["held_count"]) == (3, 2, 1)
+    assert (row["first_drop_s"], row["median_drop_s"], row["last_drop_s"]) == (4.0, 4.5, 5.0)
+    row = pick.shake_columns(Picked(np.array([True]), np.array([np.nan])))
+    assert row["median_drop_s"] is None and row["median_drop_s_reason"]
+
+
+def test_every_grasp_is_a_case_of_its_own():
+    cases = pick.cases()
+    assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)
+
+
+def held_beside(offset_m: float) -> Start:
+    """A cube between two fingers along y, each with a contact 1 cm to either side of a point beside its centre."""
+    places = [[offset_m + x, y, 0.0] for y in (-0.02, 0.02) for x in (-0.01, 0.01)]
+    frame = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]
+    return Start(None, np.zeros(0), 4.0, 1.0, 0.0, np.ones(4), np.array(places), np.array([frame] * 4))
+
+
+def test_coulombs_law_for_a_cube_held_beside_its_centre():
+    # The nearer contact of a finger carries (a + e) / 2a of its load.
+    assert coulomb_factor(held_beside(0.0), "elliptic") == pytest.approx(1.0)
+    assert coulomb_factor(held_beside(0.004), "pyramidal") == pytest.approx(1.4)
+
+
+def test_less_friction_than_coulomb_asks_for_drops_the_cube_and_more_holds_it():
+    start = warm_up(Setting("", "elliptic", 1.0, "implicitfast"))
+    least = coulomb_factor(start, "elliptic")
+    assert start.force_n == pytest.approx(6.96, abs=0.05)
+    assert drop_m(start, 0.9 * least, 1.0) > 0.005
+    assert drop_m(start, 1.1 * least, 1.0) < 0.001
+    assert least_friction.found(None)["least_factor"] is None
+    assert math.isclose(least_friction.found(1.2)["least_factor"], 1.2)
