@@ -12,16 +12,35 @@ from matplotlib.axis import Axis
 from matplotlib.text import Text
 
 
+def _place(axis: Axis) -> tuple:
+    return *axis.get_view_interval(), *axis.axes.bbox.bounds
+
+
+def _look(text: Text) -> tuple:
+    """All of it that may change while it is drawn."""
+    words = object() if text.get_wrap() else text.get_text()  # where lines end may depend on anything
+    font, turn = hash(text.get_fontproperties()), text.get_rotation()
+    return words, font, turn, text.get_horizontalalignment(), text.get_verticalalignment()
+
+
+ASKED: tuple[tuple[type, str, Callable[[Any], tuple]], ...] = (
+    (Axis, "_update_ticks", _place),
+    (Text, "_get_layout", _look),
+)
+"""What is asked many times, by class and method, and what the answer depends on."""
+
+
 @contextmanager
 def laid_out_once() -> Iterator[None]:
     """Within it a figure that is drawn keeps ticks and sizes of texts; what it draws is the same."""
-    ticks, layout = Axis._update_ticks, Text._get_layout
-    Axis._update_ticks = _kept(ticks, _place)
-    Text._get_layout = _kept(layout, _look)
+    methods = [getattr(owner, name) for owner, name, _ in ASKED]
+    for (owner, name, state), method in zip(ASKED, methods, strict=True):
+        setattr(owner, name, _kept(method, state))
     try:
         yield
     finally:
-        Axis._update_ticks, Text._get_layout = ticks, layout
+        for (owner, name, _), method in zip(ASKED, methods, strict=True):
+            setattr(owner, name, method)
 
 
 def _kept(method: Callable[..., Any], state: Callable[[Any], tuple]) -> Callable[..., Any]:
@@ -37,13 +56,3 @@ def _kept(method: Callable[..., Any], state: Callable[[Any], tuple]) -> Callable
         return found
 
     return answer
-
-
-def _place(axis: Axis) -> tuple:
-    return *axis.get_view_interval(), *axis.axes.bbox.bounds
-
-
-def _look(text: Text) -> tuple:
-    """All of it that may change while it is drawn."""
-    font, turn = hash(text.get_fontproperties()), text.get_rotation()
-    return text._get_wrapped_text(), font, turn, text.get_horizontalalignment(), text.get_verticalalignment()
