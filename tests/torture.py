@@ -35,7 +35,7 @@ from report.records.identity import files_digest  # noqa: E402
 from report.records.reading import load_record  # noqa: E402
 
 KEPT = "torture"
-"""What was tried so far is kept as this."""
+"""What was tried so far is kept as this, each trial by itself, so that several processes can try at once."""
 REPORT = ROOT / "docs" / "reliability.md"
 FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
 RELEASE = "1.5.0"
@@ -73,6 +73,8 @@ class Trial:
     wrong: list[str] = field(default_factory=list)
     of: int = 0
     """How often it is to be tried, where that is known before."""
+    seconds: float = 0.0
+    """How long that took."""
     is_whole: bool = True
     """Whether nothing is left to try."""
 
@@ -516,27 +518,25 @@ def main() -> int:
     arguments = parser.parse_args()
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what is started is started a thousand times
     key = commit()
-    kept = None if arguments.again else Cache(ROOT).get(KEPT, key)
-    found, before = kept or ({}, 0.0)
-    start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
         world = World.made(Path(folder).resolve() / "project")
         for name in arguments.only:
-            if name not in found or not (found[name].is_whole or name in COUNTED):
-                found[name] = Trial(name)
-            elif found[name].is_whole and (name not in COUNTED or found[name].tried >= arguments.moments):
+            trial = None if arguments.again else _kept(key, name)
+            if not trial or not (trial.is_whole or name in COUNTED):
+                trial = Trial(name)
+            elif trial.is_whole and (name not in COUNTED or trial.tried >= arguments.moments):
                 continue
-            trial = found[name]
             trial.is_whole, trial.of = False, arguments.moments if name in COUNTED else 0
+            start = time.monotonic() - trial.seconds
             for _ in TRIALS[name](world, trial, arguments.moments):
-                _keep(key, found, before + time.monotonic() - start)
+                _keep(key, name, trial, start)
             trial.is_whole = True
-            _keep(key, found, before + time.monotonic() - start)
+            _keep(key, name, trial, start)
             print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
             for wrong in trial.wrong:
                 print(f"      {wrong}", flush=True)
     print(f"wrote {REPORT.relative_to(ROOT)}")
-    return int(any(trial.wrong for trial in found.values()))
+    return int(any(trial.wrong for name in TRIALS if (trial := _kept(key, name))))
 
 
 def commit() -> str:
@@ -550,14 +550,23 @@ def _git(*arguments: str) -> str:
     return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
 
 
-def _keep(key: str, found: dict[str, Trial], seconds: float) -> None:
-    """Keep what was tried so far, and say so on the page."""
-    Cache(ROOT).put(KEPT, key, (found, seconds))
-    ordered = [found.get(name, Trial(f"{name}: not tried yet")) for name in TRIALS]
-    REPORT.write_text(_report(key, ordered, seconds), encoding="utf-8")
+def _kept(key: str, name: str) -> Trial | None:
+    return Cache(ROOT).get(f"{KEPT}.{name}", key)
 
 
-def _report(key: str, trials: list[Trial], seconds: float) -> str:
+def _keep(key: str, name: str, trial: Trial, start: float) -> None:
+    """Keep how far a trial is, and say on the page how far all are."""
+    trial.seconds = time.monotonic() - start
+    Cache(ROOT).put(f"{KEPT}.{name}", key, trial)
+    write_report(key)
+
+
+def write_report(key: str) -> None:
+    trials = [_kept(key, name) or Trial(f"{name}: not tried yet") for name in TRIALS]
+    REPORT.write_text(_report(key, trials), encoding="utf-8")
+
+
+def _report(key: str, trials: list[Trial]) -> str:
     head = [
         "# Reliability",
         "",
@@ -565,7 +574,7 @@ def _report(key: str, trials: list[Trial], seconds: float) -> str:
         "",
         f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {key}, "
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
-        f"{seconds / 60:.0f} min.",
+        f"{sum(trial.seconds for trial in trials) / 60:.0f} min.",
         "",
         "| tried | times | wrong |",
         "|---|---|---|",
