@@ -94,9 +94,7 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
             "has_noise": bool(noise and noise.value),
             "runs": str(sum(len(line.rows) for line in lines)),
             "sections": str(len(lines)),
-            "idle": "; ".join(
-                f"{section_name(line.section)}: {line.effect(noise)}" for line in lines if line.does_little
-            ),
+            "idle": ", ".join(section_name(line.section) for line in lines if line.does_little),
             "moving": ", ".join(section_name(line.section) for line in lines if line.farthest),
         },
     )
