@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import accumulate, groupby
 from typing import Any
 
@@ -73,7 +74,7 @@ class Claim:
     says_missing: bool = False
     """Whether its words say what is missing, so that they can stand with a number that is not there."""
 
-    @property
+    @cached_property
     def sentence(self) -> Markup:
         """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why."""
         if self.outcome.is_opposite and (opposite := self.said("opposite")):

@@ -12,6 +12,7 @@ from typing import Any
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
@@ -27,9 +28,11 @@ from matplotlib.ticker import (
     MaxNLocator,
     NullFormatter,
     NullLocator,
+    ScalarFormatter,
 )
 
 from report.format import format_number, format_power, format_short, format_tick, whole
+from report.layout import laid_out_once
 from report.quantities import Quantity
 
 INK = "#1b1f24"
@@ -226,7 +229,9 @@ class _NarrowDrawing(Drawing):
 def _fit_narrow(drawing: Drawing) -> None:
     """Texts neither too small to be read nor too long to leave room for what is drawn."""
     for axes in drawing.axes:
-        names = [label.get_text() for label in axes.get_yticklabels()]
+        # To ask for labels lays the axis out, which takes long; those of numbers are never long.
+        is_named = not isinstance(axes.yaxis.get_major_formatter(), ScalarFormatter)
+        names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
         is_long = any(len(name) > LONGEST_NAME for name in names)
         if is_long:
             axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
@@ -238,8 +243,17 @@ def _fit_narrow(drawing: Drawing) -> None:
             label.set(text=fold(label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
         drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
-    for text in drawing.findobj(Text):
+    for text in _texts(drawing):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
+
+
+def _texts(artist: Artist) -> Iterator[Text]:
+    """All texts but those of axes, whose size is set, and which would have to be laid out to be found."""
+    for part in artist.get_children():
+        if isinstance(part, Text):
+            yield part
+        elif not isinstance(part, Axis):
+            yield from _texts(part)
 
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
@@ -267,7 +281,8 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
             _label_plainly(axes.yaxis)
         if is_narrow():
             _fit_narrow(drawing)
-        FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
+        with laid_out_once():
+            FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
     svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), told))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():

@@ -175,9 +175,13 @@ class Section:
 
     def settled(self, pictures: Mapping[str, Pictures | None]) -> "Section":
         """The same as it is kept once its figures are drawn, by their names."""
-        tables = {name: thing.settled() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
         figures = {name: figure.settled(pictures[name]) for name, figure in self.figures.items()}
-        return replace(self, tables=tables, figures=figures)
+        return replace(self.tabled(), figures=figures)
+
+    def tabled(self) -> "Section":
+        """The same with its tables as HTML, of which each is made once."""
+        tables = {name: thing.settled() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
+        return replace(self, tables=tables)
 
     def worded(
         self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None

@@ -4,7 +4,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from report.format import format_code, format_most, format_number, unit_label
 from report.records.record import Origin
@@ -72,8 +72,9 @@ class Quantity:
         attributes |= dict(more)
         if self._hint:
             attributes["title"] = self._hint
-        written = Markup("").join(Markup(' {}="{}"').format(*pair) for pair in attributes.items())
-        return Markup("<data{}>{}</data>").format(written, text)
+        # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
+        written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
+        return Markup(f"<data{written}>{escape(text)}</data>")
 
     @property
     def _hint(self) -> str:

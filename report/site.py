@@ -26,7 +26,7 @@ from report.placing import aside, replace
 from report.quantities import VALUES_FILE, local
 from report.records.cache import Cache
 from report.records.files import locked
-from report.records.identity import files_digest, package_versions, sources_kept
+from report.records.identity import files_digest, package_versions, sources_kept, unchanged_files
 from report.records.project import INPUTS, Project
 from report.records.status import State, newton_now
 from report.records.traces import BYTE_LIMIT, traces_of
@@ -111,7 +111,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         digest = _digest(project, address)
         if kept := cache.get(BUILT, (digest, _site_digest(project.site))):
             return kept
-        with sources_kept(project.root):
+        with sources_kept(project.root), unchanged_files():
             keeper, templates = Keeper(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, keeper)
             _write_site(fresh, project, editions, templates, address, keeper)

@@ -65,12 +65,12 @@ class _Column:
         """What is missing behind the number for its point to stand below the others."""
         count = _place_count(value)
         missing = (self._places - count) * FIGURE_SPACE
-        if not missing or "×" in value.bare:
+        if not missing or "×" in value.written:
             return Markup("")
         return Markup(' data-pad="{}"').format(missing if count else POINT_SPACE + missing)
 
 
 def _place_count(number: Quantity) -> int:
     """Digits behind the point as it is written."""
-    found = FRACTION.search(number.bare.striptags())
+    found = FRACTION.search(number.written if number.source else "")
     return len(found[1]) if found else 0

@@ -1,10 +1,12 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
 import importlib
+import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,8 +15,11 @@ from hypothesis import settings
 
 import report.sections
 from report import ROOT
+from report.editions import Edition, editions_of
+from report.page import Templates
+from report.records.files import locked
 from report.records.identity import identity_of, package_versions
-from report.records.project import Project
+from report.records.project import Project, own_release
 from report.records.record import Record, units_of, write_record
 from report.records.status import state_of
 from report.records.traces import packed
@@ -199,15 +204,38 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     forget_sections()
 
 
+def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]) -> Path:
+    """The folder ``name`` that ``make`` fills, for all processes of this run of the tests together."""
+    own = factory.getbasetemp()
+    base = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    (base / f"{name}.lock").mkdir(exist_ok=True)
+    with locked(base / f"{name}.lock"):
+        if not (base / name).exists():
+            part = Path(tempfile.mkdtemp(dir=base))
+            make(part)
+            part.rename(base / name)
+    return base / name
+
+
 @pytest.fixture(scope="session")
 def tracked_site(tmp_path_factory) -> Path:
     """The site of what is tracked, apart from the checkout's own; what builds it must not import the simulator."""
-    root = tmp_path_factory.mktemp("tracked")
-    for name in ("experiments", "report", "templates", "assets", "results", "pyproject.toml"):
-        (root / name).symlink_to(ROOT / name)
-    done = subprocess.run([sys.executable, "-c", REPORT, root], cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return root / "site"
+
+    def make(root: Path) -> None:
+        for name in ("experiments", "report", "templates", "assets", "results", "pyproject.toml"):
+            (root / name).symlink_to(ROOT / name)
+        command = [sys.executable, "-c", REPORT, root]
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+    return made_once(tmp_path_factory, "tracked", make) / "site"
+
+
+@pytest.fixture(scope="session")
+def editions() -> Mapping[str, Edition]:
+    """What the tracked results of every release make."""
+    project = Project(own_release())
+    return editions_of(project, Templates(project.templates))
 
 
 @pytest.fixture(scope="session")
@@ -216,15 +244,19 @@ def poses_path(tmp_path_factory) -> Path:
     from experiments.measurement import Conditions
     from experiments.poses import measure
 
-    measurement = measure(Conditions(device="cpu", quick=True))
-    path = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}/poses.json"
-    record = Record(
-        section="poses",
-        identity=identity_of("poses", "quick"),
-        machine={"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
-        measured={"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
-        units=units_of(measurement.rows),
-        rows=measurement.rows,
-    )
-    write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
-    return path
+    def make(folder: Path) -> None:
+        measurement = measure(Conditions(device="cpu", quick=True))
+        record = Record(
+            section="poses",
+            identity=identity_of("poses", "quick"),
+            machine={"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
+            measured={"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
+            units=units_of(measurement.rows),
+            rows=measurement.rows,
+        )
+        path = folder / "poses.json"
+        write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
+
+    results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
+    shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
+    return results / "poses.json"

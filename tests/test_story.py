@@ -11,10 +11,8 @@ from experiments.task import FRAME_RATE
 from report import ROOT
 from report.check import check_site
 from report.claims import FAILS, HOLDS, Outcome
-from report.editions import editions_of
 from report.page import Templates
 from report.pages import FRONT
-from report.records.project import Project, own_release
 from report.sections.reproduction import SCENE
 from report.story.found import Found
 from report.story.front import front_of
@@ -30,11 +28,6 @@ NUMBER = re.compile(r"(?<![\w.])\d")
 @pytest.fixture(scope="module")
 def templates():
     return Templates(ROOT / "templates")
-
-
-@pytest.fixture(scope="module")
-def editions(templates):
-    return editions_of(Project(own_release()), templates)
 
 
 def front_text(edition, templates):

@@ -5,9 +5,8 @@ from dataclasses import replace
 import pytest
 
 from report import ReportError
-from report.editions import Edition, derive_edition
-from report.page import Templates
-from report.records.project import Project, own_release
+from report.editions import Edition
+from report.records.project import own_release
 from report.verdict import compared, text_of
 
 SHIPPED, STIFF = 6.361221372938125, 0.3135540111002037
@@ -17,9 +16,8 @@ CPU = {"device": "cpu", "gpu": None, "cpu": "A processor"}
 
 
 @pytest.fixture(scope="module")
-def edition() -> Edition:
-    project = Project(own_release())
-    return derive_edition(project, Templates(project.templates))
+def edition(editions) -> Edition:
+    return editions[own_release()]
 
 
 def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:

@@ -36,11 +36,12 @@ from report.records.identity import files_digest  # noqa: E402
 from report.records.reading import load_record  # noqa: E402
 
 KEPT = "torture"
-"""What was tried so far is kept as this."""
+"""What was tried so far is kept as this, each trial by itself, so that several processes can try at once."""
 REPORT = ROOT / "docs" / "reliability.md"
 FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
 RELEASE = "1.5.0"
-"""The release with the fewest records: its page is built in seconds."""
+SECTIONS = ("noise", "reproduction", "gap")
+"""Its records that the copy has: of each kind of thing that a page shows there is one, and it is built in seconds."""
 PROBE = {
     "experiments/probe.py": """import time
 from experiments.measurement import Conditions, Measurement
@@ -71,6 +72,10 @@ class Trial:
     name: str
     tried: int = 0
     wrong: list[str] = field(default_factory=list)
+    of: int = 0
+    """How often it is to be tried, where that is known before."""
+    seconds: float = 0.0
+    """How long that took."""
     is_whole: bool = True
     """Whether nothing is left to try."""
 
@@ -94,7 +99,11 @@ class World:
         for path in ROOT.glob("[!.]*"):
             if path.is_file():
                 shutil.copy(path, root / path.name)
-        shutil.copytree(ROOT / "results" / f"newton-{RELEASE}", root / "results" / f"newton-{RELEASE}")
+        results = f"results/newton-{RELEASE}"
+        (root / results).mkdir(parents=True)
+        for path in (ROOT / results).iterdir():
+            if path.suffix == ".toml" or path.name.partition(".")[0] in SECTIONS:
+                shutil.copy(path, root / results)
         (root / "site").mkdir()
         for name, text in PROBE.items():
             (root / name).write_text(text.replace("\\n", "\n"), encoding="utf-8")
@@ -165,21 +174,25 @@ def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], af
     place = world.root.parent / "www"
     name = arguments[0]
     world.run(*PAGE)
-    start = time.monotonic()
-    world.run(*_from_nothing(world, arguments))
-    took = time.monotonic() - start
-    world.run(*PAGE)
-    whole = world.site()
+    whole, took = world.site(), 0.0
     for number in range(trial.tried, moments):
+        if number % 10 == 0 or not took:  # how long it takes depends on what else this machine does
+            start = time.monotonic()
+            world.run(*_begun(world, arguments))
+            took = time.monotonic() - start
+            world.run(*after)
         sent, group = WAYS[number % len(WAYS)]
-        moment = took * (number + 0.5) / moments
-        running = world.start(*_from_nothing(world, arguments))
-        time.sleep(moment)
+        share = (number + 0.5) / moments
+        running = world.start(*_begun(world, arguments))
+        while (ended := waited(running, took * share)) is not None:
+            took = ended  # it is through before its moment came: nothing was hit
+            running.communicate()
+            running = world.start(*_begun(world, arguments))
         stopped = time.monotonic()
         os.killpg(running.pid, sent) if group else running.send_signal(sent)
         said = running.communicate()[1]
         slow = time.monotonic() - stopped
-        what = f"{name} {sent.name} at {moment:.1f} s{' (group)' if group else ''}"
+        what = f"{name} {sent.name} after {share:.0%} of it{' (group)' if group else ''}"
         found = ["traceback"] if "Traceback" in said else []
         found += [f"Ctrl-C took {slow:.1f} s"] if sent == signal.SIGINT and slow > 2.0 else []
         found += [f"half: {problem}" for problem in world.problems()] if name != "rerun" else []
@@ -195,6 +208,21 @@ def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], af
 
 WAYS = tuple(itertools.product((signal.SIGKILL, signal.SIGTERM, signal.SIGINT), (True, False)))
 """How a process is ended, and whether all that it started is as well."""
+
+
+def waited(running: subprocess.Popen, seconds: float) -> float | None:
+    """Wait as long as that; the seconds that it took if it is through before, and None while it runs."""
+    start = time.monotonic()
+    try:
+        running.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return None
+    return time.monotonic() - start
+
+
+def _begun(world: World, arguments: Sequence[str]) -> Sequence[str]:
+    """The command; a page has nothing kept of what was made before."""
+    return _from_nothing(world, arguments) if arguments == PAGE else arguments
 
 
 def _from_nothing(world: World, arguments: Sequence[str]) -> Sequence[str]:
@@ -434,38 +462,51 @@ def setups(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     place = World(world.root.parent / "setup")
     shutil.copytree(world.root, place.root)
     command = ["make", "--silent", "status"]
-    start = time.monotonic()
-    subprocess.run(command, cwd=place.root, check=True, capture_output=True)
-    took = time.monotonic() - start
+
+    def begun() -> subprocess.Popen:
+        remove(place.root / ".venv")
+        nowhere = subprocess.DEVNULL
+        return subprocess.Popen(command, cwd=place.root, start_new_session=True, stdout=nowhere, stderr=nowhere)
+
+    took = waited(begun(), 600.0)
+    whole = installed(place.root)
+    imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
+    subprocess.run(imported, check=True, cwd=place.root, capture_output=True)
     for number in range(trial.tried, moments):
         sent = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[number % 3]
-        shutil.rmtree(place.root / ".venv")
-        running = subprocess.Popen(
-            command, cwd=place.root, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
-        time.sleep(took * (number + 0.5) / moments)
+        share = (number + 0.5) / moments
+        running = begun()
+        while (ended := waited(running, took * share)) is not None:
+            took, running = ended, begun()
         os.killpg(running.pid, sent)
         running.wait()
         done = subprocess.run(command, cwd=place.root, check=False, capture_output=True, text=True)
         left = [path.name for path in place.root.glob(".venv.*")]
-        imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
-        works = subprocess.run(imported, check=False, cwd=place.root).returncode == 0
-        trial(sent.name, done.stderr[-200:] if done.returncode else "", *left, "" if works else "ImportError")
+        lacking = whole.items() - installed(place.root).items()
+        lacks = f"{len(lacking)} files are missing or others: {min(lacking)[0]}" if lacking else ""
+        trial(f"{sent.name} after {share:.0%} of it", done.stderr[-200:] if done.returncode else "", *left, lacks)
         yield trial
 
 
+def installed(root: Path) -> dict[str, int]:
+    """Sizes of the files of the environment, but for what Python writes when it runs."""
+    folder = root / ".venv"
+    paths = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+    return {str(path.relative_to(folder)): path.stat().st_size for path in paths}
+
+
 TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
-    "page": page_kills,
-    "rerun": rerun_kills,
+    "damages": damages,
     "publish": publish_kills,
+    "page": page_kills,
+    "setups": setups,
+    "rerun": rerun_kills,
     "writers": writers,
     "disks": disks,
-    "inputs": inputs,
-    "damages": damages,
     "shown": shown_damages,
     "places": places,
-    "setups": setups,
     "studies": studies,
+    "inputs": inputs,
 }
 """Each goes on where a trial is, and yields it whenever it got farther."""
 COUNTED = {"page", "rerun", "publish", "setups", "studies"}
@@ -478,28 +519,27 @@ def main() -> int:
     parser.add_argument("--only", nargs="*", choices=TRIALS, default=list(TRIALS), help="trials to run")
     parser.add_argument("--again", action="store_true", help="forget what was tried of this commit before")
     arguments = parser.parse_args()
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what is started is started a thousand times
     key = commit()
-    kept = None if arguments.again else Cache(ROOT).get(KEPT, key)
-    found, before = kept or ({}, 0.0)
-    start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
         world = World.made(Path(folder).resolve() / "project")
         for name in arguments.only:
-            if name not in found or not (found[name].is_whole or name in COUNTED):
-                found[name] = Trial(name)
-            elif found[name].is_whole and (name not in COUNTED or found[name].tried >= arguments.moments):
+            trial = None if arguments.again else _kept(key, name)
+            if not trial or not (trial.is_whole or name in COUNTED):
+                trial = Trial(name)
+            elif trial.is_whole and (name not in COUNTED or trial.tried >= arguments.moments):
                 continue
-            trial = found[name]
-            trial.is_whole = False
+            trial.is_whole, trial.of = False, arguments.moments if name in COUNTED else 0
+            start = time.monotonic() - trial.seconds
             for _ in TRIALS[name](world, trial, arguments.moments):
-                _keep(key, found, before + time.monotonic() - start)
+                _keep(key, name, trial, start)
             trial.is_whole = True
-            _keep(key, found, before + time.monotonic() - start)
+            _keep(key, name, trial, start)
             print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
             for wrong in trial.wrong:
                 print(f"      {wrong}", flush=True)
     print(f"wrote {REPORT.relative_to(ROOT)}")
-    return int(any(trial.wrong for trial in found.values()))
+    return int(any(trial.wrong for name in TRIALS if (trial := _kept(key, name))))
 
 
 def commit() -> str:
@@ -513,14 +553,23 @@ def _git(*arguments: str) -> str:
     return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
 
 
-def _keep(key: str, found: dict[str, Trial], seconds: float) -> None:
-    """Keep what was tried so far, and say so on the page."""
-    Cache(ROOT).put(KEPT, key, (found, seconds))
-    ordered = [found[name] for name in TRIALS if name in found]
-    REPORT.write_text(_report(key, ordered, seconds), encoding="utf-8")
+def _kept(key: str, name: str) -> Trial | None:
+    return Cache(ROOT).get(f"{KEPT}.{name}", key)
 
 
-def _report(key: str, trials: list[Trial], seconds: float) -> str:
+def _keep(key: str, name: str, trial: Trial, start: float) -> None:
+    """Keep how far a trial is, and say on the page how far all are."""
+    trial.seconds = time.monotonic() - start
+    Cache(ROOT).put(f"{KEPT}.{name}", key, trial)
+    write_report(key)
+
+
+def write_report(key: str) -> None:
+    trials = [_kept(key, name) or Trial(f"{name}: not tried yet") for name in TRIALS]
+    REPORT.write_text(_report(key, trials), encoding="utf-8")
+
+
+def _report(key: str, trials: list[Trial]) -> str:
     head = [
         "# Reliability",
         "",
@@ -528,13 +577,14 @@ def _report(key: str, trials: list[Trial], seconds: float) -> str:
         "",
         f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {key}, "
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
-        f"{seconds / 60:.0f} min.",
+        f"{sum(trial.seconds for trial in trials) / 60:.0f} min.",
         "",
         "| tried | times | wrong |",
         "|---|---|---|",
     ]
     rows = [
-        f"| {trial.name}{'' if trial.is_whole else '; not yet through'} | {trial.tried} | {len(trial.wrong)} |"
+        f"| {trial.name}{'' if trial.is_whole else '; not yet through'} | {trial.tried}"
+        f"{f' of {trial.of}' if trial.of else ''} | {len(trial.wrong)} |"
         for trial in trials
     ]
     wrong = [f"- {problem}" for trial in trials for problem in trial.wrong]

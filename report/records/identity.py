@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from importlib import metadata
 from itertools import accumulate
@@ -53,6 +54,39 @@ _known: dict[str, Source] = {}
 """By the digest of their names and texts: every section imports the same few modules."""
 SOURCES = "sources"
 """Their name in the cache."""
+
+
+class _Files:
+    """Sources and what they import, each looked at once."""
+
+    def __init__(self) -> None:
+        self._sources: dict[str, Source] = {}
+        self._imported: dict[tuple[str, str], list[str]] = {}
+        self._folders: dict[str, set[str]] = {}
+
+    def source(self, path: str, name: str) -> Source:
+        if path not in self._sources:
+            self._sources[path] = read_source(Path(path), name)
+        return self._sources[path]
+
+    def imported(self, path: str, root: str) -> list[str]:
+        """The files below ``root`` that the source at ``path``, which was looked at, may import."""
+        if (path, root) not in self._imported:
+            self._imported[path, root] = [*_module_files(self._sources[path].imports, root, self._folders)]
+        return self._imported[path, root]
+
+
+_files: ContextVar[_Files | None] = ContextVar("files", default=None)
+
+
+@contextmanager
+def unchanged_files() -> Iterator[None]:
+    """Within it no source changes: of one that many sections import it is seen once what it says."""
+    token = _files.set(_Files())
+    try:
+        yield
+    finally:
+        _files.reset(token)
 
 
 @contextmanager
@@ -153,15 +187,15 @@ def _is_docstring(node: Any) -> bool:
 def import_closure(start: Path, *roots: Path) -> dict[str, Source]:
     """What the module at ``start`` and the modules below ``roots`` that it imports say, by their names."""
     sources: dict[str, Source] = {}
-    folders: dict[str, set[str]] = {}
+    files = _files.get() or _Files()
     waiting = [(str(start), str(roots[0]))]
     while waiting:
         path, root = waiting.pop()
         name = path[len(root) + 1 :]
         if name not in sources:
-            sources[name] = read_source(Path(path), name)
+            sources[name] = files.source(path, name)
             for each in map(str, roots):
-                waiting += [(file, each) for file in _module_files(sources[name].imports, each, folders)]
+                waiting += [(file, each) for file in files.imported(path, each)]
     return sources
 
 

@@ -35,26 +35,38 @@ class State:
 
 def states_of(project: Project) -> list[State]:
     """The state of every section of one release."""
-    packages = expected_packages(project)
-    return [state_of(project, section, packages) for section in sections(project.root)]
+    states = [_kept(project, section) for section in sections(project.root)]
+    packages = expected_packages(project, [state.record for state in states if state.record])
+    return [_judged(project, state, packages) for state in states]
 
 
-def state_of(project: Project, section: str, packages: Mapping[str, str] | None = None) -> State:
-    """The state of one section; ``packages`` is what it should have been measured with."""
+def state_of(project: Project, section: str) -> State:
+    """The state of one section."""
+    return _judged(project, _kept(project, section), expected_packages(project))
+
+
+def _kept(project: Project, section: str) -> State:
+    """What there is of a section, not yet judged."""
     path = project.record_path(section)
     if not os.path.lexists(path):
         return State(section, "missing")
     try:
-        record = load_record(path)
+        return State(section, "fresh", load_record(path))
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
-    current = identity_of(section, project.profile, project.root, packages or expected_packages(project))
-    changed = changes(record.identity, current)
-    return State(section, "stale" if changed else "fresh", record, tuple(changed))
 
 
-def expected_packages(project: Project) -> Mapping[str, str]:
-    """The package versions that the records of an edition should have been measured with.
+def _judged(project: Project, state: State, packages: Mapping[str, str]) -> State:
+    """The same, stale where its record was not measured by what there is now, with ``packages``."""
+    if not state.record:
+        return state
+    changed = changes(state.record.identity, identity_of(state.section, project.profile, project.root, packages))
+    return replace(state, kind="stale", notes=tuple(changed)) if changed else state
+
+
+def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
+    """The package versions that the records of an edition should have been measured with; ``records`` are those that
+    were read already.
 
     Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
     its newest record says which versions of the other packages belong to it, so that a section measured with others
@@ -64,7 +76,7 @@ def expected_packages(project: Project) -> Mapping[str, str]:
     pins = dict(label.pins)
     if installed["newton"] == label.newton and pins.items() <= installed.items():
         return installed
-    kept = [*records_of(project)] or [*records_of(project.of(str(replace(label, machine=""))))]
+    kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(label, machine=""))))]
     newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
     return {**others, **pins, "newton": newton_now(project)}
