@@ -220,6 +220,7 @@ SECTIONS = {
     "noslip": "noslip",
     "hold": "arm held still",
     "stiffness": "pads' ke and kd",
+    "drift_law": "law of the drift",
     "priority": "whose material counts",
     "gap": "contact gap",
     "envelope": "harder shakes",

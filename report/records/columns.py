@@ -42,7 +42,7 @@ MAGNITUDE = re.compile(
 )
 """Columns of other units whose numbers have no sign either: a slip is a distance."""
 SIGNED = re.compile(r"increment_.*|(used|authored)_.*|(.*_)?growth_per_s")
-"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, and a growth."""
+"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, a growth."""
 
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
