@@ -23,7 +23,7 @@ TABLE_INERTIA = 1000.0
 """Of the table [kg m²], which keeps turning whatever the box does."""
 HALF_EDGE_M, FOOT_M = 0.05, 0.01
 FEET = [(x, y, -0.04) for x in (0.04, -0.04) for y in (0.04, -0.04)]
-NUMBERS = ("growth_per_s", "end_radius_mm", "end_height_mm", "end_turn_rad_s")
+NUMBERS = ("growth_per_s", "end_radius_mm", "end_height_mm", "end_turn_mrad_s")
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ def run_columns(solver: Solver, step_s: float, seconds: float, device: str) -> d
             for _ in range(round(SAMPLE_S / step_s / 2.0)):
                 two_steps()
             paths.append(states[0].body_q.numpy()[1, :3])
-        turn = float(states[0].body_qd.numpy()[0, 5])
+        turn = 1e3 * float(states[0].body_qd.numpy()[0, 5])
     path = np.array(paths, dtype=float)
     radius, time_s = np.hypot(path[:, 0], path[:, 1]), SAMPLE_S * np.arange(len(path))
     stays = bool(np.isfinite(path).all() and abs(path[-1, 2] - path[0, 2]) < FOOT_M and radius[-1] < 0.5)
@@ -108,5 +108,9 @@ def run_columns(solver: Solver, step_s: float, seconds: float, device: str) -> d
         return columns | absent(NUMBERS, "a position is not finite")
     settled = time_s >= SETTLE_S
     growth = np.polyfit(time_s[settled], np.log(radius[settled]), 1)[0]
-    ends = {"end_radius_mm": 1e3 * float(radius[-1]), "end_height_mm": 1e3 * float(path[-1, 2]), "end_turn_rad_s": turn}
+    ends = {
+        "end_radius_mm": 1e3 * float(radius[-1]),
+        "end_height_mm": 1e3 * float(path[-1, 2]),
+        "end_turn_mrad_s": turn,
+    }
     return columns | ends | {"growth_per_s": float(growth)}

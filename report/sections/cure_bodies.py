@@ -11,7 +11,7 @@ from report.parts import Section, Table
 from report.quantities import Quantity
 from report.results import Results, Row
 
-order = 146
+order = 148
 page = "fix"
 
 ENGINES = ("warp", "c")

@@ -12,7 +12,7 @@ from report.quantities import Value
 from report.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_map, grid_of
 
-order = 145
+order = 147
 page = "fix"
 
 SIDES = {"term": "the term", "best": "all remedies"}

@@ -15,8 +15,8 @@ from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Row
 
-order = 144
-page = "fix"
+order = 146
+page = "limits"
 
 WAYS = {"term": "the term", "best": "all remedies"}
 FAMILIES = {

@@ -19,7 +19,7 @@ from report.sections.cure.budget import (
 from report.sections.cure.figures import draw_budget
 from report.sections.cure.ways import BEST, STEPS, WAYS, Way, use_table
 
-order = 147
+order = 149
 page = "fix"
 
 OTHER_CONTACTS = {
