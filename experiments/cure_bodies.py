@@ -166,7 +166,7 @@ def run_in_warp(motion: Motion, remedy: dict | None, seconds: float, *, device: 
     model, data = started(motion)
     with wp.ScopedDevice(device):
         m, d = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
-        start = d.qpos.numpy(), d.qvel.numpy()
+        start = d.qpos.numpy().copy(), d.qvel.numpy().copy()
         if remedy is not None:
             contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=d), **remedy)
         mjw.step(m, d)  # compiles, which must not happen inside a capture
@@ -178,5 +178,5 @@ def run_in_warp(motion: Motion, remedy: dict | None, seconds: float, *, device: 
         path = [start[0][0, -7:-4]]
         for _ in range(round(seconds / SAMPLE_S)):
             wp.capture_launch(capture.graph)
-            path.append(d.qpos.numpy()[0, -7:-4])
+            path.append(d.qpos.numpy()[0, -7:-4].copy())
     return np.array(path, dtype=float)

@@ -70,6 +70,7 @@ def build(device: str) -> newton.Model:
     builder.add_articulation([builder.add_joint_free(child=box)])
     for place in FEET:
         builder.add_shape_sphere(box, xform=wp.transform(place, wp.quat_identity()), radius=FOOT_M, cfg=config)
+    builder.color()  # VBD asks for it
     model = builder.finalize(device=device)
     joint_q, joint_qd = model.joint_q.numpy(), model.joint_qd.numpy()
     joint_q[1:4] = RADIUS_M, 0.0, 0.1
@@ -94,11 +95,11 @@ def run_columns(solver: Solver, step_s: float, seconds: float, device: str) -> d
                 here.clear_forces()
                 stepper.step(here, there, control, contacts, step_s)
 
-        paths = [states[0].body_q.numpy()[1, :3]]
+        paths = [states[0].body_q.numpy()[1, :3].copy()]
         for _ in range(round(seconds / SAMPLE_S)):
             for _ in range(round(SAMPLE_S / step_s / 2.0)):
                 two_steps()
-            paths.append(states[0].body_q.numpy()[1, :3])
+            paths.append(states[0].body_q.numpy()[1, :3].copy())
         turn = 1e3 * float(states[0].body_qd.numpy()[0, 5])
     path = np.array(paths, dtype=float)
     radius, time_s = np.hypot(path[:, 0], path[:, 1]), SAMPLE_S * np.arange(len(path))

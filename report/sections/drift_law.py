@@ -101,7 +101,7 @@ def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     return Claim("rounded_too", at_most(numbers["largest"], bound), numbers=numbers | {"gap": gap})
 
 
-def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> Mapping[str, Value]:
+def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
     """How many runs there are, how many of them are within the bound, and how far off the farthest is."""
     offs = [run.off for run in runs]
     inside = results.value(

@@ -8,7 +8,6 @@ from report.parts import Figure, Section
 from report.quantities import Quantity, Value
 from report.results import Results
 from report.sections.cure.budget import (
-    GRASP_MM,
     budget_table,
     closed_count,
     closing_table,
@@ -17,7 +16,7 @@ from report.sections.cure.budget import (
     run_count,
 )
 from report.sections.cure.figures import draw_budget
-from report.sections.cure.ways import BEST, STEPS, WAYS, Way, use_table
+from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, use_table, what_to_use
 
 order = 149
 page = "fix"
@@ -46,6 +45,7 @@ def derive(results: Results) -> Section:
         },
         figures={"budget": budget},
         claims=[
+            what_to_use(results),
             _budget_closes(results, least, most),
             _term_alone(results),
             _each_takes_its_part(results),

@@ -9,7 +9,7 @@ from report.deriving.arithmetic import extreme
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections.cure.ways import WAYS, Way
+from report.sections.cure.ways import GRASP_MM, WAYS, Way
 
 PARTS = {
     "left_out": "the term",
@@ -21,8 +21,6 @@ PARTS = {
 """Columns of the parts, and what they are called."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
 SHAKES = {"held": "held still", "3cm": "3 cm", "10cm": "10 cm"}
-GRASP_MM = 80.0
-"""Farther from where it was, a cube is out of the grasp."""
 
 
 def kept_runs(results: Results) -> list[Row]:
