@@ -229,21 +229,22 @@ def _fit_narrow(drawing: Drawing) -> None:
         names = [label.get_text() for label in axes.get_yticklabels()]
         is_long = any(len(name) > LONGEST_NAME for name in names)
         if is_long:
-            axes.set_yticks(axes.get_yticks(), [textwrap.fill(name, LONGEST_NAME) for name in names])
+            axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
-        axes.set_title(_folded(axes.get_title("left")), fontsize=9)
+        axes.set_title(fold(axes.get_title("left")), fontsize=9)
         if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
             axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for label in (axes.xaxis.label, axes.yaxis.label):
-            label.set(text=_folded(label.get_text()), fontsize=9)
+            label.set(text=fold(label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
-        drawing.supxlabel(_folded(drawing.get_supxlabel()), fontsize=9)
+        drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
     for text in drawing.findobj(Text):
         text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
 
 
-def _folded(text: str) -> str:
-    return "\n".join(textwrap.fill(line, LONGEST_LINE) for line in text.split("\n"))
+def fold(text: str, longest: int = LONGEST_LINE) -> str:
+    """The text for a narrow figure: none of its lines is longer, in characters, and its own breaks stay."""
+    return "\n".join(textwrap.fill(line, longest) for line in text.split("\n"))
 
 
 @contextmanager

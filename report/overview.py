@@ -8,7 +8,8 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.figures import INK, SERIES, new_figure, write
+from report.figures import INK, SERIES, fold, is_narrow, new_figure, write
+from report.format import format_code
 from report.names import name_of, section_name
 from report.parts import Figure
 from report.quantities import Quantity
@@ -23,9 +24,10 @@ SAME_AGAIN = ("noise", "leave_out")
 """Sections of many runs that are meant to be the same."""
 REFERENCE = "stiff-pads"
 """Cases that begin so are what others are compared with, as shipped pads are; what a section tries is beside them."""
-NO_EFFECT = 0.1
-"""Chosen: a section none of whose runs changes the slip by more than this share of it is one that does nothing."""
-LINE_HEIGHT = 0.38
+LITTLE = (0.01, 0.1)
+"""Chosen: a section none of whose runs changes the slip by more than the last of these shares of it is one that does
+little, and the least that is not exceeded says how little."""
+LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
 DROPPED = "dropped"
@@ -46,13 +48,25 @@ class Line:
     alike: tuple[Row, ...]
     """Those with a slip and the baseline's shake, stiff pads for comparison left out."""
     farthest: Row | None
-    """Of these the one whose slip is farthest from the baseline's; None where none changes it."""
+    """Of these the one whose slip is farthest from the baseline's; None where none changes it by more than LITTLE."""
+    change_mm: float
+    change_share: float
+    """By how much these slips are apart from the section's own with shipped pads, at most, and of it."""
 
     @property
-    def is_idle(self) -> bool:
-        """Whether nothing that was tried does anything."""
+    def does_little(self) -> bool:
+        """Whether nothing that was tried changes the slip by more than the last of LITTLE."""
         tried = [row for row in self.rows if not row.case.startswith(REFERENCE)]
         return self.farthest is None and len(self.alike) == len(tried) > 1
+
+    def effect(self, noise: Quantity | None) -> str:
+        """How little is changed by what was tried; empty where that is not little."""
+        if not self.does_little:
+            return ""
+        if noise is not None and self.change_mm <= (noise.value or 0.0):
+            return "no effect"
+        bound = min((share for share in LITTLE if self.change_share <= share), default=LITTLE[-1])
+        return f"within {format_code(100.0 * bound)} %"
 
     @property
     def lost_count(self) -> int:
@@ -82,14 +96,12 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
             "has_noise": bool(noise and noise.value),
             "runs": str(sum(len(line.rows) for line in lines)),
             "sections": str(len(lines)),
-            "idle": _joined([line for line in lines if line.is_idle]),
-            "moving": _joined([line for line in lines if line.farthest]),
+            "idle": "; ".join(
+                f"{section_name(line.section)}: {line.effect(noise)}" for line in lines if line.does_little
+            ),
+            "moving": ", ".join(section_name(line.section) for line in lines if line.farthest),
         },
     )
-
-
-def _joined(lines: Sequence[Line]) -> str:
-    return ", ".join(section_name(line.section) for line in lines)
 
 
 def _baseline(chapters: Mapping[str, Results]) -> Row | None:
@@ -107,16 +119,22 @@ def lines_of(chapters: Mapping[str, Results], baseline: Row) -> list[Line]:
         rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
         alike = [row for row in rows if row.slip_mm.value and _mark(row, baseline) == "the baseline's shake"]
         if alike:
-            lines.append(Line(section, tuple(rows), tuple(alike), _farthest(alike, baseline)))
+            lines.append(_line(section, rows, alike, baseline))
     return lines
+
+
+def _line(section: str, rows: Sequence[Row], alike: Sequence[Row], baseline: Row) -> Line:
+    own = next((row for row in alike if row.case == BASELINE), baseline).slip_mm.value
+    change_mm = max(abs(row.slip_mm.value - own) for row in alike)
+    return Line(section, tuple(rows), tuple(alike), _farthest(alike, baseline), change_mm, change_mm / own)
 
 
 def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
     """The run that changes the slip most, by their ratio; of those that do the same the one with the shortest name."""
     far = max(alike, key=lambda row: _distance(row, baseline))
-    if _distance(far, baseline) <= NO_EFFECT:
+    if _distance(far, baseline) <= LITTLE[-1]:
         return None
-    return min((row for row in alike if _distance(row, far) <= NO_EFFECT), key=lambda row: len(name_of(row.case)))
+    return min((row for row in alike if _distance(row, far) <= LITTLE[-1]), key=lambda row: len(name_of(row.case)))
 
 
 def _distance(row: Row, other: Row) -> float:
@@ -135,7 +153,7 @@ def _mark(row: Row, baseline: Row) -> str:
 
 
 def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawing:
-    drawing, axes = new_figure(7.2, 1.0 + LINE_HEIGHT * len(lines))
+    drawing, axes = new_figure(7.2, 1.0 + (NARROW_LINE_HEIGHT if is_narrow() else LINE_HEIGHT) * len(lines))
     slip = baseline.slip_mm.value
     axes.axvline(slip, color=SERIES[1], linewidth=1.2, zorder=1)
     if noise is not None and noise.value is not None:
@@ -148,7 +166,7 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     for place, line in enumerate(lines):
         if line.farthest:
             _name_farthest(axes, place, line.farthest)
-    axes.set_yticks(range(len(lines)), [_label(line) for line in lines], fontsize=8.5)
+    axes.set_yticks(range(len(lines)), [_label(line, noise) for line in lines], fontsize=8.5)
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="y", linewidth=0.3)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
@@ -167,22 +185,28 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     return drawing
 
 
-def _label(line: Line) -> str:
+def _label(line: Line, noise: Quantity | None) -> str:
     runs = f"{len(line.rows)} run{'s' * (len(line.rows) > 1)}"
     lost = f", {line.lost_count} without result" if line.lost_count else ""
-    effect = ": no effect" if line.is_idle else ""
+    effect = f": {line.effect(noise)}" if line.does_little else ""
     return f"{section_name(line.section)}\n{runs}{lost}{effect}"
 
 
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
-    """What it is and how far, above it."""
-    axes.annotate(
-        f"{name_of(row.case)}: {write(row.slip_mm)}",
-        (row.slip_mm.value, place),
-        xytext=(-3, 5),
-        textcoords="offset points",
-        fontsize=8,
-    )
+    """What it is and how far, above its mark, towards the wider side; where there is little room, from the edge on.
+
+    It takes no part in the layout, which would give it room by making the axes narrow.
+    """
+    text = f"{name_of(row.case)}: {write(row.slip_mm)}"
+    share = axes.transAxes.inverted().transform(axes.transData.transform((row.slip_mm.value, place)))[0]
+    above: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "annotation_clip": False}
+    if is_narrow():
+        above |= {"xycoords": ("axes fraction", "data"), "xytext": (3, 5)}
+        said = axes.annotate(fold(text), (0.0, place), **above)
+    else:
+        above |= {"ha": "left", "xytext": (-3, 5)} if share < 0.5 else {"ha": "right", "xytext": (3, 5)}
+        said = axes.annotate(text, (row.slip_mm.value, place), **above)
+    said.set_in_layout(False)
 
 
 def _draw_dots(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
@@ -209,7 +233,7 @@ def _draw_dropped(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
                 "textcoords": "offset points",
                 "ha": "right",
             }
-            axes.annotate(f"{count} dropped", (0.99, place), fontsize=8, **above)
+            axes.annotate(f"{count} dropped", (0.99, place), fontsize=8, **above).set_in_layout(False)
 
 
 def _legend(axes: Axes) -> list[Any]:

@@ -31,6 +31,15 @@ TEXT_SIZES = """[...document.querySelectorAll("svg text")].filter((text) => text
   const scale = text.getScreenCTM();
   return parseFloat(getComputedStyle(text).fontSize) * Math.hypot(scale.a, scale.b);
 })"""
+OUTSIDE = """[...document.querySelectorAll("svg text")].filter((text) => {
+  const box = text.getBoundingClientRect(), drawing = text.closest("svg").getBoundingClientRect();
+  return text.checkVisibility() && (box.left < drawing.left - 2 || box.right > drawing.right + 2
+    || box.top < drawing.top - 2 || box.bottom > drawing.bottom + 2);
+}).map((text) => text.textContent)"""
+SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) =>
+  [...drawing.querySelectorAll("clipPath rect")].some((axes) =>
+    axes.width.baseVal.value < drawing.viewBox.baseVal.width / 2)).map((drawing) => drawing.closest("figure").id)"""
+"""Drawings for a phone whose axes, to which lines are clipped, have less than half of the width."""
 STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], video[controls]")]
   .filter((element) => element.tabIndex >= 0 && element.checkVisibility()).length"""
 
@@ -98,6 +107,8 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         open_page(tab, path)
         assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"], path.name
         assert tab.evaluate(TOO_WIDE) == [], path.name
+        assert tab.evaluate(OUTSIDE) == [], path.name
+        assert tab.evaluate(SQUEEZED) == [], path.name
         assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
         tab.evaluate(axe)

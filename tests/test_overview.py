@@ -4,6 +4,7 @@ import pytest
 
 from report.check import check_site
 from report.overview import _label, _mark, lines_of, overview
+from report.quantities import Quantity
 from report.results import Results
 
 WHOLE = {"drift_mm_s": 0.5, "failure": None}
@@ -35,12 +36,22 @@ def lines(results: Results, section: str = "friction"):
     return lines_of({section: results}, results.rows[0])
 
 
-@pytest.mark.parametrize(("slip_mm", "is_idle"), [(6.3, True), (5.9, True), (5.5, False), (7.1, False)])
-def test_a_section_that_does_nothing_says_so(results, slip_mm, is_idle):
+NOISE = Quantity(0.007, "mm", "")
+
+
+@pytest.mark.parametrize(
+    ("slip_mm", "effect"),
+    [(6.354, ": no effect"), (6.3, ": within 1 %"), (5.9, ": within 10 %"), (5.5, ""), (7.1, "")],
+)
+def test_a_section_that_does_little_says_how_little(results, slip_mm, effect):
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2", "slip_mm": slip_mm}]))
-    assert line.is_idle == is_idle
-    assert ("no effect" in _label(line)) == is_idle
-    assert _label(line).startswith("friction coefficient\n2 runs")
+    assert line.does_little == bool(effect)
+    assert _label(line, NOISE) == f"friction coefficient\n2 runs{effect}"
+
+
+def test_without_a_known_noise_nothing_is_said_to_have_no_effect(results):
+    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2"}]))
+    assert _label(line, None).endswith(": within 1 %")
 
 
 def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
@@ -52,9 +63,9 @@ def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
 def test_stiff_pads_to_compare_with_move_nothing(results):
     stiff = [SHIPPED | {"case": case, "slip_mm": 0.31} for case in ("stiff-pads", "stiff-pads-noslip")]
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "as-shipped-noslip"}, *stiff]), "noslip")
-    assert line.farthest is None and line.is_idle
+    assert line.farthest is None and line.does_little
     (line,) = lines(results([SHIPPED, *stiff]), "contacts")
-    assert line.farthest is None and not line.is_idle  # nothing was tried
+    assert line.farthest is None and not line.does_little  # nothing was tried
 
 
 def test_a_section_without_a_run_to_compare_has_no_line(results):
@@ -63,7 +74,7 @@ def test_a_section_without_a_run_to_compare_has_no_line(results):
 
 def test_another_shake_is_no_effect_and_not_none(results):
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "long", "slip_mm": 60.0, "shake_duration_s": 600.0}]))
-    assert line.farthest is None and not line.is_idle
+    assert line.farthest is None and not line.does_little
 
 
 def test_a_look_at_a_part_of_a_run_does_not_count(results):

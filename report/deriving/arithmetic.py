@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from report.claims import FAILS, Outcome, at_most
+from report.claims import FAILS, Claim, Outcome, at_most
 from report.names import case_html
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
@@ -68,6 +68,19 @@ def extreme(
 def noise_floor(results: Results, name: str) -> Quantity:
     """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+
+
+def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity) -> Claim:
+    """That there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and ``share``.
+
+    With their signs: what drifts the other way when held is no part of the drift when shaken.
+    """
+    formula = "drift with the arm held still, of the drift as shipped; below zero where it is the other way"
+    part = share(results, "hold_share", formula, held, shaken)
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
+    is_opposed = part.value is not None and part.value < 0
+    numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
+    return Claim(name, at_most(part, bound), numbers)
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:

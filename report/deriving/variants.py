@@ -162,7 +162,7 @@ def _draw_variants(variants: Variants) -> Drawing:
             above = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
             right.annotate("noise", (0.0, 1.0), fontsize=8.5, **above)
         right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=1, markersize=6)
-    right.set_xlabel(f"difference from {names[0]} [mm]")
+    right.set_xlabel(f"difference from\n{names[0]} [mm]")
     right.locator_params(axis="x", nbins=4)
     right.tick_params(axis="y", left=False)
     left.invert_yaxis()

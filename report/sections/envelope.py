@@ -144,15 +144,8 @@ def _map_gain(results: Results, trace: Series) -> Claim:
 
 def _grows_faster(results: Results) -> Claim:
     small, large = results.row["as-shipped-1cm-1hz"], results.row["as-shipped-6cm-1hz"]
-    exponent = results.value(
-        "amplitude_exponent",
-        "logarithm of the ratio of the slips over that of the amplitudes, as shipped at the baseline's frequency",
-        lambda a, b, slip_a, slip_b: np.log(slip_b / slip_a) / np.log(b / a),
-        small.shake_amplitude_m,
-        large.shake_amplitude_m,
-        _held_slip(small),
-        _held_slip(large),
-    )
+    amplitudes = small.shake_amplitude_m, large.shake_amplitude_m
+    exponent = _exponent(results, "amplitude", "as shipped at the baseline's frequency", *amplitudes, small, large)
     bound = results.chosen("amplitude_exponent_bound", "clearly more than in proportion", 1.5)
     return Claim(
         "slip_grows_faster_than_amplitude",
@@ -170,27 +163,23 @@ def _grows_faster(results: Results) -> Claim:
 
 def _grows_less_with_frequency(results: Results) -> Claim:
     slow, fast = results.row["as-shipped-3cm-0.5hz"], results.row["as-shipped-3cm-3hz"]
-    exponent = results.value(
-        "frequency_exponent",
-        "logarithm of the ratio of the slips over that of the frequencies, shipped pads at the baseline's amplitude",
-        lambda a, b, slip_a, slip_b: np.log(slip_b / slip_a) / np.log(b / a),
-        slow.shake_frequency_hz,
-        fast.shake_frequency_hz,
-        _held_slip(slow),
-        _held_slip(fast),
-    )
+    frequencies = slow.shake_frequency_hz, fast.shake_frequency_hz
+    exponent = _exponent(results, "frequency", "shipped pads at the baseline's amplitude", *frequencies, slow, fast)
     bound = results.chosen("frequency_exponent_bound", "clearly less than the square", 1.5)
-    return Claim(
-        "slip_grows_less_with_frequency",
-        at_most(exponent, bound),
-        numbers={
-            "exponent": exponent,
-            "slow": slow.shake_frequency_hz,
-            "slow_slip": slow.slip_mm,
-            "fast": fast.shake_frequency_hz,
-            "fast_slip": fast.slip_mm,
-        },
-    )
+    numbers = {"slow": slow.shake_frequency_hz, "slow_slip": slow.slip_mm}
+    numbers |= {"fast": fast.shake_frequency_hz, "fast_slip": fast.slip_mm}
+    return Claim("slip_grows_less_with_frequency", at_most(exponent, bound), numbers | {"exponent": exponent})
+
+
+def _exponent(results: Results, name: str, where: str, low: Quantity, high: Quantity, less: Row, more: Row) -> Value:
+    """The power of what goes from ``low`` to ``high`` with which the slip grows between two runs."""
+    formula = f"logarithm of the ratio of the slips over that of what is changed, {where}"
+    slips = _held_slip(less), _held_slip(more)
+    return results.value(f"{name}_exponent", formula, _power, low, high, *slips)
+
+
+def _power(low: float, high: float, less: float, more: float) -> float:
+    return float(np.log(more / less) / np.log(high / low))
 
 
 def _batch_is_fast(results: Results, row: Row) -> Claim:

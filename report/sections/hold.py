@@ -6,9 +6,9 @@ from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most, greater
 from report.deriving.arithmetic import (
-    NO_DRIFT,
     by_case,
     departure,
+    needs_shaking,
     noise_floor,
     share,
     size_share,
@@ -56,7 +56,7 @@ def derive(results: Results) -> Section:
         },
         figures={"motion": motion},
         claims=[
-            _drift_needs_cycle(results),
+            needs_shaking("drift_needs_cycle", results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
             _creep_goes_the_other_way(results),
             _creep_goes_on(results, long),
             _creep_is_monotonic(results, traces["hold-60s"]),
@@ -66,24 +66,6 @@ def derive(results: Results) -> Section:
             _joint_stands_still(results),
             _longer_steps_creep_less(results),
         ],
-    )
-
-
-def _drift_needs_cycle(results: Results) -> Claim:
-    """With their signs: what drifts the other way when held is no part of the drift when shaken."""
-    held, shaken = results.row["hold"].drift_mm_s, results.row["as-shipped"].drift_mm_s
-    formula = "drift along the main axis with the arm held still, of the drift as shipped, with their signs"
-    part = share(results, "hold_share", formula, held, shaken)
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    return Claim(
-        "drift_needs_cycle",
-        at_most(part, bound),
-        numbers={
-            "held": held,
-            "shaken": shaken,
-            "share": part,
-            "is_opposed": part.value is not None and part.value < 0,
-        },
     )
 
 

@@ -4,7 +4,7 @@ import pandas as pd
 
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from report.claims import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
-from report.deriving.arithmetic import cell_or_absent, ratio
+from report.deriving.arithmetic import cell_or_absent
 from report.parts import Section, Table
 from report.quantities import Quantity, absent
 from report.results import Results, Row
@@ -81,7 +81,8 @@ def _names_the_buffers(results: Results, findings: list[Row]) -> Claim:
     for name in ("contacts", "constraints"):
         finding = _find(findings, "buffer", name, name)
         size, peak = _cell(finding, "authored_count"), _cell(finding, "used_count")
-        room = ratio(results, f"{name}_room", f"room for {name} over the most that a world had", size, peak)
+        formula = f"how many times the most {name} that a world had there is room for"
+        room = results.value(f"{name}_room", formula, lambda room, most: room // most, size, peak)
         outcomes.append(_named(finding) or at_least(room, bound))
         numbers |= {f"{name}_size": size, f"{name}_peak": peak, f"{name}_room": room}
     return Claim("names_the_buffers", all_of(*outcomes), numbers)

@@ -31,7 +31,8 @@ def derive(results: Results) -> Section:
 def _shaken_farther(results: Results) -> list[Claim]:
     shipped, stiff = results.row["as-shipped-10cm"], results.row["stiff-pads-10cm"]
     bound = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", 80.0, unit="mm")
-    numbers = {"amplitude": shipped.shake_amplitude_m}
+    metres = shipped.shake_amplitude_m
+    numbers = {"amplitude": results.value("amplitude", "in whole mm", lambda m: round(1e3 * m), metres, unit="mm")}
     return [
         Claim("falls_when_shaken_farther", at_least(shipped.slip_mm, bound), numbers | {"shipped": shipped.slip_mm}),
         Claim("stiff_pads_hold_when_shaken_farther", at_most(stiff.slip_mm, bound), numbers | {"stiff": stiff.slip_mm}),

@@ -15,8 +15,8 @@ from report.deriving.arithmetic import (
     SETTLES,
     by_case,
     departure,
+    needs_shaking,
     ratio,
-    share,
     size_share,
     spread,
 )
@@ -54,7 +54,7 @@ def derive(results: Results) -> Section:
         slips,
         _steady(results, shipped, traces["as-shipped"]),
         _alternates(results, shipped, traces["as-shipped"]),
-        _needs_shaking(results, shipped, hold),
+        needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
         _moves_little_when_held(results, shipped, hold),
         _same_on_both_engines(results, slips),
         _stiff_pads_hold(results, shipped, stiff),
@@ -169,24 +169,6 @@ def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
         "steps_alternate",
         at_least(share, bound),
         numbers={"even": even, "odd": odd},
-    )
-
-
-def _needs_shaking(results: Results, shipped: Row, hold: Row) -> Claim:
-    """With their signs: what drifts the other way when held is no part of the drift when shaken."""
-    held, shaken = hold.drift_mm_s, shipped.drift_mm_s
-    formula = "drift with the arm held still, of the drift as shipped; below zero where it is the other way"
-    part = share(results, "hold_share", formula, held, shaken)
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    return Claim(
-        "needs_shaking",
-        at_most(part, bound),
-        numbers={
-            "drift": held,
-            "share": part,
-            "shipped": shaken,
-            "is_opposed": part.value is not None and part.value < 0,
-        },
     )
 
 

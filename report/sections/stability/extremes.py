@@ -25,14 +25,23 @@ def crossover(results: Results, name: str) -> Claim:
     lost = extreme(
         results, f"{name}_lost", "least load that drops", min, [r.load for r in rows if r["class"] == "dropped"]
     )
+    over = {
+        kind: results.value(f"{name}_{kind}_over", f"{load.formula}, over the limit", _over, load, unit="%")
+        for kind, load in (("kept", kept), ("lost", lost))
+    }
     mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
     return family_claim(
         results,
         f"{name}_crossover",
         family(results, name),
         also=decided(True, kept, lost),
-        numbers={"kept": kept, "lost": lost, "mu": mu},
+        numbers=over | {"mu": mu},
     )
+
+
+def _over(load: float) -> float:
+    """How far a share of the limit is over it, in percent; negative below it."""
+    return 100.0 * (load - 1.0)
 
 
 def friction(results: Results) -> Claim:
