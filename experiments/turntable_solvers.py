@@ -86,7 +86,7 @@ def run_columns(solver: Solver, step_s: float, seconds: float, device: str) -> d
         model = build(device)
         states, control = (model.state(), model.state()), model.control()
         newton.eval_fk(model, model.joint_q, model.joint_qd, states[0])
-        stepper, pipeline = solver.make(model), newton.CollisionPipeline(model)
+        stepper, pipeline = solver.make(model), newton.CollisionPipeline(model, rigid_contact_max=len(FEET))
         contacts = pipeline.contacts()
 
         def two_steps() -> None:
