@@ -16,7 +16,7 @@ from report.sections.cure.budget import (
     run_count,
 )
 from report.sections.cure.figures import draw_budget
-from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, use_table, what_to_use
+from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, use_table, what_to_use
 
 order = 149
 page = "fix"
@@ -40,6 +40,7 @@ def derive(results: Results) -> Section:
     return Section(
         tables={
             "use": use_table(results),
+            "cost": cost_table(results),
             "budget": budget_table(results, parts),
             "closing": closing_table(results, least, most),
         },

@@ -69,16 +69,23 @@ STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impr
 
 
 def use_table(results: Results) -> Table:
-    """What to use: for each way its slips, what it costs, and what it may break."""
+    """What to use: for each way its slips, and what it breaks or may break."""
     columns: dict[str, Sequence] = {
         "slip, 3 cm": [way.row(results, "3cm").slip_mm for way in WAYS],
         "slip, 10 cm": [way.row(results, "10cm").slip_mm for way in WAYS],
         "held still": [way.row(results, "held").slip_mm for way in WAYS],
+        "lost at the limits": [_lost(results, way) for way in WAYS],
+        "may break": [way.may_break for way in WAYS],
     }
-    for count in WORLD_COUNTS:
-        columns[f"frame, {worlds_name(count)}"] = [_frame_ms(results, way, count) for way in WAYS]
-    columns["lost at the limits"] = [_lost(results, way) for way in WAYS]
-    columns["may break"] = [way.may_break for way in WAYS]
+    return _by_way(columns)
+
+
+def cost_table(results: Results) -> Table:
+    columns = {worlds_name(count): [_frame_ms(results, way, count) for way in WAYS] for count in WORLD_COUNTS}
+    return _by_way(columns)
+
+
+def _by_way(columns: dict[str, Sequence]) -> Table:
     return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
 
 
