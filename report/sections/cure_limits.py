@@ -105,6 +105,8 @@ def _table(results: Results, runs: Runs) -> Table:
     lines = {}
     for family, label in FAMILIES.items():
         mine = {name: ways for name, ways in runs.items() if ways["plain"].family == family}
+        if not mine:
+            continue
         kept = {
             "runs": mine,
             "keep the cube": _kept(mine, "plain"),

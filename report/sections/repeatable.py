@@ -21,6 +21,12 @@ WAYS = {
     "ordered": "and MuJoCo Warp's contacts and rows ordered",
     "all": "and its sums",
 }
+SO = {
+    "sorted": "Newton's contacts sorted",
+    "ordered": "Newton's contacts sorted, and MuJoCo Warp's contacts and rows in order",
+    "all": "all that both offer",
+}
+"""The same in a sentence."""
 WORLD_COUNTS = (1, 4096)
 
 
@@ -50,8 +56,10 @@ def _some_way_repeats(results: Results, rows: Mapping[str, Row], exact: str) -> 
     least = extreme(results, "differing_least", "least number of worlds that differ, of all ways", min, tried)
     none = results.chosen("exact_bound", "the same to the last bit", 0)
     spread = rows[exact].world_spread_mm if exact else absent("mm", "no way is exact")
-    lacking = Markup(", ").join(WAYS[way] for way, row in rows.items() if row.differing_world_count.value is None)
-    numbers = {"way": WAYS.get(exact, ""), "least": least, "worlds": rows["plain"].worlds, "lacking": lacking}
+    lacking = Markup("; ").join(
+        SO[way] for way, row in rows.items() if way in SO and row.differing_world_count.value is None
+    )
+    numbers = {"way": SO.get(exact, ""), "least": least, "worlds": rows["plain"].worlds, "lacking": lacking}
     return Claim("some_way_repeats", at_most(least, none), numbers=numbers | {"has_spread": exact, "spread": spread})
 
 
