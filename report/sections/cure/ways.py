@@ -81,7 +81,9 @@ def use_table(results: Results) -> Table:
 
 
 def cost_table(results: Results) -> Table:
-    columns = {worlds_name(count): [_frame_ms(results, way, count) for way in WAYS] for count in WORLD_COUNTS}
+    columns: dict[str, Sequence] = {
+        worlds_name(count): [_frame_ms(results, way, count) for way in WAYS] for count in WORLD_COUNTS
+    }
     return _by_way(columns)
 
 
