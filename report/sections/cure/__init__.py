@@ -16,7 +16,7 @@ from report.sections.cure.budget import (
     run_count,
 )
 from report.sections.cure.figures import draw_budget
-from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, use_table, what_to_use
+from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, far_mm, use_table, what_to_use
 
 order = 149
 page = "fix"
@@ -31,6 +31,7 @@ OTHER_CONTACTS = {
 def derive(results: Results) -> Section:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
+    amplitude = far_mm(results)
     parts = {way.name: parts_of(results, way) for way in WAYS}
     budget = Figure(
         draw=lambda: draw_budget(results, parts),
@@ -46,12 +47,12 @@ def derive(results: Results) -> Section:
         },
         figures={"budget": budget},
         claims=[
-            what_to_use(results),
+            what_to_use(results, amplitude),
             _budget_closes(results, least, most),
             _term_alone(results),
             _each_takes_its_part(results),
             _best_holds(results),
-            _best_holds_farther(results),
+            _best_holds_farther(results, amplitude),
             _stiff_pads_hold_better(results),
             _term_uncovers_step(results, parts["the term"]),
             _stiff_pads_with_term(results),
@@ -98,12 +99,12 @@ def _best_holds(results: Results) -> Claim:
     return Claim("best_holds", at_most(best.slip_mm, bound), numbers={"best": best.slip_mm, "shipped": shipped})
 
 
-def _best_holds_farther(results: Results) -> Claim:
+def _best_holds_farther(results: Results, amplitude: Value) -> Claim:
     best, shipped = (way.row(results, "10cm") for way in (BEST, _way("shipped pads")))
     bound = results.chosen("best_far_bound", "a tenth of a millimetre at a shake three times as wide", 0.1, unit="mm")
     grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
     outcome = all_of(at_most(best.slip_mm, bound), at_least(shipped.slip_mm, grasp))
-    return Claim("best_holds_farther", outcome, numbers={"best": best.slip_mm, "amplitude": best.shake_amplitude_m})
+    return Claim("best_holds_farther", outcome, numbers={"best": best.slip_mm, "amplitude": amplitude})
 
 
 def _stiff_pads_hold_better(results: Results) -> Claim:
