@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.figures import INK, SERIES, fold, is_narrow, new_figure, write
-from report.format import format_code
 from report.names import name_of, section_name
 from report.parts import Figure
 from report.quantities import Quantity
@@ -24,9 +23,9 @@ SAME_AGAIN = ("noise", "leave_out")
 """Sections of many runs that are meant to be the same."""
 REFERENCE = "stiff-pads"
 """Cases that begin so are what others are compared with, as shipped pads are; what a section tries is beside them."""
-LITTLE = (0.01, 0.1)
-"""Chosen: a section none of whose runs changes the slip by more than the last of these shares of it is one that does
-little, and the least that is not exceeded says how little."""
+HARDLY, LITTLE = 0.01, 0.1
+"""Chosen: a section none of whose runs changes the slip by more than these shares of it is one that does hardly
+anything, or little."""
 LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
@@ -55,7 +54,7 @@ class Line:
 
     @property
     def does_little(self) -> bool:
-        """Whether nothing that was tried changes the slip by more than the last of LITTLE."""
+        """Whether nothing that was tried changes the slip by more than LITTLE."""
         tried = [row for row in self.rows if not row.case.startswith(REFERENCE)]
         return self.farthest is None and len(self.alike) == len(tried) > 1
 
@@ -65,8 +64,7 @@ class Line:
             return ""
         if noise is not None and self.change_mm <= (noise.value or 0.0):
             return "no effect"
-        bound = min((share for share in LITTLE if self.change_share <= share), default=LITTLE[-1])
-        return f"within {format_code(100.0 * bound)} %"
+        return "hardly any effect" if self.change_share <= HARDLY else "little effect"
 
     @property
     def lost_count(self) -> int:
@@ -96,9 +94,7 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
             "has_noise": bool(noise and noise.value),
             "runs": str(sum(len(line.rows) for line in lines)),
             "sections": str(len(lines)),
-            "idle": "; ".join(
-                f"{section_name(line.section)}: {line.effect(noise)}" for line in lines if line.does_little
-            ),
+            "idle": ", ".join(section_name(line.section) for line in lines if line.does_little),
             "moving": ", ".join(section_name(line.section) for line in lines if line.farthest),
         },
     )
@@ -132,9 +128,9 @@ def _line(section: str, rows: Sequence[Row], alike: Sequence[Row], baseline: Row
 def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
     """The run that changes the slip most, by their ratio; of those that do the same the one with the shortest name."""
     far = max(alike, key=lambda row: _distance(row, baseline))
-    if _distance(far, baseline) <= LITTLE[-1]:
+    if _distance(far, baseline) <= LITTLE:
         return None
-    return min((row for row in alike if _distance(row, far) <= LITTLE[-1]), key=lambda row: len(name_of(row.case)))
+    return min((row for row in alike if _distance(row, far) <= LITTLE), key=lambda row: len(name_of(row.case)))
 
 
 def _distance(row: Row, other: Row) -> float:

@@ -14,6 +14,11 @@ MOST, SAME = "most", "the same"
 """How the page says that a number is written as a bound, and a number that is written like another one."""
 
 
+def local(text: str, release: str) -> str:
+    """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
+    return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A measured number, shown with a pointer to the file that holds it."""

@@ -17,6 +17,7 @@ from report.editions import Edition
 from report.format import format_number
 from report.page import Templates
 from report.pages import REPLAY, SHAKES
+from report.quantities import local
 from report.records.project import Project
 
 SCRIPT = "assets/replay/replay.js"
@@ -36,7 +37,7 @@ def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
         shutil.copyfile(file, place / file.name)
     if edition.replay:
         page = replay_page(edition.project, edition.chapters["poses"], edition.replay, edition.clips, templates)
-        (folder / REPLAY).write_text(page, encoding="utf-8")
+        (folder / REPLAY).write_text(local(page, edition.project.release), encoding="utf-8")
 
 
 def replay_page(

@@ -23,7 +23,7 @@ from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates
 from report.pages import FRONT, Page
 from report.placing import aside, replace
-from report.quantities import VALUES_FILE
+from report.quantities import VALUES_FILE, local
 from report.records.cache import Cache
 from report.records.files import locked
 from report.records.identity import files_digest, package_versions, sources_kept
@@ -253,7 +253,7 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
 def _write_pages(folder: Path, edition: Edition, pages: Mapping[str, str]) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for file, html in pages.items():
-        (folder / file).write_text(_local(html, edition.project.release), encoding="utf-8")
+        (folder / file).write_text(local(html, edition.project.release), encoding="utf-8")
     for name in ASSETS:
         shutil.copyfile(edition.project.root / "assets" / name, folder / name)
     for chapter in edition.chapters.values():
@@ -283,12 +283,7 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], table
         text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
         place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(_local(text, shown) + "\n", encoding="utf-8")
-
-
-def _local(text: str, release: str) -> str:
-    """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
-    return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
+        place.write_text(local(text, shown) + "\n", encoding="utf-8")
 
 
 def _digest(project: Project, address: str) -> str:
