@@ -28,7 +28,7 @@ from experiments.measurement import Conditions
 from experiments.simulation import Simulation
 from report import ROOT, ReportError
 from report.records.columns import UNBELIEVED, is_number, number_problem, units_of
-from report.records.devices import NO_CUDA
+from report.records.devices import NO_CUDA, needs_gpu
 from report.records.files import refuse_unwritable
 from report.records.identity import identity_of, package_versions, sections
 from report.records.label import read_label
@@ -181,6 +181,8 @@ def edition_of(asked: str | None) -> str:
 def measure_section(project: Project, section: str, module: ModuleType, device: wp.Device) -> None:
     """Let the section's module measure, and write its record and traces."""
     profile = project.profile
+    if not needs_gpu(section):
+        device = wp.get_device("cpu")
     started, start = now(), time.perf_counter()
     measurement = module.measure(Conditions(device=device.alias, quick=profile == "quick"))
     record = Record(

@@ -225,6 +225,7 @@ SECTIONS = {
     "gap": "contact gap",
     "envelope": "harder shakes",
     "lint": "lint",
+    "survey": "Newton's examples, linted",
     "stability": "limits",
     "leave_out": "what to leave out",
     "error_runtime": "error and run time",

@@ -1,5 +1,7 @@
 """The lint: each rule on a model of two boxes, and all of them on the shake test as the solver really has it."""
 
+import time
+
 import newton
 import numpy as np
 import pytest
@@ -7,26 +9,28 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 
 from experiments.case import AS_SHIPPED
-from experiments.lint import (
+from experiments.compat import kf_is_read
+from experiments.lint import SCENES, measure
+from experiments.linting.contacts import (
     CONDIM,
+    CONES,
     CONVERTED,
+    DEFAULT_SOLREF,
     FORCE_SPACE,
     RAW,
-    SCENES,
     SOLIMP,
-    Buffer,
-    _Shapes,
-    columns,
-    grouped,
-    lint,
-    measure,
+    Shapes,
+    contacts_of,
 )
+from experiments.linting.findings import Buffer, columns, grouped, lines
+from experiments.linting.rules import Engine, lint
 from experiments.measurement import Conditions
-from experiments.scene import build_scene
 from experiments.simulation import Simulation
 
 DT = 1.0 / 960.0
+ENGINE = Engine(DT)
 ShapeConfig = newton.ModelBuilder.ShapeConfig
+PAIR = ("body_0/box_0", "body_1/box_1")
 
 
 def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
@@ -44,20 +48,22 @@ def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
 
 def found(model: newton.Model, **options) -> list[tuple]:
     return [
-        (finding.rule, finding.shapes, finding.parameter, pytest.approx(finding.value), pytest.approx(finding.used))
-        for finding in lint(model, DT, **options)
+        (
+            *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
+            finding.used if finding.used is None else pytest.approx(finding.used),
+        )
+        for finding in lint(model, Engine(DT, **options))
     ]
 
 
 def test_what_a_higher_priority_overrules_is_named():
     model = two_boxes({"ke": 8e4, "mu": 0.3}, {"kd": 200.0}, geom_priority=(0, 2))
-    pair = ("body_0/box_0", "body_1/box_1")
-    assert found(model) == [("priority", pair, "ke", 8e4, 2.5e3), ("priority", pair, "mu", 0.3, 1.0)]
+    assert found(model) == [("priority", PAIR, "ke", 8e4, 2.5e3), ("priority", PAIR, "mu", 0.3, 1.0)]
 
 
 @pytest.mark.parametrize("priority", [(0, 0), (2, 0)])
 def test_what_reaches_the_solver_is_not(priority):
-    assert found(two_boxes({"ke": 8e4, "mu": 0.3}, {}, geom_priority=priority)) == []
+    assert found(two_boxes({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, geom_priority=priority)) == []
 
 
 def test_what_both_say_is_not_lost():
@@ -72,15 +78,14 @@ def test_solimp_is_compared_entry_by_entry():
 def test_a_gap_left_at_the_default_beside_one_that_was_set():
     default = newton.ModelBuilder().rigid_gap
     model = two_boxes({"gap": None}, {"gap": 0.004})
-    assert found(model) == [("default-gap", ("body_0/box_0",), "gap", default, default + 0.004)]
+    assert found(model) == [("default-gap", PAIR[:1], "gap", default, default + 0.004)]
     assert found(two_boxes({"gap": None}, {"gap": None})) == []
     assert found(two_boxes({"gap": 0.002}, {"gap": 0.004})) == []
 
 
 def test_a_timeconst_below_two_substeps():
-    pair = ("body_0/box_0", "body_1/box_1")
     stiff = {"ke": 2.5e5, "kd": 1e3}
-    assert found(two_boxes(stiff, stiff)) == [("timeconst", pair, "timeconst", 2e-3, 2 * DT)]
+    assert found(two_boxes(stiff, stiff)) == [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]
     assert found(two_boxes(stiff, stiff), refsafe=False) == []
     assert found(two_boxes(stiff, {})) == []  # the pair's is the mean of 2 ms and 20 ms
 
@@ -90,10 +95,116 @@ def test_a_solref_of_its_own_takes_the_place_of_ke_and_kd():
     assert [(rule, name) for rule, _, name, *_ in found(model)] == [("timeconst", "timeconst")]
 
 
+@pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
+def test_a_ke_without_kd_is_not_read(material, parameter):
+    model = two_boxes(material, {})
+    used = {"ke": ShapeConfig().ke, "kd": ShapeConfig().kd}[parameter]
+    assert found(model) == [("ke-without-kd", PAIR[:1], parameter, material[parameter], used)]
+    # Nothing is lost where neither is said, or where a solref is, or where both act as forces.
+    assert found(two_boxes({"ke": 0.0, "kd": 0.0}, {})) == []
+    for mode in (RAW, FORCE_SPACE):
+        assert found(two_boxes(material, material, solref=[DEFAULT_SOLREF] * 2, solref_mode=(mode, mode))) == []
+
+
+@pytest.mark.parametrize(("kd", "ratio"), [(5.0, 0.025), (900.0, 4.5)])
+def test_a_damping_ratio_far_from_one(kd, ratio):
+    material = {"ke": 1e4, "kd": kd}
+    assert found(two_boxes(material, material)) == [("dampratio", PAIR, "dampratio", ratio, 1.0)]
+    assert found(two_boxes(*[{"ke": 1e4, "kd": 100.0}] * 2)) == []  # 0.5 is not far
+
+
+def test_the_damping_ratio_of_a_stiffness_and_a_damping():
+    for damping, rules in ((100.0, []), (2.0, ["dampratio"])):
+        model = two_boxes({}, {}, solref=((-2500.0, -damping),) * 2, solref_mode=(RAW, RAW))
+        assert [rule for rule, *_ in found(model)] == rules
+
+
+def test_kf_is_read_by_some_releases_and_cones_and_contacts():
+    model = two_boxes({"kf": 50.0}, {})
+    unread = [("kf", PAIR[:1], "kf", 50.0, None)]
+    assert found(model, contacts="newton", cone="pyramidal") == unread
+    assert found(model, contacts="mujoco", cone="elliptic") == unread
+    assert found(model, contacts="newton", cone="elliptic") == ([] if kf_is_read() else unread)
+    assert found(two_boxes({}, {}), contacts="newton", cone="elliptic") == []
+
+
+def test_a_kf_that_asks_for_less_than_two_substeps_is_clamped():
+    model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
+    [(rule, shapes, _, _, used)] = found(model, contacts="newton", cone="elliptic", impratio=1.0)
+    if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
+        weight = 2.0 / float(model.body_mass.numpy()[0])
+        assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
+    else:
+        assert (rule, shapes, used) == ("kf", PAIR[:1], None)
+
+
+def test_what_no_row_of_a_contact_reads():
+    model = two_boxes({"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}, {})
+    authored = {"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}
+    assert found(model) == [("unused", PAIR[:1], name, value, None) for name, value in authored.items()]
+
+
+@pytest.mark.parametrize(("condim", "unread"), [(3, 2), (4, 1), (6, 0)])
+def test_spinning_and_rolling_take_rows_of_their_own(condim, unread):
+    """The larger condim of a pair counts, unless the other one outranks it."""
+    spinning = {"mu_torsional": 0.1, "mu_rolling": 0.01}
+    assert [rule for rule, *_ in found(two_boxes(spinning, {}, condim=(3, condim)))] == ["unused"] * unread
+    ranked = found(two_boxes(spinning, {}, condim=(3, condim), geom_priority=(1, 0)))
+    assert [rule for rule, *_ in ranked].count("unused") == 2
+
+
 @pytest.mark.parametrize(("capacity", "says"), [(9, "smaller"), (10, None), (40, None), (41, "larger")])
 def test_a_buffer_is_compared_with_the_measured_peak(capacity, says):
-    findings = lint(two_boxes({}, {}), DT, buffers=[Buffer("contacts", capacity, 10)])
-    assert [says in finding.message for finding in findings] == ([True] if says else [])
+    findings = lint(two_boxes({}, {}), ENGINE, buffers=[Buffer("contacts", capacity, 10)])
+    assert [(finding.rule, says in finding.message) for finding in findings] == ([("buffer", True)] if says else [])
+
+
+MJCF = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" solref="{geom} 1"/>
+    <body name="ball"><freejoint/><geom name="skin" size="0.1" solref="{geom} 1"/></body>
+  </worldbody>
+  <contact><pair geom1="floor" geom2="skin" solref="{pair}"/></contact>
+</mujoco>
+"""
+
+
+def mjcf_model(**values) -> newton.Model:
+    builder = newton.ModelBuilder()
+    SolverMuJoCo.register_custom_attributes(builder)
+    builder.add_mjcf(MJCF.format(**values))
+    return builder.finalize(device="cpu")
+
+
+@pytest.mark.parametrize(
+    ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", [])]
+)
+def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
+    model = mjcf_model(geom=0.001, pair=pair)
+    assert [rule for rule, *_ in found(model)] == rules
+    assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
+
+
+def test_a_model_without_shapes():
+    assert lint(newton.ModelBuilder().finalize(device="cpu"), ENGINE) == []
+    builder = newton.ModelBuilder()
+    builder.add_body()
+    assert lint(builder.finalize(device="cpu"), ENGINE, buffers=[Buffer("contacts", 5, 5)]) == []
+
+
+def test_600_shapes_in_under_a_second():
+    builder = newton.ModelBuilder()
+    for index in range(600):
+        builder.add_shape_sphere(builder.add_body(label=f"ball_{index}"), cfg=ShapeConfig(ke=1e5, kd=2e3, gap=None))
+    builder.shape_gap[0] = 0.001
+    model = builder.finalize(device="cpu")
+    start = time.process_time()
+    findings = lint(model, ENGINE)
+    assert time.process_time() - start < 1.0
+    assert sum(len(finding.against) for finding in findings if finding.rule == "timeconst") == 600 * 599 / 2
+    assert sum(finding.rule == "default-gap" for finding in findings) == 599
+    assert len(lines(findings)) == 2
 
 
 def test_shapes_that_cannot_touch_are_left_alone():
@@ -102,16 +213,18 @@ def test_shapes_that_cannot_touch_are_left_alone():
     body = builder.add_body(label="body")
     for priority in (0, 1):
         builder.add_shape_box(
-            body, cfg=ShapeConfig(ke=8e4 * (1 + priority)), custom_attributes={"mujoco:geom_priority": priority}
+            body,
+            cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
+            custom_attributes={"mujoco:geom_priority": priority},
         )
-    assert lint(builder.finalize(device="cpu"), DT) == []
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
 
 
 def test_a_model_without_the_solvers_attributes():
     builder = newton.ModelBuilder()
-    builder.add_shape_box(builder.add_body(), cfg=ShapeConfig(kd=1e4))
-    builder.add_ground_plane(cfg=ShapeConfig(kd=1e4))
-    assert {finding.rule for finding in lint(builder.finalize(device="cpu"), DT)} == {"timeconst"}
+    builder.add_shape_box(builder.add_body(), cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
 
 
 def test_the_constants_are_newtons():
@@ -122,13 +235,14 @@ def test_the_constants_are_newtons():
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     assert builder.custom_attributes["mujoco:condim"].default == CONDIM
+    assert CONES[int(builder.custom_attributes["mujoco:cone"].default)] == "pyramidal"
     np.testing.assert_allclose(builder.custom_attributes["mujoco:geom_solimp"].default, SOLIMP)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_real_scenes(scene):
-    model = build_scene([SCENES[scene].case], wp.get_device("cpu")).model
-    groups = {(group.first.rule, group.subject, group.first.parameter): group for group in grouped(lint(model, DT))}
+    findings = lint(SCENES[scene].model(), SCENES[scene].engine)
+    groups = {(group.first.rule, group.subject, group.first.parameter): group for group in grouped(findings)}
     stiffness = groups["priority", "cube", "ke"]
     assert (stiffness.against, stiffness.count) == ("fr3_leftfinger, fr3_rightfinger", 8)
     assert columns(stiffness)["used"] == (2.5e3 if scene == "as-shipped" else 2.5e5)
@@ -136,22 +250,21 @@ def test_the_real_scenes(scene):
     assert (("timeconst", "fr3_leftfinger", "timeconst") in groups) == (scene == "fixed")
 
 
-def test_the_timeconst_is_the_one_that_the_solver_has():
+def test_the_contacts_are_those_that_the_solver_has():
     """Contacts of the cube on the ground, where neither shape has priority, so that both sides mix."""
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
     simulation.frame()
-    shapes = _Shapes(simulation.model)
-    contacts = _contact_pairs(simulation)
-    assert contacts
-    for pair, timeconst in contacts.items():
-        assert shapes.timeconst(pair) == pytest.approx(timeconst, rel=1e-5)
-
-
-def _contact_pairs(simulation: Simulation) -> dict[tuple[int, int], float]:
+    contacts = contacts_of(Shapes(simulation.model))
+    places = {frozenset(pair): index for index, pair in enumerate(zip(contacts.first, contacts.second, strict=True))}
     data, geom_shapes = simulation.solver.mjw_data, simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
     count = int(data.nacon.numpy()[0])
-    geoms, solref = data.contact.geom.numpy()[:count], data.contact.solref.numpy()[:count]
-    return {tuple(geom_shapes[pair].tolist()): float(row[0]) for pair, row in zip(geoms, solref, strict=True)}
+    geoms = geom_shapes[data.contact.geom.numpy()[:count]]
+    assert count
+    where = [places[frozenset(pair)] for pair in geoms.tolist()]
+    np.testing.assert_allclose(contacts.solref[where], data.contact.solref.numpy()[:count], rtol=1e-5)
+    np.testing.assert_allclose(contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5)
+    np.testing.assert_allclose(contacts.mu[where], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
+    np.testing.assert_array_equal(contacts.condim[where], data.contact.dim.numpy()[:count])
 
 
 def test_the_section_has_a_row_for_each_scene_and_each_finding():

@@ -195,13 +195,13 @@ def now(side: Toy) -> dict[str, str]:
 
 def test_one_machine_never_takes_the_place_of_another(toy, monkeypatch, capsys):
     monkeypatch.setattr(measure, "machine_name", lambda device: "cpu" if device == "cpu" else "nvidia-h200")
-    assert measure.kept_by(toy.project, "cpu") == toy.project
-    assert measure.kept_by(toy.project, "cuda").release == "1.4.0@nvidia-h200"
+    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
+    assert measure.kept_by(toy.project, "cuda", ["toy"]).release == "1.4.0@nvidia-h200"
     assert "1.4.0@nvidia-h200" in capsys.readouterr().out
     apart = toy.project.of("1.4.0@nvidia-h200")
-    assert measure.kept_by(apart, "cuda") == apart
+    assert measure.kept_by(apart, "cuda", ["toy"]) == apart
     with pytest.raises(UsageError, match="nvidia-h200"):
-        measure.kept_by(apart, "cpu")
+        measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert devices.machine_of(record) == "nvidia-h100-80gb-hbm3"
 
@@ -212,3 +212,15 @@ def test_an_edition_whose_code_is_nowhere_says_so(tmp_path):
     assert isinstance(stack, Stack)
     with pytest.raises(UsageError, match="does not say where its code is"):
         python_of(stack, {}, tmp_path)
+
+
+def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy, monkeypatch):
+    monkeypatch.setattr(measure, "machine_name", lambda device: "cpu" if device == "cpu" else "nvidia-h200")
+    assert devices.needs_gpu("toy", toy.project.root)
+    module = toy.project.root / "experiments/toy.py"
+    module.with_name("other.py").write_text(module.read_text())
+    module.write_text(f"{module.read_text()}\nNEEDS_GPU = False\n")
+    assert not devices.needs_gpu("toy", toy.project.root)
+    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
+    # Its record of a CPU does not keep those of a GPU from the release.
+    assert measure.kept_by(toy.project, "cuda", ["toy", "other"]) == toy.project

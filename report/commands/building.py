@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from report import ReportError, UsageError
 from report.records.clips import clips_state
-from report.records.devices import NO_CUDA, measuring_device
+from report.records.devices import NO_CUDA, measuring_device, needs_gpu
 from report.records.environment import add_group
 from report.records.measure import measure
 from report.records.project import Project
@@ -44,10 +44,11 @@ def report(project: Project, arguments: argparse.Namespace) -> int:
 
 def rerun(project: Project, arguments: argparse.Namespace) -> int:
     """Measure one section, fresh or not, and build the site."""
-    device = measuring_device(arguments.device, project.profile)
+    section = arguments.section
+    device = measuring_device(arguments.device, project.profile) if needs_gpu(section, project.root) else "cpu"
     if not device:
         raise UsageError(NO_CUDA)
-    project = measure(project, arguments.stack, [arguments.section], device)
+    project = measure(project, arguments.stack, [section], device)
     return int(build_site(project, arguments.address)[0])
 
 

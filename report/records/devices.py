@@ -3,8 +3,10 @@
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
-from report import UsageError
+from report import ROOT, UsageError
+from report.records.identity import read_source
 from report.records.record import Record
 
 DEVICES = ("cuda", "cpu")
@@ -17,6 +19,15 @@ def has_cuda() -> bool:
         return False
     listing = subprocess.run(["nvidia-smi", "-L"], capture_output=True, text=True, check=False)
     return listing.returncode == 0 and "GPU" in listing.stdout
+
+
+def needs_gpu(section: str, root: Path = ROOT) -> bool:
+    """Whether a section's numbers depend on the device: those of one with ``NEEDS_GPU = False`` are the same on any.
+
+    It is measured on the CPU wherever that is asked for, and its record stands with those of a GPU.
+    """
+    name = f"experiments/{section}.py"
+    return bool(read_source(root / name, name).top.get("NEEDS_GPU", True))
 
 
 def measuring_device(asked: str | None, profile: str) -> str | None:

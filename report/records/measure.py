@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from report import ReportError, UsageError
-from report.records.devices import machine_name, machine_of
+from report.records.devices import machine_name, machine_of, needs_gpu
 from report.records.environment import python_of
 from report.records.files import refuse_unwritable
 from report.records.identity import sections as all_sections
@@ -30,7 +30,7 @@ def measure(project: Project, stack: Stack, sections: Sequence[str], device: str
 
     Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
-    kept = kept_by(project, device)
+    kept = kept_by(project, device, sections)
     refuse_unwritable(kept.results)
     try:
         seconds = str(seconds_known(project, device, sections))
@@ -47,7 +47,7 @@ def seconds_known(project: Project, device: str, sections: Sequence[str]) -> flo
         record.section: record.measured["seconds"]
         for release in project.releases
         for record in records_of(project.of(release))
-        if record.machine.get("device") == device
+        if record.machine.get("device") == device or not needs_gpu(record.section, project.root)
     }
     return sum(found[section] for section in sections) if found.keys() >= set(sections) else 0.0
 
@@ -77,12 +77,18 @@ def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
-def kept_by(project: Project, device: str) -> Project:
-    """The report that the results of this machine belong to: one of its own where others' are kept already."""
+def kept_by(project: Project, device: str, sections: Sequence[str]) -> Project:
+    """The report that the results of this machine belong to: one of its own where others' are kept already.
+
+    Sections that need no GPU count as measured on any machine.
+    """
+    if not any(needs_gpu(section, project.root) for section in sections):
+        return project
     label, machine = project.label, machine_name(device)
     if label.machine not in ("", machine):
         raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
-    others = {machine_of(record) for record in records_of(project)} - {machine}
+    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
+    others = {machine_of(record) for record in kept} - {machine}
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))

@@ -1,0 +1,97 @@
+"""How fast a contact that holds will slide: predicted from its parameters alone, by the report's law.
+
+A friction row asks for the acceleration -b v and yields R f to its force f (MuJoCo documentation, "Computation",
+constraint model). At a steady rate both balance what the row does not know of, an acceleration a such as J̇·q̇:
+
+    b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio,
+
+with the contact's impedance d (dmax from a depth of solimp's width on) and w, the sum of both bodies' body_invweight0.
+A row of a pyramid has (1 + μ²) w in place of w. A force that the contact carries, as of the weight of what is held, is
+a load f and no part of a.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+M = 1e3
+"""mm in a metre."""
+
+
+@dataclass(frozen=True)
+class Creep:
+    """What is predicted of one contact's slide."""
+
+    response_s: float
+    """1 / b [s]: m/s for each m/s² of acceleration that the rows leave out."""
+    yield_m_s_n: float
+    """R / b [m/s/N]: m/s for each newton of tangential force that one contact point carries."""
+    acceleration_mm_s: float
+    """Slide under the acceleration [mm/s]."""
+    load_mm_s: float
+    """Slide under the load [mm/s]."""
+
+    @property
+    def total_mm_s(self) -> float:
+        """Both together, along one direction [mm/s]."""
+        return self.acceleration_mm_s + self.load_mm_s
+
+
+def predicted_creep(
+    solref: Sequence[float],
+    dmax: float,
+    *,
+    timestep_s: float = 0.0,
+    acceleration_m_s2: float = 0.0,
+    load_n: float = 0.0,
+    inverse_mass_1_kg: float = 0.0,
+    impedance: float | None = None,
+    impratio: float = 1.0,
+    cone: str = "elliptic",
+    mu: float = 1.0,
+) -> Creep:
+    """The slide of a contact in a friction cone that it does not reach the edge of.
+
+    Args:
+        solref: Of the friction rows: timeconst [s] and dampratio, or, both negative, -stiffness and -damping [1/s].
+        dmax: Second entry of solimp.
+        timestep_s: Of the engine, which takes no timeconst below two of them [s]; 0 where refsafe is off.
+        acceleration_m_s2: Steady acceleration along the contact that its rows leave out [m/s²].
+        load_n: Tangential force on one contact point [N]: a load that n points share is a n-th on each.
+        inverse_mass_1_kg: Sum of the translational body_invweight0 of both bodies [1/kg]: of a free one 1 / mass.
+        impedance: d at the contact's depth; None: dmax.
+        impratio: Of the engine; ``math.inf`` for a noslip pass that converges, which leaves R out.
+        cone: ``elliptic`` or ``pyramidal``.
+        mu: Sliding friction, which only a pyramid's R reads.
+    """
+    response_s = response(solref, dmax, timestep_s)
+    d = dmax if impedance is None else impedance
+    regularization = (1.0 - d) / d * inverse_mass_1_kg / impratio
+    if cone == "pyramidal":
+        regularization *= 1.0 + mu**2
+    return Creep(
+        response_s=response_s,
+        yield_m_s_n=regularization * response_s,
+        acceleration_mm_s=M * response_s * acceleration_m_s2,
+        load_mm_s=M * response_s * regularization * load_n,
+    )
+
+
+def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:
+    """1 / b of a row [s]; see ``predicted_creep``."""
+    first, second = solref
+    if first <= 0.0:
+        return dmax / -second
+    return 0.5 * dmax * max(first, 2.0 * timestep_s)
+
+
+def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
+    """d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
+    dmin, dmax, width, midpoint, power = solimp
+    x = min(abs(depth_m) / width, 1.0) if width > 0.0 else 1.0
+    if power == 1.0 or x in (0.0, 1.0):
+        y = x
+    elif x <= midpoint:
+        y = x**power / midpoint ** (power - 1.0)
+    else:
+        y = 1.0 - (1.0 - x) ** power / (1.0 - midpoint) ** (power - 1.0)
+    return dmin + y * (dmax - dmin)

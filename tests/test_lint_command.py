@@ -1,0 +1,130 @@
+"""The lint as a program: what it reads, prints, and ends with."""
+
+import json
+import re
+
+import newton
+import pytest
+
+from experiments.linting.command import main
+from report import ROOT
+
+SCENE = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1"/>
+    <body name="ball"><freejoint/><geom name="skin" size="0.1" mass="2" {skin}/></body>
+  </worldbody>
+</mujoco>
+"""
+SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+URDF = f'<robot name="ball"><link name="skin">{SPHERE}</link></robot>'
+KINDS = {
+    "findings": {
+        **{"rule": str, "shape": str, "against": list, "parameter": str, "value": float, "used": float | None},
+        **{"unit": str, "message": str},
+    },
+    "creep": {
+        **{"pairs": list, "timeconst_s": float, "dmax": float, "response_s": float, "acceleration_m_s2": float},
+        **{"acceleration_mm_s": float, "load_n": float, "load_deep_mm_s": float, "load_shallow_mm_s": float},
+    },
+}
+
+
+@pytest.fixture
+def scene(tmp_path):
+    def write(skin: str = "") -> str:
+        path = tmp_path / "scene.xml"
+        path.write_text(SCENE.format(skin=skin))
+        return str(path)
+
+    return write
+
+
+def built() -> newton.Model:
+    """A target of the lint."""
+    builder = newton.ModelBuilder()
+    builder.add_shape_sphere(builder.add_body(label="ball"))
+    builder.add_ground_plane()
+    return builder.finalize(device="cpu")
+
+
+def test_a_clean_scene(scene, capsys):
+    assert main([scene()]) == 0
+    out = capsys.readouterr().out
+    assert "nothing found" in out
+    assert "19 mm/s for each m/s²" not in out and "9.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2
+
+
+def test_findings_end_with_one(scene, capsys):
+    assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
+    assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
+
+
+def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
+    (tmp_path / "robot.urdf").write_text(URDF)
+    assert main([f"{__name__}:built"]) == 0
+    assert main([str(tmp_path / "robot.urdf")]) == 0  # one shape alone touches nothing
+    assert "creep" not in capsys.readouterr().out.split("robot.urdf")[1]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["nowhere.xml"],
+        ["scene.txt"],
+        ["no.such.module:function"],
+        ["tests.test_lint_command:nothing"],
+        ["os:getcwd"],
+        ["broken"],
+        ["good", "--dt", "0"],
+        ["good", "--dt", "nan"],
+        ["good", "--load", "-1"],
+        ["good", "--cone", "round"],
+        [],
+    ],
+)
+def test_what_cannot_be_linted_is_said_in_one_line(arguments, scene, tmp_path, capsys):
+    (tmp_path / "broken.xml").write_text("<mujoco><worldbody>")
+    places = {"good": scene(), "broken": str(tmp_path / "broken.xml")}
+    try:
+        status = main([places.get(argument, argument) for argument in arguments])
+    except SystemExit as end:
+        status = end.code
+    out, err = capsys.readouterr()
+    assert (status, out, len(err.strip().splitlines())) == (2, "", 1)
+
+
+def test_json_is_as_documented(scene, capsys):
+    target = scene('solref="0.001 1" friction="1 0.2 0.0001"')
+    assert main([target, "--json", "--load", "3", "--acceleration", "0.5"]) == 1
+    said = json.loads(capsys.readouterr().out)
+    assert (said["schema"], said["target"], said["newton"], said["dt_s"]) == (1, target, newton.__version__, 0.002)
+    assert list(said) == ["schema", "target", "newton", "dt_s", "findings", "creep"]
+    for name, kinds in KINDS.items():
+        assert said[name]
+        for entry in said[name]:
+            assert list(entry) == list(kinds)
+            assert all(isinstance(entry[key], kind) for key, kind in kinds.items())
+    documented = (ROOT / "docs" / "lint.md").read_text(encoding="utf-8")
+    for name in [*said, *KINDS["findings"], *KINDS["creep"]]:
+        assert f"`{name}`" in documented
+    [creep] = said["creep"]
+    assert [sorted(pair) for pair in creep["pairs"]] == [["ball/skin", "floor"]]
+    # The mean of 1 and 20 ms; the ball weighs 2 kg, and a pyramidal cone with μ 1 doubles R.
+    response_s = 0.5 * 0.95 * 0.0105
+    assert creep["response_s"] == pytest.approx(response_s)
+    assert creep["acceleration_mm_s"] == pytest.approx(1e3 * response_s * 0.5)
+    assert creep["load_deep_mm_s"] == pytest.approx(1e3 * response_s * (0.05 / 0.95) * 0.5 * 2.0 * 3.0, rel=1e-4)
+    assert creep["load_shallow_mm_s"] == pytest.approx(1e3 * response_s * (0.1 / 0.9) * 0.5 * 2.0 * 3.0, rel=1e-4)
+
+
+def test_every_rule_is_documented():
+    text = (ROOT / "docs" / "lint.md").read_text(encoding="utf-8")
+    rules = set(re.findall(r'yield (?:_hits|Hits|Finding)\(\s*"([a-z-]+)"', _rules_source()))
+    assert rules == {"priority", "default-gap", "timeconst", "ke-without-kd", "dampratio", "kf", "unused", "buffer"}
+    assert all(f"| `{rule}` |" in text for rule in rules)
+
+
+def _rules_source() -> str:
+    return (ROOT / "experiments" / "linting" / "rules.py").read_text(encoding="utf-8")
