@@ -12,6 +12,7 @@ from report.sections.cure.budget import (
     closed_count,
     closing_table,
     kept_runs,
+    lacks_the_sway,
     parts_of,
     run_count,
 )
@@ -57,6 +58,7 @@ def derive(results: Results) -> Section:
             _term_uncovers_step(results, parts["the term"]),
             _stiff_pads_with_term(results),
             _with_other_contacts(results),
+            lacks_the_sway(results, amplitude),
         ],
     )
 

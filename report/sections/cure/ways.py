@@ -129,10 +129,7 @@ def what_to_use(results: Results, amplitude: Value) -> Claim:
     outcome = all_of(at_most(best, least), *(outcome for outcome in fit.values() if outcome.name == "unknown"))
     numbers = {"way": chosen.name, "slip": chosen.row(results, "3cm").slip_mm, "best": best, "bound": bound}
     numbers |= {"far": chosen.row(results, "10cm").slip_mm, "held": chosen.row(results, "held").slip_mm}
-    numbers |= {
-        "shipped": WAYS[0].row(results, "3cm").slip_mm,
-        "amplitude": chosen.row(results, "10cm").shake_amplitude_m,
-    }
+    numbers |= {"shipped": WAYS[0].row(results, "3cm").slip_mm, "amplitude": amplitude}
     return Claim("what_to_use", outcome, numbers=numbers)
 
 
