@@ -80,6 +80,7 @@ def test_a_missing_number_needs_its_reason(toy):
     [
         ("slip_mm", "mm"),
         ("drift_mm_s", "mm/s"),
+        ("left_out_x_m_s", "m/s"),
         ("grasp_error_mm_per_cycle", "mm/cycle"),
         ("cube_height_m", "m"),
         ("normal_force_n", "N"),

@@ -15,6 +15,7 @@ UNITS = {
     "n_m": "N/m",
     "per_s": "1/s",
     "m_s2": "m/s²",
+    "m_s": "m/s",
     "bytes_per_world": "B",
     "bytes": "B",
     "mm": "mm",
@@ -30,7 +31,7 @@ UNITS = {
 
 PLAIN = "1"
 """The unit of a number whose column names none."""
-LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
+LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 LARGEST_OF_OTHERS = 1e18
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
@@ -40,9 +41,8 @@ MAGNITUDE = re.compile(
     r"|.*excess_speed_mm_s|.*_floor_mm(_s)?|(normal|tangential|grip)_force_n|stiffness_n_m|(.*_)?count|substeps|worlds"
 )
 """Columns of other units whose numbers have no sign either: a slip is a distance."""
-SIGNED = re.compile(r"increment_.*|(used|authored)_.*|(.*_)?growth_per_s|.*_[xyz]_m_s")
-"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, a growth, and
-parts of a vector."""
+SIGNED = re.compile(r"increment_.*|(used|authored)_.*|(.*_)?growth_per_s")
+"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, a growth."""
 
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")

@@ -15,7 +15,7 @@ from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
-order = 143
+order = 144
 page = "fix"
 
 WORLD_COUNTS = (1, 4096, 16384)

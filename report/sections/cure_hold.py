@@ -14,7 +14,7 @@ from report.names import name_of
 from report.parts import Download, Figure, Section, Table
 from report.results import Results, Row, Series
 
-order = 142
+order = 143
 page = "fix"
 
 POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"

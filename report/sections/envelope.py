@@ -230,7 +230,7 @@ def _fate(row: Row) -> str:
     return "dropped" if row.dropped else "held"
 
 
-def _grid(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
+def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
     """A column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
     mine = frame[frame["side"] == side]
     return mine.pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
@@ -245,7 +245,9 @@ def _map_gains(frame: pd.DataFrame) -> np.ndarray:
 def _held_slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
     """The slips of every cell that is held on both sides, as shipped and with stiff pads, shape [cells] each."""
     shipped, stiff = (
-        _grid(frame, side, "slip_mm").where(_grid(frame, side, "dropped").astype(str) == "False").to_numpy(dtype=float)
+        grid_of(frame, side, "slip_mm")
+        .where(grid_of(frame, side, "dropped").astype(str) == "False")
+        .to_numpy(dtype=float)
         for side in SIDES
     )
     is_there = np.isfinite(shipped / stiff)
@@ -256,7 +258,7 @@ def _draw_maps(frame: pd.DataFrame) -> Drawing:
     drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)
     for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
-        colours = _draw_map(axes, *(_grid(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
+        colours = draw_map(axes, *(grid_of(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
         axes.set_title(label)
     panels[0].set_ylabel("amplitude [cm]")
     drawing.supxlabel("frequency [Hz]", fontsize=10)
@@ -269,7 +271,7 @@ def _draw_maps(frame: pd.DataFrame) -> Drawing:
     return drawing
 
 
-def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
+def draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
     frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
     failed = failure.notna().to_numpy()
     lost = (dropped.astype(str) == "True").to_numpy()

@@ -89,6 +89,10 @@ def _clamp(found: Found) -> Claim:
     return found.retold("clamp", "stability", "leans_on_clamp")
 
 
+def _use(found: Found) -> Claim:
+    return found.retold("use", "cure", "what_to_use")
+
+
 def _newest(found: Found) -> Claim:
     """From the release of the page, where that is neither the oldest nor the newest."""
     between = found.claim("upgrade", "same_as_newest")
@@ -103,6 +107,7 @@ QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {
     "impratio": ({"error_runtime"}, _impratio),
     "clamp": ({"stability"}, _clamp),
     "substeps": ({"solver", "stiffness"}, substeps),
+    "use": ({"cure", "cure_cost"}, _use),
     "newest": ({"upgrade"}, _newest),
 }
 """Claims that are made where the sections that they need have results."""

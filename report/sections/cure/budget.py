@@ -5,11 +5,12 @@ from itertools import product
 
 import pandas as pd
 
-from report.deriving.arithmetic import extreme
+from report.claims import Claim, at_least
+from report.deriving.arithmetic import extreme, ratio
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
-from report.sections.cure.ways import WAYS, Way
+from report.sections.cure.ways import GRASP_MM, WAYS, Way
 
 PARTS = {
     "left_out": "the term",
@@ -21,8 +22,6 @@ PARTS = {
 """Columns of the parts, and what they are called."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
 SHAKES = {"held": "held still", "3cm": "3 cm", "10cm": "10 cm"}
-GRASP_MM = 80.0
-"""Farther from where it was, a cube is out of the grasp."""
 
 
 def kept_runs(results: Results) -> list[Row]:
@@ -96,3 +95,14 @@ def closing_table(results: Results, least: Value, most: Value) -> Table:
             "largest slip": extreme(results, f"slip_{name}", "largest slip", max, [row.slip_mm for row in runs]),
         }
     return Table(pd.DataFrame(lines).T.rename_axis("runs"))
+
+
+def lacks_the_sway(results: Results, amplitude: Value) -> Claim:
+    """Whether what the budget leaves over of the widest shake is a matter of soft pads, in which the cube sways."""
+    soft, stiff = (results.derived[f"remainder_{pads}_10cm"] for pads in PADS)
+    more = ratio(
+        results, "remainder_ratio", "largest remainder with shipped pads over that with stiff ones", soft, stiff
+    )
+    bound = results.chosen("remainder_ratio_bound", "clearly more", 3.0)
+    numbers = {"soft": soft, "stiff": stiff, "amplitude": amplitude}
+    return Claim("lacks_the_sway", at_least(more, bound), numbers=numbers)

@@ -5,12 +5,16 @@ from dataclasses import dataclass
 
 import pandas as pd
 
+from report.claims import HOLDS, Claim, Outcome, all_of, at_most
+from report.deriving.arithmetic import extreme
 from report.names import worlds_name
 from report.parts import Table
-from report.quantities import Quantity, absent
+from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
 WORLD_COUNTS = (1, 4096, 16384)
+GRASP_MM = 80.0
+"""Farther from where it was, a cube is out of the grasp."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +29,8 @@ class Way:
     timed: str = ""
     """Its case in section cure_cost, where it was timed."""
     may_break: str = ""
+    tried: str = ""
+    """What it is called in section cure_limits, where it was tried at the limits of the grasp."""
 
     def row(self, results: Results, amplitude: str) -> Row:
         return results.row[f"{self.setting}-{amplitude}-{self.remedies}"]
@@ -36,17 +42,23 @@ BEST = Way(
     "full-kept",
     "best",
     "as above; bodies that roll",
+    "best",
 )
 WAYS = (
     Way("shipped pads", "newton-implicitfast-50-shipped", "plain-rounded", "as-shipped", "holds nothing for long"),
-    Way("stiff pads", "newton-implicitfast-50-stiff", "plain-rounded", "", "long steps: see the limits"),
+    Way("stiff pads", "newton-implicitfast-50-stiff", "plain-rounded", "", "long steps"),
     Way("stiff pads, the term", "newton-implicitfast-50-stiff", "term-rounded", "", "as both"),
-    Way("the term", "newton-implicitfast-50-shipped", "term-rounded", "term", "bodies that roll and spin at once"),
+    Way(
+        "the term",
+        "newton-implicitfast-50-shipped",
+        "term-rounded",
+        "term",
+        "bodies that roll and spin",
+        "term",
+    ),
     Way("the term, RK4", "newton-rk4-50-shipped", "term-rounded", "term-rk4", "the same; time"),
     Way("the term centred, Euler", "newton-euler-50-shipped", "centred-rounded", "", "as the term; damped drives"),
-    Way(
-        "and a high impratio", "newton-euler-400-shipped", "centred-rounded", "", "the same; solves with few iterations"
-    ),
+    Way("and a high impratio", "newton-euler-400-shipped", "centred-rounded", "", "the same; few iterations"),
     Way("and compensated positions", "newton-euler-400-shipped", "centred-kept", "", "the same"),
     BEST,
 )
@@ -55,16 +67,32 @@ STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impr
 
 
 def use_table(results: Results) -> Table:
-    """What to use: for each way its slips, what it costs, and what it may break."""
+    """What to use: for each way its slips, and what it breaks or may break."""
     columns: dict[str, Sequence] = {
-        "slip, 3 cm": [way.row(results, "3cm").slip_mm for way in WAYS],
-        "slip, 10 cm": [way.row(results, "10cm").slip_mm for way in WAYS],
-        "held still": [way.row(results, "held").slip_mm for way in WAYS],
+        "slip, 3 cm": [_slip(way.row(results, "3cm")) for way in WAYS],
+        "slip, 10 cm": [_slip(way.row(results, "10cm")) for way in WAYS],
+        "held still": [_slip(way.row(results, "held")) for way in WAYS],
+        "lost at the limits": [_lost(results, way) for way in WAYS],
+        "may break": [way.may_break for way in WAYS],
     }
-    for count in WORLD_COUNTS:
-        columns[f"frame, {worlds_name(count)}"] = [_frame_ms(results, way, count) for way in WAYS]
-    columns["may break"] = [way.may_break for way in WAYS]
-    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
+    return _by_way(WAYS, columns)
+
+
+def _slip(row: Row) -> Quantity | str:
+    return "lost" if row.dropped else row.slip_mm
+
+
+def cost_table(results: Results) -> Table:
+    """Of the ways that were timed."""
+    ways = [way for way in WAYS if way.timed]
+    times: dict[str, Sequence] = {
+        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in WORLD_COUNTS
+    }
+    return _by_way(ways, times)
+
+
+def _by_way(ways: Sequence[Way], columns: dict[str, Sequence]) -> Table:
+    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in ways], name="what is done")))
 
 
 def _frame_ms(results: Results, way: Way, count: int) -> Quantity:
@@ -73,3 +101,44 @@ def _frame_ms(results: Results, way: Way, count: int) -> Quantity:
         if way.timed and (row.case, row.worlds.value) == (way.timed, count):
             return row.frame_ms
     return absent("ms", "it was not timed")
+
+
+def _lost(results: Results, way: Way) -> Quantity:
+    """Runs that keep the cube with shipped pads and lose it this way."""
+    limits = results.others.get("cure_limits")
+    found = limits.derived.get(f"lost_{way.tried}") if limits else None
+    return found or absent("1", "it was not tried there")
+
+
+def far_mm(results: Results) -> Value:
+    """How far the widest of the shakes goes."""
+    metres = BEST.row(results, "10cm").shake_amplitude_m
+    return results.value("far_amplitude", "in whole mm", lambda amplitude: round(1e3 * amplitude), metres, unit="mm")
+
+
+def what_to_use(results: Results, amplitude: Value) -> Claim:
+    """All remedies together, if they are what the rule finds: the least slip of all ways that hold the cube at 10 cm as
+    well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried."""
+    bound = results.chosen("use_bound", "next to no time of a frame", 3.0, unit="%")
+    far = results.chosen("use_far", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
+    fit = {way: _fits(results, way, bound, far) for way in WAYS}
+    slips = [way.row(results, "3cm").slip_mm for way, outcome in fit.items() if outcome == HOLDS]
+    least = extreme(results, "use_least", "least slip at 3 cm of the ways that the rule leaves", min, slips)
+    best = BEST.row(results, "3cm").slip_mm
+    chosen = next((way for way in WAYS if way.row(results, "3cm").slip_mm.value == least.value), BEST)
+    outcome = all_of(at_most(best, least), *(outcome for outcome in fit.values() if outcome.name == "unknown"))
+    numbers = {"way": chosen.name, "slip": chosen.row(results, "3cm").slip_mm, "best": best, "bound": bound}
+    numbers |= {"far": chosen.row(results, "10cm").slip_mm, "held": chosen.row(results, "held").slip_mm}
+    numbers |= {"shipped": WAYS[0].row(results, "3cm").slip_mm, "amplitude": amplitude}
+    return Claim("what_to_use", outcome, numbers=numbers)
+
+
+def _fits(results: Results, way: Way, bound: Value, far: Value) -> Outcome:
+    none = results.chosen(f"use_lost_{WAYS.index(way)}", "it breaks nothing", 0)
+    found = [at_most(way.row(results, "10cm").slip_mm, far)]
+    cost = results.others.get("cure_cost")
+    for count in WORLD_COUNTS if cost and way.timed else ():
+        extra = cost.derived.get(f"{way.timed}_extra_{count}")
+        found += [at_most(extra, bound)] if extra and extra.value is not None else []
+    lost = _lost(results, way)
+    return all_of(*found, *([at_most(lost, none)] if lost.value is not None else []))

@@ -1,0 +1,182 @@
+"""Other bodies and other contacts than a grasp: do they move as they should with the term put back?
+
+On a plane a body is dropped, slides or rolls, where the contact has no acceleration that could be left out along its
+friction; a ball that rolls and spins at once has the material point accelerate sideways while its contact does not. On
+a table that turns, as in section turntable, a body stands on feet of different shapes, from the start or after it has
+slid into step.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from types import SimpleNamespace
+
+import mujoco
+import mujoco_warp as mjw
+import numpy as np
+import warp as wp
+from tqdm import tqdm
+
+from assets.fix import contact_bias
+from experiments import contact_bias_c
+from experiments.measurement import Conditions, Measurement
+
+WAYS = {
+    "plain": None,
+    "term": {},
+    "full": {"centred": True, "normal": True},
+}
+"""What ``contact_bias`` is installed with; ``full`` gives the term to the normal rows as well."""
+ENGINES = ("warp", "c")
+SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 10.0, 0.05, 0.5, 9.81
+HEIGHT_M = 0.1
+TURN_RAD_S, PLACE_M = 2.0, 0.2
+SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 6.0, "quick": 4.0}}
+CAUGHT_S = 2.0
+"""By then a body that was put down at rest turns with the table; its growth is measured after it."""
+SAMPLE_S = 0.1
+CUBE = " ".join(
+    f"{x} {y} {z}" for x in (-RADIUS_M, RADIUS_M) for y in (-RADIUS_M, RADIUS_M) for z in (-RADIUS_M, RADIUS_M)
+)
+FOOT = "0 0 -0.01  0.01 0 0.01  -0.005 0.008 0.01  -0.005 -0.008 0.01"
+"""Corners of a tetrahedron that stands on one of them."""
+GEOMS = {
+    "sphere": f'type="sphere" size="{RADIUS_M}"',
+    "cylinder": f'type="cylinder" size="{RADIUS_M} {RADIUS_M}" euler="90 0 0"',
+    "mesh": 'type="mesh" mesh="cube"',
+}
+FEET = {
+    "sphere": 'type="sphere" size="0.01"',
+    "cylinder": 'type="cylinder" size="0.01 0.01"',
+    "mesh": 'type="mesh" mesh="foot"',
+}
+OPTION = '<option timestep="0.002" cone="elliptic" integrator="implicitfast"/>'
+MESHES = f'<asset><mesh name="cube" vertex="{CUBE}"/><mesh name="foot" vertex="{FOOT}"/></asset>'
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A body and how it starts; ``start`` sets positions and velocities."""
+
+    name: str
+    body: str
+    place: str
+    """``plane`` or ``table``."""
+    mjcf: str
+    start: Callable[[mujoco.MjData], None]
+
+
+def on_plane(body: str) -> str:
+    return f"""<mujoco>{OPTION}{MESHES}<worldbody>
+      <geom type="plane" size="5 5 1" friction="{FRICTION}"/>
+      <body pos="0 0 {RADIUS_M}"><freejoint/><geom {GEOMS[body]} mass="0.2" friction="{FRICTION}"/></body>
+    </worldbody></mujoco>"""
+
+
+def on_table(feet: str) -> str:
+    places = [(x, y) for x in (0.04, -0.04) for y in (0.04, -0.04)]
+    stand = "".join(f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in places)
+    return f"""<mujoco>{OPTION}{MESHES}<worldbody>
+      <body><joint axis="0 0 1" armature="1000"/><geom type="box" size="0.5 0.5 0.05"/></body>
+      <body pos="{PLACE_M} 0 0.1"><freejoint/>
+        <geom type="box" size="0.05 0.05 0.04" mass="0.2" contype="0" conaffinity="0"/>{stand}
+      </body>
+    </worldbody></mujoco>"""
+
+
+def thrown(data: mujoco.MjData, *, height_m: float = 0.0, roll: bool = False, spin: float = 0.0) -> None:
+    """Along x, from ``height_m`` above the plane, rolling or not, with a spin about the vertical [rad/s]."""
+    data.qpos[2] += height_m
+    data.qvel[:] = SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin
+
+
+def carried(data: mujoco.MjData, *, at_rest: bool = False) -> None:
+    """On the turning table, at rest on it or against the ground."""
+    data.qvel[0] = TURN_RAD_S
+    if not at_rest:
+        data.qvel[1:] = 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S
+
+
+MOTIONS = [
+    *(
+        Motion("impact", body, "plane", on_plane(body), partial(thrown, height_m=HEIGHT_M))
+        for body in ("sphere", "cylinder", "mesh")
+    ),
+    *(Motion("roll", body, "plane", on_plane(body), partial(thrown, roll=True)) for body in ("sphere", "cylinder")),
+    Motion("pivot", "sphere", "plane", on_plane("sphere"), partial(thrown, roll=True, spin=SPIN_RAD_S)),
+    Motion("slide", "mesh", "plane", on_plane("mesh"), thrown),
+    *(Motion("carried", feet, "table", on_table(feet), carried) for feet in FEET),
+    *(Motion("caught", feet, "table", on_table(feet), partial(carried, at_rest=True)) for feet in FEET),
+]
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """A row for each motion, way and engine: where the body is at the end, or how it walks on the table."""
+    rows = []
+    runs = [(motion, way, engine) for motion in MOTIONS for way in WAYS for engine in ENGINES]
+    for motion, way, engine in tqdm(runs, desc="cure_bodies", unit="run", delay=3.0):
+        seconds = SECONDS[motion.place][conditions.profile]
+        run = run_in_c if engine == "c" else partial(run_in_warp, device=conditions.device)
+        path = run(motion, WAYS[way], seconds)
+        row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}", "motion": motion.name, "body": motion.body}
+        row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
+        rows.append(row | (plane_columns(path) if motion.place == "plane" else table_columns(path)))
+    return Measurement(rows)
+
+
+def plane_columns(path: np.ndarray) -> dict[str, float]:
+    """Where a body on the plane ends, from where it began; shape [samples, 3]."""
+    travel, sideways, rise = 1e3 * (path[-1] - path[0])
+    return {"travel_mm": float(travel), "sideways_mm": float(sideways), "rise_mm": float(rise)}
+
+
+def table_columns(path: np.ndarray) -> dict[str, float]:
+    """How fast the distance from the axis grows once the body turns with the table."""
+    time_s, radius_m = SAMPLE_S * np.arange(len(path)), np.hypot(*path[:, :2].T)
+    settled = time_s >= CAUGHT_S
+    growth = np.polyfit(time_s[settled], np.log(radius_m[settled]), 1)[0]
+    return {"growth_per_s": float(growth), "end_radius_mm": 1e3 * float(radius_m[-1])}
+
+
+def started(motion: Motion) -> tuple[mujoco.MjModel, mujoco.MjData]:
+    model = mujoco.MjModel.from_xml_string(motion.mjcf)
+    data = mujoco.MjData(model)
+    motion.start(data)
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+def run_in_c(motion: Motion, remedy: dict | None, seconds: float) -> np.ndarray:
+    """Position of the body every SAMPLE_S [m], shape [samples, 3]."""
+    model, data = started(motion)
+    mujoco.set_mjcb_control(None if remedy is None else partial(contact_bias_c.subtract_bias, **remedy))
+    try:
+        path = [data.qpos[model.nq - 7 : model.nq - 4].copy()]
+        for _ in range(round(seconds / SAMPLE_S)):
+            for _ in range(round(SAMPLE_S / model.opt.timestep)):
+                mujoco.mj_step(model, data)
+            path.append(data.qpos[model.nq - 7 : model.nq - 4].copy())
+    finally:
+        mujoco.set_mjcb_control(None)
+    return np.array(path)
+
+
+def run_in_warp(motion: Motion, remedy: dict | None, seconds: float, *, device: str) -> np.ndarray:
+    """The same in MuJoCo Warp."""
+    model, data = started(motion)
+    with wp.ScopedDevice(device):
+        m, d = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
+        start = d.qpos.numpy().copy(), d.qvel.numpy().copy()
+        if remedy is not None:
+            contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=d), **remedy)
+        mjw.step(m, d)  # compiles, which must not happen inside a capture
+        d.qpos.assign(start[0])
+        d.qvel.assign(start[1])
+        with wp.ScopedCapture() as capture:
+            for _ in range(round(SAMPLE_S / model.opt.timestep)):
+                mjw.step(m, d)
+        path = [start[0][0, -7:-4]]
+        for _ in range(round(seconds / SAMPLE_S)):
+            wp.capture_launch(capture.graph)
+            path.append(d.qpos.numpy()[0, -7:-4].copy())
+    return np.array(path, dtype=float)

@@ -1,0 +1,118 @@
+"""Repeatable to the last bit: which of the ways that a release has to run deterministically do so, at what price."""
+
+from collections.abc import Sequence
+from dataclasses import fields, replace
+
+import mujoco_warp
+import newton
+import numpy as np
+import warp as wp
+from newton.solvers import SolverMuJoCo
+
+from experiments import metrics
+from experiments.case import AS_SHIPPED, Case
+from experiments.measurement import Conditions, Measurement, absent
+from experiments.simulation import CONTACT_MAX, Simulation, run
+from experiments.timing import frame_ms, in_the_shake, put_in_state_of, spread
+from experiments.trace import Trace
+
+CONTACTS, CONSTRAINT, ATOMICS = 1, 2, 4
+"""Bits of ``Option.deterministic`` (mujoco-warp 3.17, ``DeterminismType``)."""
+WAYS = {
+    "plain": {},
+    "sorted": {"is_sorted": True},
+    "ordered": {"is_sorted": True, "bits": CONTACTS | CONSTRAINT},
+    "all": {"is_sorted": True, "bits": CONTACTS | CONSTRAINT | ATOMICS},
+}
+"""Newton's contacts sorted, then MuJoCo Warp's contacts and rows in a fixed order, then its sums as well."""
+BATCH_COUNT = {"full": 64, "quick": 2}
+WORLD_COUNTS = {"full": (1, 4096), "quick": (1,)}
+REPEAT_COUNT = {"full": 40, "quick": 3}
+NUMBERS = ("slip_mm", "run_spread_mm", "world_spread_mm", "differing_world_count", "peak_contact_count")
+
+
+class Deterministic(Simulation):
+    """A simulation that is told to do the same in every run."""
+
+    def __init__(self, cases: Sequence[Case], device: wp.Device, *, is_sorted: bool = False, bits: int = 0):
+        self.is_sorted, self.bits = is_sorted, bits
+        super().__init__(cases, device)
+
+    def _build_collision(self):
+        if not self.is_sorted:
+            return super()._build_collision()
+        pipeline = newton.CollisionPipeline(
+            self.model,
+            broad_phase=self.case.broad_phase,
+            reduce_contacts=True,
+            rigid_contact_max=self.world_count * (self.case.contact_max or CONTACT_MAX),
+            deterministic=True,
+        )
+        return pipeline, pipeline.contacts()
+
+    def _build_solver(self) -> SolverMuJoCo:
+        solver = super()._build_solver()
+        if self.bits:
+            solver.mjw_model.opt.deterministic = self.bits
+        return solver
+
+
+def engine_has_it() -> bool:
+    """Whether MuJoCo Warp of the installed release has ``Option.deterministic``."""
+    return any(field.name == "deterministic" for field in fields(mujoco_warp.Option))
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """A row for each way, with what two runs of one batch have in common, and one for each way and number of worlds
+    with the time of a frame."""
+    device = wp.get_device(conditions.device)
+    case = replace(AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
+    pilot = in_the_shake(AS_SHIPPED, device)
+    rows = []
+    for way, options in WAYS.items():
+        row = {"case": way, "kind": "same", "worlds": BATCH_COUNT[conditions.profile]}
+        if options.get("bits") and not engine_has_it():
+            rows.append(row | absent(NUMBERS, "MuJoCo Warp here has no Option.deterministic"))
+            continue
+        batch = [replace(case, name=way)] * row["worlds"]
+        try:
+            # One after the other, so that nothing but chance can tell them apart.
+            first, second = (
+                run([Deterministic(batch, device, **options)], title=f"repeatable, {way}")[0] for _ in "ab"
+            )
+            rows.append(row | likeness(first, second))
+            rows += [
+                time_row(way, options, count, pilot, conditions.profile) for count in WORLD_COUNTS[conditions.profile]
+            ]
+        except Exception as error:  # a release that has it need not be able to compile it
+            if not options.get("bits"):
+                raise
+            rows.append(row | absent(NUMBERS, " ".join(str(error).split())[:120] or type(error).__name__))
+    return Measurement(rows)
+
+
+def likeness(first: Sequence[Trace], second: Sequence[Trace]) -> dict[str, object]:
+    """How far the worlds of two runs of one batch are apart, run against run and world against world."""
+    failure = next((str(trace.failure) for trace in (*first, *second) if trace.failure), None)
+    if failure:
+        return {"failure": failure} | absent(NUMBERS, failure)
+    slips = np.array([[metrics.slip_mm(metrics.displacement(trace)) for trace in worlds] for worlds in (first, second)])
+    differs = [not np.array_equal(a.poses, b.poses) for a, b in zip(first, second, strict=True)]
+    return {
+        "failure": None,
+        "slip_mm": float(slips.mean()),
+        "run_spread_mm": float(np.abs(slips[0] - slips[1]).max()),
+        "world_spread_mm": float(np.ptp(slips)),
+        "differing_world_count": sum(differs),
+        "peak_contact_count": max(trace.peak_contact_count for trace in (*first, *second)),
+    }
+
+
+def time_row(way: str, options: dict, world_count: int, pilot: Simulation, profile: str) -> dict[str, object]:
+    """Time of a frame in the middle of the shake."""
+    simulation = Deterministic([replace(AS_SHIPPED, frame_count=1)] * world_count, pilot.device, **options)
+    put_in_state_of(simulation, pilot)
+    times = frame_ms(simulation, REPEAT_COUNT[profile])
+    return {"case": f"{way}-time-{world_count}", "kind": "time", "way": way, "worlds": world_count} | spread(
+        "frame_ms", times
+    )

@@ -1,0 +1,99 @@
+"""How hard can one shake with the cure? The map of section envelope with the term, and with all remedies."""
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_least, at_most
+from report.deriving.arithmetic import SETTLES
+from report.figures import new_figure, plain_labels
+from report.parts import Figure, Section, Table
+from report.quantities import Value
+from report.results import Results, Series
+from report.sections.envelope import HELD_HEIGHT_M, draw_map, grid_of
+
+order = 147
+page = "fix"
+
+SIDES = {"term": "the term", "best": "all remedies"}
+OTHERS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
+"""Sides of the map in section envelope."""
+MAP = "map"
+
+
+def derive(results: Results) -> Section:
+    trace, held = results.trace(MAP), results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, unit="m")
+    other = results.others.get("envelope")
+    before = other.trace(MAP) if other else Series(None, "", "section envelope has no results here")
+    lost = {side: _lost(results, trace, side, held) for side in SIDES}
+    lost |= {side: _lost(results, before, side, held) for side in OTHERS}
+    gains = {(side, than): _gain(results, before, than, trace, side) for side in SIDES for than in OTHERS}
+    maps = Figure(draw=lambda: _draw(trace.value), sources=[trace], numbers={side: lost[side] for side in SIDES})
+    return Section(
+        tables={"sides": _table(lost, gains)},
+        figures={"maps": maps},
+        claims=[_never_drops(results, lost), _gains(results, gains)],
+    )
+
+
+def _lost(results: Results, trace: Series, side: str, held: Value) -> Value:
+    return results.value(
+        f"lost_{side.replace('-', '_')}",
+        f"cells of side {side} whose cube ends lower than held_height, or nowhere",
+        lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
+        trace,
+        held,
+    )
+
+
+def _gain(results: Results, before: Series, than: str, trace: Series, side: str) -> Value:
+    """Cell by cell, where the cube is kept in both."""
+
+    def median_gain(first: pd.DataFrame, second: pd.DataFrame) -> float:
+        ratios = (_held_slip(first, than) / _held_slip(second, side)).to_numpy()
+        return float(np.median(ratios[np.isfinite(ratios)]))
+
+    return results.value(
+        f"gain_{side}_{than.replace('-', '_')}",
+        f"median over the map of the slip of side {than} over that of side {side}, where both keep the cube",
+        median_gain,
+        before,
+        trace,
+    )
+
+
+def _held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
+    return grid_of(frame, side, "slip_mm").where(grid_of(frame, side, "dropped").astype(str) == "False")
+
+
+def _never_drops(results: Results, lost: dict[str, Value]) -> Claim:
+    bound = results.chosen("lost_bound", "no cell is lost", 0)
+    numbers = {"cells": results.row["best"].cell_count, "lost": lost["best"], "term": lost["term"]}
+    return Claim("best_never_drops", at_most(lost["best"], bound), numbers=numbers | {"shipped": lost["as-shipped"]})
+
+
+def _gains(results: Results, gains: dict[tuple[str, str], Value]) -> Claim:
+    over = gains["best", "stiff"]
+    bound = results.chosen("gain_bound", *SETTLES)
+    return Claim(
+        "best_slips_less_than_stiff", at_least(over, bound), numbers={"gain": over, "term": gains["term", "stiff"]}
+    )
+
+
+def _table(lost: dict[str, Value], gains: dict[tuple[str, str], Value]) -> Table:
+    columns = {"runs that lose the cube": [lost[side] for side in SIDES]}
+    columns |= {f"times less than {label}": [gains[side, than] for side in SIDES] for than, label in OTHERS.items()}
+    return Table(pd.DataFrame(columns, index=pd.Index(list(SIDES.values()), name="what is done")))
+
+
+def _draw(frame: pd.DataFrame) -> Drawing:
+    drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
+    drawing.set_layout_engine("constrained", wspace=0.06)
+    for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
+        colours = draw_map(axes, *(grid_of(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
+        axes.set_title(label)
+    panels[0].set_ylabel("amplitude [cm]")
+    drawing.supxlabel("frequency [Hz]", fontsize=10)
+    bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
+    bar.ax.yaxis.set_major_formatter(plain_labels())
+    return drawing

@@ -1,0 +1,140 @@
+"""Does the cure hold up at the limits of the grasp, where it could break what holds without it?"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from statistics import median
+
+import pandas as pd
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, Outcome, at_least, at_most
+from report.deriving.arithmetic import ratio
+from report.figures import INK, SERIES, new_figure
+from report.names import cases_html
+from report.parts import Figure, Section, Table
+from report.quantities import Value
+from report.results import Results, Row
+
+order = 146
+page = "limits"
+
+WAYS = {"term": "the term", "best": "all remedies"}
+FAMILIES = {
+    "steps": "steps, shipped and stiff pads",
+    "ke-critical": "pads' ke with kd = 2√ke",
+    "ke-kd-100": "pads' ke alone",
+    "mass": "mass of the cube",
+    "overlap": "start too deep in contact",
+}
+"""Families of runs, and what they vary."""
+NAMED_COUNT = 6
+"""Cases that a sentence names at most."""
+Runs = Mapping[str, Mapping[str, Row]]
+"""By the run, and by what is done in it."""
+
+
+def derive(results: Results) -> Section:
+    runs: dict[str, dict[str, Row]] = defaultdict(dict)
+    for row in results.rows:
+        runs[row.of][row.way] = row
+    whole = {name: ways for name, ways in runs.items() if {"plain", *WAYS} <= set(ways)}
+    creep = Figure(
+        draw=lambda: _draw(whole),
+        sources=[row.creep_mm_s for ways in whole.values() for row in ways.values() if row.kept],
+        numbers={"count": _count(results, "run_count", "runs", whole.values())},
+    )
+    return Section(
+        tables={"families": _table(results, whole)},
+        figures={"creep": creep},
+        claims=[
+            *(_breaks_nothing(results, whole, way) for way in WAYS),
+            *(_creeps_less(results, whole, way) for way in WAYS),
+        ],
+    )
+
+
+def _kept(runs: Runs, *ways: str) -> Runs:
+    """Runs that keep the cube in each of these ways."""
+    return {name: found for name, found in runs.items() if all(found[way].kept for way in ways)}
+
+
+def _count(results: Results, name: str, formula: str, runs: Iterable[Mapping[str, Row]]) -> Value:
+    """How many runs there are, as a value that points to them."""
+    return results.value(name, formula, lambda *found: len(found), *(ways["plain"].substeps for ways in runs))
+
+
+def _breaks_nothing(results: Results, runs: Runs, way: str) -> Claim:
+    """Whether each run that keeps the cube with nothing done keeps it this way too."""
+    plain, mine = _kept(runs, "plain"), _kept(runs, way)
+    lost = [name for name in plain if name not in mine]
+    won = [found for name, found in mine.items() if name not in plain]
+    count = _count(results, f"kept_{way}", "runs that keep the cube with nothing done", plain.values())
+    lost_count = _count(results, f"lost_{way}", "of these, runs that lose it this way", [plain[name] for name in lost])
+    won_count = _count(results, f"won_{way}", "runs that keep it only this way", won)
+    none = results.chosen(f"lost_bound_{way}", "none of them is lost", 0)
+    outcome = at_most(lost_count, none) if plain else Outcome("unknown", "no run keeps the cube without it")
+    named = cases_html(lost[:NAMED_COUNT]) + (" and others" if len(lost) > NAMED_COUNT else "")
+    numbers = {"count": count, "lost_count": lost_count, "won": won_count, "lost": named}
+    return Claim(f"{way}_breaks_nothing", outcome.having_read(count), numbers=numbers)
+
+
+def _creeps_less(results: Results, runs: Runs, way: str) -> Claim:
+    """By the median of the runs that keep the cube either way."""
+    both = _kept(runs, "plain", way)
+    gains = [
+        ratio(
+            results,
+            f"gain_{way}_{name}",
+            "creep with nothing done over that with it",
+            found["plain"].creep_mm_s,
+            found[way].creep_mm_s,
+        )
+        for name, found in both.items()
+    ]
+    typical = results.value(f"gain_{way}", "median of these ratios", lambda *found: median(found), *gains)
+    worse = results.value(
+        f"worse_{way}", "runs that creep faster with it", lambda *found: sum(gain < 1.0 for gain in found), *gains
+    )
+    bound = results.chosen(f"gain_bound_{way}", "half the creep", 2.0)
+    count = _count(results, f"both_{way}", "runs that keep the cube either way", both.values())
+    numbers = {"gain": typical, "count": count, "worse": worse}
+    return Claim(f"{way}_creeps_less", at_least(typical, bound), numbers=numbers)
+
+
+def _table(results: Results, runs: Runs) -> Table:
+    lines = {}
+    for family, label in FAMILIES.items():
+        mine = {name: ways for name, ways in runs.items() if ways["plain"].family == family}
+        if not mine:
+            continue
+        kept = {
+            "runs": mine,
+            "keep the cube": _kept(mine, "plain"),
+            **{f"with {words}": _kept(mine, way) for way, words in WAYS.items()},
+        }
+        lines[label] = {
+            words: _count(results, f"{family}_{words}".replace(" ", "_"), f"{words}: {label}", found.values())
+            for words, found in kept.items()
+        }
+    return Table(pd.DataFrame(lines).T.rename_axis("what varies"))
+
+
+def _draw(runs: Runs) -> Drawing:
+    drawing, axes = new_figure(7.2, 4.0)
+    there = [row.creep_mm_s.value for ways in runs.values() for row in ways.values() if row.kept]
+    top = 3.0 * max(there, default=1.0)
+    for number, (way, label) in enumerate(WAYS.items()):
+        both = _kept(runs, "plain", way)
+        before, after = ([found[kind].creep_mm_s.value for found in both.values()] for kind in ("plain", way))
+        style = {"linestyle": "", "color": SERIES[number], "marker": "o^"[number], "markersize": 4, "markevery": 1}
+        axes.plot(before, after, label=label, **style)
+        lost = [found["plain"].creep_mm_s.value for name, found in _kept(runs, "plain").items() if name not in both]
+        axes.plot(lost, [top] * len(lost), **style | {"marker": "x", "clip_on": False})
+    ends = [min((value for value in there if value > 0.0), default=0.1), max(there, default=1.0)]
+    axes.plot(ends, ends, color=INK, linewidth=0.8, marker="", label="no change")
+    axes.set(xscale="log", yscale="log")
+    axes.set_ylim(top=top)
+    axes.set_xlabel("creep with nothing done [mm/s]")
+    axes.set_ylabel("creep with it [mm/s]")
+    drawing.legend(loc="outside upper center", ncols=3)
+    return drawing

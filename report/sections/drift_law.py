@@ -1,0 +1,141 @@
+"""The law of the drift: what the runs of section stiffness drift, beside what the arm's motion says beforehand."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from statistics import median
+
+from matplotlib.figure import Figure as Drawing
+
+from report.claims import Claim, at_most
+from report.deriving.arithmetic import by_case, extreme
+from report.figures import INK, new_figure
+from report.parts import Figure, Section, Table
+from report.quantities import Quantity, Value
+from report.results import Results, Row
+from report.sections.stiffness.runs import FIX, SHIPPED, is_held
+
+order = 91
+page = "cause"
+
+PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load"}
+"""Columns of the parts, and what they are called."""
+SHOWN = ("sweep-ke-412", SHIPPED, "pad-ke-2.5e4", FIX, "pad-ke-2.5e6", "pad-ke-2.5e6-kd-100", "solimp-dmax-0.9999")
+"""Runs of the table."""
+KINDS = {"kept": "positions compensated", "rounded": "positions rounded"}
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run that keeps the cube: what the law gives, and what was measured."""
+
+    law: Row
+    drift: Quantity
+    off: Value
+    """Size of their difference, of the law [%]."""
+
+
+def derive(results: Results) -> Section:
+    bound = results.chosen("law_bound", "one law", 1.5, unit="%")
+    rounded = results.others["stiffness"].row if "stiffness" in results.others else {}
+    held = [row for row in results.rows if is_held(row)]
+    runs = {
+        "kept": [_run(results, row, row, "kept") for row in held],
+        "rounded": [
+            _run(results, row, rounded[row.case], "rounded")
+            for row in results.rows
+            if row.case in rounded and is_held(rounded[row.case])
+        ],
+    }
+    law = Figure(
+        draw=lambda: _draw(runs, bound),
+        sources=[
+            cell for found in runs.values() for run in found for cell in (run.drift, run.law.predicted_drift_mm_s)
+        ],
+        numbers={"bound": bound},
+    )
+    return Section(
+        tables={"parts": _table([run for run in runs["kept"] if run.law.case in SHOWN])},
+        figures={"law": law},
+        claims=[_follows(results, runs["kept"], bound), _rounded_too(results, runs["rounded"], bound)],
+    )
+
+
+def _run(results: Results, law: Row, measured: Row, kind: str) -> Run:
+    off = results.value(
+        f"off_{kind}_{law.case}",
+        f"drift measured with {KINDS[kind]}, less that of the law, in size, of the latter",
+        lambda drift, given: 100 * abs(drift / given - 1),
+        measured.drift_mm_s,
+        law.predicted_drift_mm_s,
+        unit="%",
+    )
+    return Run(law, measured.drift_mm_s, off)
+
+
+def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
+    shipped, fix = results.row[SHIPPED], results.row[FIX]
+    responses = [run.law.response_s for run in runs]
+    width = results.value(
+        "response_range", "longest over shortest response of the friction rows", lambda *s: max(s) / min(s), *responses
+    )
+    numbers = _numbers(results, "kept", runs, bound) | {"width": width}
+    numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
+    numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
+    return Claim("follows", at_most(numbers["largest"], bound), numbers=numbers)
+
+
+def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
+    numbers = _numbers(results, "rounded", runs, bound)
+    gaps = [
+        results.value(
+            f"gap_{run.law.case}",
+            "size of the difference of drift and law, positions rounded",
+            lambda drift, given: abs(drift - given),
+            run.drift,
+            run.law.predicted_drift_mm_s,
+            unit="mm/s",
+        )
+        for run in runs
+    ]
+    gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
+    return Claim("rounded_too", at_most(numbers["largest"], bound), numbers=numbers | {"gap": gap})
+
+
+def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
+    """How many runs there are, how many of them are within the bound, and how far off the farthest is."""
+    offs = [run.off for run in runs]
+    inside = results.value(
+        f"inside_{kind}",
+        f"runs within the bound, {KINDS[kind]}",
+        lambda most, *found: sum(off <= most for off in found),
+        bound,
+        *offs,
+    )
+    count = results.value(f"count_{kind}", f"runs that keep the cube, {KINDS[kind]}", lambda *found: len(found), *offs)
+    largest = extreme(results, f"largest_{kind}", f"largest departure from the law, {KINDS[kind]}", max, offs)
+    return {"inside": inside, "count": count, "largest": largest, "bound": bound}
+
+
+def _table(runs: Sequence[Run]) -> Table:
+    columns = {
+        "response": [run.law.response_s for run in runs],
+        **{label: [run.law[f"{name}_mm_s"] for run in runs] for name, label in PARTS.items()},
+        "law": [run.law.predicted_drift_mm_s for run in runs],
+        "measured": [run.drift for run in runs],
+    }
+    return by_case([run.law for run in runs], columns)
+
+
+def _draw(runs: Mapping[str, Sequence[Run]], bound: Value) -> Drawing:
+    drawing, axes = new_figure(7.2, 3.2)
+    for kind in reversed(KINDS):
+        ke = [run.law.pad_ke.value for run in runs[kind]]
+        offs = [100 * (run.drift.value / run.law.predicted_drift_mm_s.value - 1) for run in runs[kind]]
+        axes.plot(ke, offs, linestyle="", label=KINDS[kind], markevery=1)
+    axes.axhspan(-bound.value, bound.value, color=INK, alpha=0.1, linewidth=0)
+    axes.axhline(0.0, color=INK, linewidth=0.8, marker="")
+    axes.set_xscale("log")
+    axes.set_xlabel("pad ke")
+    axes.set_ylabel("drift less that of the law [%]")
+    drawing.legend(loc="outside upper center", ncols=2)
+    return drawing

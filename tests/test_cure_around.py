@@ -1,0 +1,84 @@
+"""What stands around the cure: the law of the drift, its limits, other bodies, other solvers."""
+
+import numpy as np
+import pytest
+
+from experiments import cure_bodies, cure_envelope, cure_limits, drift_law, stiffness, turntable_solvers
+from experiments.case import AS_SHIPPED, STIFF_PADS
+from experiments.cure import BEST
+from experiments.envelope import MAP_SIZE
+
+H = 1.0 / 960.0
+SLOPES = {"left_out": 0.06, "damping": -0.001, "load": -0.002}
+"""In m/s², to reckon with by hand."""
+
+
+def test_the_law_is_as_by_hand():
+    found = drift_law.predicted_columns(AS_SHIPPED, SLOPES, inverse_mass_1_kg=1e-9)
+    assert found["response_s"] == pytest.approx(0.95 * 0.02)
+    assert found["left_out_mm_s"] == pytest.approx(60.0 * 0.0095)
+    assert found["step_mm_s"] == pytest.approx(-30.0 * H)
+    assert found["predicted_drift_mm_s"] == pytest.approx(60.0 * 0.0095 - 30.0 * H - 0.0095 + 0.019)
+
+
+def test_the_law_takes_no_response_below_two_substeps():
+    stiff = drift_law.predicted_columns(STIFF_PADS, SLOPES, inverse_mass_1_kg=1e-9)
+    assert stiff["response_s"] == pytest.approx(0.95 * 2.0 * H)
+
+
+@pytest.mark.parametrize("profile", ["full", "quick"])
+def test_limits_try_each_run_in_each_way_once(profile):
+    names = [
+        cure_limits.case_of(probe, way, 300).name for probe in cure_limits.probes(profile) for way in cure_limits.WAYS
+    ]
+    assert len(set(names)) == len(names)
+    best = cure_limits.case_of(cure_limits.probes(profile)[0], "best", 300)
+    assert {name: getattr(best, name) for name in BEST} == BEST
+
+
+def test_the_map_with_the_cure_is_that_of_the_envelope():
+    cells = cure_envelope.cases(MAP_SIZE["quick"])
+    places = [(case.shake_amplitude_m, case.shake_frequency_hz) for case in cells]
+    half = len(cells) // 2
+    assert places[:half] == places[half:] and len(set(places)) == half == MAP_SIZE["quick"] ** 2
+    assert all(case.contact_bias for case in cells)
+
+
+@pytest.fixture(scope="module")
+def paths() -> dict[tuple[str, str, str], np.ndarray]:
+    """Half a second on the plane through C."""
+    return {
+        (motion.name, motion.body, way): cure_bodies.run_in_c(motion, remedy, seconds=0.5)
+        for motion in cure_bodies.MOTIONS
+        if motion.name in ("roll", "pivot", "slide")
+        for way, remedy in cure_bodies.WAYS.items()
+    }
+
+
+def test_a_ball_rolls_on_with_the_term_and_sinks_with_it_in_normal_rows(paths):
+    plain, term, full = (paths["roll", "sphere", way][-1] for way in cure_bodies.WAYS)
+    assert plain[0] == pytest.approx(0.5 * cure_bodies.SPEED_M_S, rel=2e-3)
+    assert term == pytest.approx(plain, abs=1e-9)
+    assert plain[2] - full[2] > 1e-3
+
+
+def test_a_ball_that_spins_goes_aside_with_the_term_alone(paths):
+    plain, term = (paths["pivot", "sphere", way][-1] for way in ("plain", "term"))
+    assert abs(plain[1]) < 1e-9 and abs(term[1]) > 1e-3
+
+
+def test_a_cube_slides_as_far_as_friction_lets_it(paths):
+    far = cure_bodies.SPEED_M_S**2 / (2.0 * cure_bodies.FRICTION * cure_bodies.GRAVITY)
+    for way in ("plain", "term"):
+        assert paths["slide", "mesh", way][-1][0] == pytest.approx(far, rel=0.08)
+
+
+def test_in_other_solvers_the_box_starts_in_rest_on_the_table():
+    model = turntable_solvers.build("cpu")
+    assert model.joint_qd.numpy()[[0, 2]] == pytest.approx([2.0, 0.4])
+    assert model.body_q.numpy().shape == (2, 7)
+
+
+def test_every_case_of_stiffness_has_a_law():
+    for case in stiffness.cases("full"):
+        assert np.isfinite(drift_law.predicted_columns(case, SLOPES, 33.0)["predicted_drift_mm_s"])
