@@ -70,8 +70,7 @@ def _drop_output() -> None:
 def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
-    if python.is_relative_to(project.root):
-        add_cluster(python, project.root)
+    _add_cluster(python, project)
     return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
@@ -82,7 +81,14 @@ def worlds(project: Project, arguments: argparse.Namespace) -> int:
 
 def torture(project: Project, arguments: argparse.Namespace) -> int:
     """Kill, fill and damage whatever there is, and write how that went into docs/reliability.md."""
+    _add_cluster(Path(sys.executable), project)
     return subprocess.run([sys.executable, "-m", "tests.torture"], cwd=project.root, check=False).returncode
+
+
+def _add_cluster(python: Path, project: Project) -> None:
+    """Install what the tests of clusters take; a Python that is not the project's is left as it is."""
+    if python.is_relative_to(project.root):
+        add_cluster(python, project.root)
 
 
 COMMANDS = {

@@ -5,6 +5,7 @@ import os
 import platform
 import subprocess
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +39,7 @@ def alias_of(kind: str) -> str:
     return "cuda:0" if kind == "cuda" else "cpu"
 
 
+@cache
 def machine(kind: str) -> dict[str, str | None]:
     """The machine that measures, as far as a reader needs it to judge a number.
 
