@@ -9,6 +9,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from report.check import check_site
+from report.deriving.arithmetic import log_slope
 from report.figures import draw_svg, new_figure, write
 from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
 from report.noise import Floor, cell_noise, derived_noise
@@ -212,3 +213,10 @@ def test_the_check_reads_drawings_and_their_words(toy):
         toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
         found = check_site(toy.project.site)
         assert any(problem in line for line in found) if problem else found == [], new
+
+
+def test_the_slope_of_a_power_law_is_its_exponent():
+    assert log_slope([1.0, 2.0, 8.0], [5.0, 20.0, 320.0]) == pytest.approx(2.0, abs=1e-15)
+    assert log_slope([1.0, 2.0, 4.0], [8.0, 5.0, 2.0]) == pytest.approx(-1.0, abs=1e-15), (
+        "by hand: -2 log 2 over 2 log 2"
+    )
