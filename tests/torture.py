@@ -292,6 +292,7 @@ def disks(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     for (kind, mount), (place, arguments) in itertools.product(
         MOUNTS.items(), ((results, RERUN), (world.root, PAGE), (target, publish), (temporary, publish))
     ):
+        _begun(world, arguments)
         before = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
         script = f'{mount.format(place)}; exec "$@"'
         done = subprocess.run(
