@@ -569,8 +569,8 @@ def write_report() -> None:
     head = [
         "# Reliability",
         "",
-        "What was tried against the project from outside, and how often it held. `make torture` writes this page, a line",
-        "whenever a trial got farther; each line says of which commit.",
+        "What was tried against the project from outside, and how often it held. `make torture` writes this page;",
+        "each line says of which commit it is.",
         "",
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
