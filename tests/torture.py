@@ -75,8 +75,6 @@ class Trial:
     """How often it is to be tried, where that is known before."""
     commit: str = ""
     date: str = ""
-    seconds: float = 0.0
-    """How long that took."""
     is_whole: bool = True
     """Whether nothing is left to try."""
 
@@ -530,11 +528,10 @@ def main() -> int:
             elif trial.is_whole and (name not in COUNTED or trial.tried >= arguments.moments):
                 continue
             trial.is_whole, trial.of = False, arguments.moments if name in COUNTED else 0
-            start = time.monotonic() - trial.seconds
             for _ in TRIALS[name](world, trial, arguments.moments):
-                _keep(name, trial, start)
+                _keep(name, trial)
             trial.is_whole = True
-            _keep(name, trial, start)
+            _keep(name, trial)
             print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
             for wrong in trial.wrong:
                 print(f"      {wrong}", flush=True)
@@ -557,9 +554,9 @@ def _kept(name: str) -> Trial | None:
     return Cache(ROOT).get(f"{KEPT}.{name}", KEPT)
 
 
-def _keep(name: str, trial: Trial, start: float) -> None:
+def _keep(name: str, trial: Trial) -> None:
     """Keep how far a trial is, and say on the page how far all are."""
-    trial.seconds, trial.date = time.monotonic() - start, f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M}"
+    trial.date = f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M}"
     Cache(ROOT).put(f"{KEPT}.{name}", KEPT, trial)
     write_report()
 
@@ -574,8 +571,8 @@ def write_report() -> None:
         "",
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
-        "| tried | times | wrong | commit | until (UTC) | minutes |",
-        "|---|---|---|---|---|---|",
+        "| tried | times | wrong | commit | until (UTC) |",
+        "|---|---|---|---|---|",
     ]
     rows = [_row(trial) for trial in trials]
     wrong = [f"- {problem} ({trial.commit})" for trial in trials for problem in trial.wrong]
@@ -586,7 +583,7 @@ def write_report() -> None:
 def _row(trial: Trial) -> str:
     name = f"{trial.name}{'' if trial.is_whole else '; not yet through'}"
     times = f"{trial.tried}{f' of {trial.of}' if trial.of else ''}"
-    cells = (name, times, len(trial.wrong), trial.commit, trial.date, f"{trial.seconds / 60:.0f}")
+    cells = (name, times, len(trial.wrong), trial.commit, trial.date)
     return f"| {' | '.join(map(str, cells))} |"
 
 
