@@ -54,7 +54,8 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
     turn = quaternions(run.cube_in_hand)
     contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
     values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
-    low, high = values[chosen].min(axis=0), values[chosen].max(axis=0)
+    # A billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
+    low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
     whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * WIDEST).astype("<u2")
     return {
         "name": name,

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from report.check import check_site
 from report.check_numbers import TYPED
+from report.deriving.arithmetic import log_slope
 from report.figures import draw_svg, new_figure, write
 from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
 from report.noise import Floor, cell_noise, derived_noise
@@ -218,3 +219,10 @@ def test_the_check_reads_drawings_and_their_words(toy):
 @pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
 def test_the_label_of_an_edition_is_no_number(label):
     assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"
+
+
+def test_the_slope_of_a_power_law_is_its_exponent():
+    assert log_slope([1.0, 2.0, 8.0], [5.0, 20.0, 320.0]) == pytest.approx(2.0, abs=1e-15)
+    assert log_slope([1.0, 2.0, 4.0], [8.0, 5.0, 2.0]) == pytest.approx(-1.0, abs=1e-15), (
+        "by hand: -2 log 2 over 2 log 2"
+    )

@@ -192,6 +192,27 @@ def test_no_process_outlives_the_one_that_started_it(sent):
         time.sleep(0.05)
 
 
+OBEYING = """
+import os, subprocess, sys
+from functools import partial
+from report.records.processes import obey
+program = "print(flush=True); import time; time.sleep(60)"
+try:
+    subprocess.run([sys.executable, "-c", program], preexec_fn=partial(obey, os.getpid()), check=False)
+except KeyboardInterrupt:
+    sys.exit(130)
+"""
+
+
+def test_a_program_that_measures_leaves_ctrl_c_to_who_started_it():
+    """Else it would print where it was while it imported the simulator."""
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    main = subprocess.Popen([sys.executable, "-c", OBEYING], cwd=ROOT, start_new_session=True, **pipes)
+    main.stdout.readline()
+    os.killpg(main.pid, signal.SIGINT)
+    assert main.communicate()[1] == "" and main.returncode == 130
+
+
 def is_running(process: int) -> bool:
     try:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"

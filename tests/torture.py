@@ -74,8 +74,8 @@ class Trial:
     wrong: list[str] = field(default_factory=list)
     of: int = 0
     """How often it is to be tried, where that is known before."""
-    seconds: float = 0.0
-    """How long that took."""
+    commit: str = ""
+    date: str = ""
     is_whole: bool = True
     """Whether nothing is left to try."""
 
@@ -293,6 +293,7 @@ def disks(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     for (kind, mount), (place, arguments) in itertools.product(
         MOUNTS.items(), ((results, RERUN), (world.root, PAGE), (target, publish), (temporary, publish))
     ):
+        _begun(world, arguments)
         before = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
         script = f'{mount.format(place)}; exec "$@"'
         done = subprocess.run(
@@ -524,22 +525,21 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
         world = World.made(Path(folder).resolve() / "project")
         for name in arguments.only:
-            trial = None if arguments.again else _kept(key, name)
-            if not trial or not (trial.is_whole or name in COUNTED):
-                trial = Trial(name)
+            trial = None if arguments.again else _kept(name)
+            if not trial or trial.commit != key or not (trial.is_whole or name in COUNTED):
+                trial = Trial(name, commit=key)
             elif trial.is_whole and (name not in COUNTED or trial.tried >= arguments.moments):
                 continue
             trial.is_whole, trial.of = False, arguments.moments if name in COUNTED else 0
-            start = time.monotonic() - trial.seconds
             for _ in TRIALS[name](world, trial, arguments.moments):
-                _keep(key, name, trial, start)
+                _keep(name, trial)
             trial.is_whole = True
-            _keep(key, name, trial, start)
+            _keep(name, trial)
             print(f"{trial.tried - len(trial.wrong):4} of {trial.tried:4}  {trial.name}", flush=True)
             for wrong in trial.wrong:
                 print(f"      {wrong}", flush=True)
     print(f"wrote {REPORT.relative_to(ROOT)}")
-    return int(any(trial.wrong for name in TRIALS if (trial := _kept(key, name))))
+    return int(any(trial.wrong for name in TRIALS if (trial := _kept(name))))
 
 
 def commit() -> str:
@@ -553,42 +553,41 @@ def _git(*arguments: str) -> str:
     return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
 
 
-def _kept(key: str, name: str) -> Trial | None:
-    return Cache(ROOT).get(f"{KEPT}.{name}", key)
+def _kept(name: str) -> Trial | None:
+    return Cache(ROOT).get(f"{KEPT}.{name}", KEPT)
 
 
-def _keep(key: str, name: str, trial: Trial, start: float) -> None:
+def _keep(name: str, trial: Trial) -> None:
     """Keep how far a trial is, and say on the page how far all are."""
-    trial.seconds = time.monotonic() - start
-    Cache(ROOT).put(f"{KEPT}.{name}", key, trial)
-    write_report(key)
+    trial.date = f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M}"
+    Cache(ROOT).put(f"{KEPT}.{name}", KEPT, trial)
+    write_report()
 
 
-def write_report(key: str) -> None:
-    trials = [_kept(key, name) or Trial(f"{name}: not tried yet") for name in TRIALS]
-    REPORT.write_text(_report(key, trials), encoding="utf-8")
-
-
-def _report(key: str, trials: list[Trial]) -> str:
+def write_report() -> None:
+    trials = [_kept(name) or Trial(f"{name}: not tried yet") for name in TRIALS]
     head = [
         "# Reliability",
         "",
-        "What was tried against the project from outside, and how often it held. `make torture` writes this page.",
+        "What was tried against the project from outside, and how often it held. `make torture` writes this page;",
+        "each line says of which commit it is.",
         "",
-        f"{datetime.now(timezone.utc):%Y-%m-%d %H:%M} UTC, commit {key}, "
-        f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
-        f"{sum(trial.seconds for trial in trials) / 60:.0f} min.",
+        f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
-        "| tried | times | wrong |",
-        "|---|---|---|",
+        "| tried | times | wrong | commit | until (UTC) |",
+        "|---|---|---|---|---|",
     ]
-    rows = [
-        f"| {trial.name}{'' if trial.is_whole else '; not yet through'} | {trial.tried}"
-        f"{f' of {trial.of}' if trial.of else ''} | {len(trial.wrong)} |"
-        for trial in trials
-    ]
-    wrong = [f"- {problem}" for trial in trials for problem in trial.wrong]
-    return "\n".join([*head, *rows, *(["", "What went wrong:", "", *wrong] if wrong else []), ""])
+    rows = [_row(trial) for trial in trials]
+    wrong = [f"- {problem} ({trial.commit})" for trial in trials for problem in trial.wrong]
+    lines = [*head, *rows, *(["", "What went wrong:", "", *wrong] if wrong else []), ""]
+    REPORT.write_text("\n".join(lines), encoding="utf-8")
+
+
+def _row(trial: Trial) -> str:
+    name = f"{trial.name}{'' if trial.is_whole else '; not yet through'}"
+    times = f"{trial.tried}{f' of {trial.of}' if trial.of else ''}"
+    cells = (name, times, len(trial.wrong), trial.commit, trial.date)
+    return f"| {' | '.join(map(str, cells))} |"
 
 
 if __name__ == "__main__":

@@ -42,6 +42,17 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
+def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
+    """Slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
+
+    Each sum is exact before it is rounded, so that it is the same number with every Python and NumPy.
+    """
+    x, y = [math.log(value) for value in below], [math.log(value) for value in above]
+    x_mean, y_mean = math.fsum(x) / len(x), math.fsum(y) / len(y)
+    products = math.fsum((a - x_mean) * (b - y_mean) for a, b in zip(x, y, strict=True))
+    return products / math.fsum((a - x_mean) ** 2 for a in x)
+
+
 def spread(
     results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
 ) -> Value:

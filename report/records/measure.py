@@ -20,7 +20,7 @@ from report.records.environment import add_cluster, python_of
 from report.records.files import refuse_unwritable
 from report.records.identity import sections as all_sections
 from report.records.manifest import Manifest, write_manifest
-from report.records.processes import end_with
+from report.records.processes import obey
 from report.records.project import Project
 from report.records.stack import Stack, release_date
 from report.records.status import expected_packages, records_of
@@ -102,7 +102,7 @@ def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
     """
     python = python_of(stack, expected_packages(project), project.root)
     # It ends with this process: nobody would know of it otherwise.
-    beginning = partial(end_with, os.getpid())
+    beginning = partial(obey, os.getpid())
     command = [str(python), "-m", module, *options]
     quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     # A Ctrl-C is for this process alone: it lets the other stop those that measure for it, which takes a moment.

@@ -43,6 +43,15 @@ def _begin(parent: int, begin: Callable[[], None] | None) -> None:
         begin()
 
 
+def obey(parent: int) -> None:
+    """Let this process, which is to become a program, end with ``parent`` and leave Ctrl-C to it.
+
+    Of a Ctrl-C while it imports what it needs a Python program would say more than anybody wants to know.
+    """
+    end_with(parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
 def end_with(parent: int) -> None:
     """Let this process end as soon as the process ``parent``, which started it, has; on Linux alone."""
     prctl = getattr(ctypes.CDLL(None), "prctl", None)

@@ -1,12 +1,13 @@
 """The points of the diagram of error against run time, sorted, and what is derived from all of them."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
 from markupsafe import Markup
 
 from experiments.case import AS_SHIPPED
+from report.deriving.arithmetic import log_slope
 from report.deriving.timing import cell
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -173,10 +174,7 @@ def order_of(points: Points, pads: str, method: str) -> Value:
     ]
 
     def slope(*cells: float) -> float:
-        if len(cells) < 4:
-            return float("nan")
-        steps, errors = np.log(cells[::2]), np.log(cells[1::2])
-        return float(np.polyfit(steps, errors, 1)[0])
+        return log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan
 
     return points.results.value(
         f"order_{pads}_{method}",

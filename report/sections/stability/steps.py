@@ -1,12 +1,11 @@
 """Claims of section stability about steps and stiffness."""
 
+import math
 from collections.abc import Sequence
-
-import numpy as np
 
 from experiments.case import AS_SHIPPED, STIFF_PADS
 from report.claims import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, increases, within
-from report.deriving.arithmetic import departure, extreme, friction_rows_differ, ratio
+from report.deriving.arithmetic import departure, extreme, friction_rows_differ, log_slope, ratio
 from report.quantities import Value
 from report.results import Results, Row
 from report.sections.stability.classes import is_stable
@@ -28,7 +27,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
     )
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
     broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
-    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=np.inf)]
+    kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=math.inf)]
     extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
     limit = extreme(
         results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
@@ -101,7 +100,7 @@ def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
     return results.value(
         "steps_exponent",
         "slope of a line through the logarithms of drift and step, stiff pads, runs with a drift above zero",
-        lambda *found: np.polyfit(np.log(found[half:]), np.log(found[:half]), 1)[0] if half > 1 else np.nan,
+        lambda *found: log_slope(found[half:], found[:half]) if half > 1 else math.nan,
         *(row.drift_mm_s for row in drifting),
         *(row.step_ms for row in drifting),
     )
