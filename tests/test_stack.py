@@ -212,3 +212,11 @@ def test_an_edition_whose_code_is_nowhere_says_so(tmp_path):
     assert isinstance(stack, Stack)
     with pytest.raises(UsageError, match="does not say where its code is"):
         python_of(stack, {}, tmp_path)
+
+
+def test_the_command_that_is_shown_names_what_make_can_find(toy):
+    side = toy.project.of("1.9.0+g1234567.edited")
+    write_manifest(side.results, Manifest("/a place/newton"))
+    assert side.rerun("toy") == "make rerun SECTION=toy 'NEWTON=/a place/newton'"
+    assert toy.project.of("1.8.0@cpu").rerun("toy") == "make rerun SECTION=toy DEVICE=cpu NEWTON=1.8.0@cpu"
+    assert toy.project.rerun("toy", "cpu") == "make rerun SECTION=toy DEVICE=cpu"

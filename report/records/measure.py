@@ -34,9 +34,9 @@ def measure(project: Project, stack: Stack, sections: Sequence[str], device: str
     refuse_unwritable(kept.results)
     try:
         seconds, count = seconds_known(project, device, sections), _sections_at_once(project, device)
-        options = {"device": device, "profile": project.profile, "edition": kept.release}
-        options |= {"seconds": str(seconds), "processes": str(count)}
-        _run(kept, stack, "experiments.run", *sections, *(f"--{name}={value}" for name, value in options.items()))
+        options = {"profile": project.profile, "edition": kept.release, "seconds": seconds, "processes": count}
+        told = (f"--{name}={value}" for name, value in options.items())
+        _run(kept, stack, "experiments.run", device, *sections, *told)
     finally:
         _note_measured(kept, stack)
     return kept
@@ -66,21 +66,23 @@ def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str
     """Measure the headline and keep nothing of it; what ``experiments.headline`` writes: machine, rows and seconds."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, stack, "experiments.headline", "--device", device, "--json", str(path))
+        _run(project, stack, "experiments.headline", device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
 
 
-def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
-    """Run a module of the experiments with a stack; ReportError when it fails.
+def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
+    """Run a module of the experiments with a stack, on a device; ReportError when it fails.
 
     What is not installed here is measured by the Python of its own environment.
     """
     python = python_of(stack, expected_packages(project), project.root)
     # It ends with this process: nobody would know of it otherwise.
     beginning = partial(end_with, os.getpid())
-    command = [str(python), "-m", module, *options]
-    quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one bar for all
-    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning, env=quiet).returncode
+    command = [str(python), "-m", module, "--device", device, *options]
+    settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one bar for all
+    if device == "cpu":
+        settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
+    status = subprocess.run(command, cwd=project.root, check=False, preexec_fn=beginning, env=settings).returncode
     if status == UNFIT:
         raise UsageError("")  # it has said why
     if status:
