@@ -43,6 +43,7 @@ OLDEST = (1, 4, 0)
 TIMED = ("cure_cost", "error_runtime", "leave_out", "scaling", "speed")
 """Sections that are about time, beside which nothing may run."""
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
 )
@@ -116,6 +117,8 @@ def reason_of(error: Exception) -> str:
         return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
     if DEVICE_LOST.search(said):
         return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
+    if NOT_COMPILED.search(said):  # Warp has printed what the compiler says
+        return f"its kernels can't be compiled by Warp {wp.__version__} ({said:.200})"
     if isinstance(error, OSError):
         return f"{error.filename or 'a file'}: {error.strerror}"
     if not isinstance(error, ReportError):

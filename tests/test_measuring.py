@@ -31,6 +31,11 @@ def test_sections_are_measured_side_by_side_but_for_those_about_time(monkeypatch
     assert err.startswith("gap: measuring failed; what was there is kept: it has no width")
 
 
+def test_what_does_not_compile_is_said_in_one_line(capfd):
+    said = run.reason_of(RuntimeError("CPU kernel build failed with error code -1"))
+    assert said.startswith("its kernels can't be compiled by Warp ") and capfd.readouterr().err == ""
+
+
 def test_progress_does_not_run_into_an_answer_for_a_program(capfd):
     with aside():
         print("measuring")
