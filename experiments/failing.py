@@ -1,6 +1,7 @@
 """Why measuring failed, in a line."""
 
 import re
+from importlib.metadata import version
 
 from report import ReportError
 
@@ -8,6 +9,7 @@ OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
 )
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 
 
 def reason_of(error: Exception) -> str:
@@ -17,6 +19,8 @@ def reason_of(error: Exception) -> str:
         return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
     if DEVICE_LOST.search(said):
         return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
+    if NOT_COMPILED.search(said):  # Warp has printed what the compiler says
+        return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})"
     if isinstance(error, OSError):
         return f"{error.filename or 'a file'}: {error.strerror}"
     return said or type(error).__name__
@@ -24,6 +28,6 @@ def reason_of(error: Exception) -> str:
 
 def is_expected(error: Exception) -> bool:
     """Whether its reason says all there is; an error of the code itself has its trace as well."""
-    return isinstance(error, ReportError | OSError | MemoryError) or bool(
-        OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error))
+    return isinstance(error, ReportError | OSError | MemoryError) or any(
+        pattern.search(str(error)) for pattern in (OUT_OF_MEMORY, DEVICE_LOST, NOT_COMPILED)
     )

@@ -23,6 +23,7 @@ from report.records.project import Project, own_release
 from report.records.reading import load_record
 from report.records.record import Record, write_record
 from report.records.stack import stack_of
+from report.upgrade import verdict
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = (
@@ -189,6 +190,18 @@ def test_a_cost_flips_for_as_many_frames_and_worlds_alone(measured, column):
 def test_what_is_a_cost():
     assert all(map(is_cost, ("frame_ms", "frame_ms_p95", "wall_s", "realtime_factor", "buffer_bytes_per_world")))
     assert not any(map(is_cost, ("step_ms", "timeconst_ms", "friction_damping_per_s", "shake_start_s", "drift_mm_s")))
+
+
+def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
+    def farther(record: Record) -> Record:
+        rows = [row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row for row in record.rows]
+        return replace(record, rows=rows) if record.section == "reproduction" else record
+
+    project = measured("1.9.0", farther)
+    found, templates = compared(project), Templates(project.templates)
+    assert not found.flips and [(move.section, move.column) for move in found.moves] == [("reproduction", "wander_mm")]
+    last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))[-1]
+    assert last.endswith("make diff A=1.8.0 B=1.9.0 VALUES=all lists it")
 
 
 def test_the_documentation_names_what_the_json_has(measured):

@@ -3,9 +3,15 @@
 import subprocess
 import sys
 
+from experiments.failing import is_expected, reason_of
 from report.commands.editions import aside
 from report.records.project import Project
 from report.upgrade import DECIDING, base_of, unmeasured
+
+
+def test_what_does_not_compile_is_said_in_one_line():
+    error = RuntimeError("CPU kernel build failed with error code -1")
+    assert reason_of(error).startswith("its kernels can't be compiled by Warp ") and is_expected(error)
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program(capfd):

@@ -213,8 +213,7 @@ def test_an_edition_whose_code_is_nowhere_says_so(tmp_path):
         python_of(stack, {}, tmp_path)
 
 
-def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy, monkeypatch):
-    monkeypatch.setattr(measure, "machine_name", lambda device: "cpu" if device == "cpu" else "nvidia-h200")
+def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
     assert devices.needs_gpu("toy", toy.project.root)
     module = toy.project.root / "experiments/toy.py"
     module.with_name("other.py").write_text(module.read_text())
@@ -222,4 +221,12 @@ def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy, monkeypatc
     assert not devices.needs_gpu("toy", toy.project.root)
     assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
     # Its record of a CPU does not keep those of a GPU from the release.
-    assert measure.kept_by(toy.project, "cuda", ["toy", "other"]) == toy.project
+    assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project
+
+
+def test_the_command_that_is_shown_names_what_make_can_find(toy):
+    side = toy.project.of("1.9.0+g1234567.edited")
+    write_manifest(side.results, Manifest("/a place/newton"))
+    assert side.rerun("toy") == "make rerun SECTION=toy 'NEWTON=/a place/newton'"
+    assert toy.project.of("1.8.0@cpu").rerun("toy") == "make rerun SECTION=toy DEVICE=cpu NEWTON=1.8.0@cpu"
+    assert toy.project.rerun("toy", "cpu") == "make rerun SECTION=toy DEVICE=cpu"

@@ -40,7 +40,7 @@ def measure(
 
     Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
-    machine, options = "cpu", ["--device", device, "--profile", project.profile]
+    machine, options = "cpu", ["--profile", project.profile]
     if cluster:
         python = python_of(stack, expected_packages(project), project.root)
         add_cluster(python, project.root)
@@ -54,7 +54,7 @@ def measure(
     try:
         options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
         options += [] if cluster else ["--processes", str(_batches_at_once(project, device))]
-        _run(kept, stack, "experiments.run", *sections, *options)
+        _run(kept, stack, "experiments.run", device, *sections, *options)
     finally:
         _note_measured(kept, stack)
     return kept
@@ -91,23 +91,25 @@ def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str
     """Measure the headline and keep nothing of it; what ``experiments.headline`` writes: machine, rows and seconds."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, stack, "experiments.headline", "--device", device, "--json", str(path))
+        _run(project, stack, "experiments.headline", device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
 
 
-def _run(project: Project, stack: Stack, module: str, *options: str) -> None:
-    """Run a module of the experiments with a stack; ReportError when it fails.
+def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
+    """Run a module of the experiments with a stack, on a device; ReportError when it fails.
 
     What is not installed here is measured by the Python of its own environment.
     """
     python = python_of(stack, expected_packages(project), project.root)
     # It ends with this process: nobody would know of it otherwise.
     beginning = partial(obey, os.getpid())
-    command = [str(python), "-m", module, *options]
-    quiet = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    command = [str(python), "-m", module, "--device", device, *options]
+    settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    if device == "cpu":
+        settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
     # A Ctrl-C is for this process alone: it lets the other stop those that measure for it, which takes a moment.
     with subprocess.Popen(
-        command, cwd=project.root, preexec_fn=beginning, env=quiet, start_new_session=True
+        command, cwd=project.root, preexec_fn=beginning, env=settings, start_new_session=True
     ) as measuring:
         try:
             status = measuring.wait()
