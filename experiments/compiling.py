@@ -1,11 +1,14 @@
-"""Warp's compilers in processes of their own: within one process they wait for each other."""
+"""Warp's compiler for CUDA in processes of its own: within one process its calls wait for each other.
+
+That for the CPU is called from threads, which do not.
+"""
 
 import os
 import queue
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any
 from unittest import mock
@@ -16,9 +19,9 @@ from warp._src import build
 
 from report.records.processes import workers
 
-Call = tuple[str, tuple, Mapping[str, Any]]
-COMPILERS = ("build_cuda", "build_cpu")
-"""Warp's functions that write what a source compiles to."""
+Call = tuple[tuple, Mapping[str, Any]]
+COMPILER = "build_cuda"
+"""Warp's function that writes what a source compiles to."""
 
 
 def load_all(loads: Sequence[Callable[[], Any]]) -> None:
@@ -33,7 +36,7 @@ def load_all(loads: Sequence[Callable[[], Any]]) -> None:
         waiting.put(load)
     # A process ends with the thread that started it, so this thread starts them. Nobody waits for the other threads:
     # after a Ctrl-C nothing would answer them.
-    with workers(count, "spawn", _begin) as processes, _compilers_elsewhere(calls):
+    with workers(count, "spawn", _begin) as processes, _compiler_elsewhere(calls):
         for _ in range(count):
             threading.Thread(target=_load, args=(waiting, calls), daemon=True).start()
         for _ in tqdm(loads, desc="compiling kernels", unit="module", delay=3.0):
@@ -53,17 +56,15 @@ def _load(waiting: queue.SimpleQueue, calls: queue.SimpleQueue) -> None:
 
 
 @contextmanager
-def _compilers_elsewhere(calls: queue.SimpleQueue) -> Iterator[None]:
-    """Within it a call of one of Warp's compilers is put into ``calls``, and waits for what comes of it."""
+def _compiler_elsewhere(calls: queue.SimpleQueue) -> Iterator[None]:
+    """Within it a call of the compiler is put into ``calls``, and waits for what comes of it."""
 
-    def ask(name: str, *arguments, **options) -> None:
+    def ask(*arguments, **options) -> None:
         future: Future = Future()
-        calls.put(((name, arguments, options), future))
+        calls.put(((arguments, options), future))
         future.result()
 
-    with ExitStack() as stack:
-        for name in COMPILERS:
-            stack.enter_context(mock.patch.object(build, name, partial(ask, name)))
+    with mock.patch.object(build, COMPILER, ask):
         yield
 
 
@@ -72,9 +73,9 @@ def _begin() -> None:
     wp.init()
 
 
-def _compile(name: str, arguments: tuple, options: Mapping[str, Any]) -> None:
+def _compile(arguments: tuple, options: Mapping[str, Any]) -> None:
     """Compile in this process; the source, and the folder to write to, are there."""
-    getattr(build, name)(*arguments, **options)
+    getattr(build, COMPILER)(*arguments, **options)
 
 
 def _hand_over(future: Future, done: Future) -> None:

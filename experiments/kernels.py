@@ -1,8 +1,7 @@
 """Kernels compiled at once, on all cores, before the first run: one after the other they take minutes on a new machine.
 
 Which modules a run needs shows only when it launches their kernels, so a first frame is built and queued with nothing
-launched, and what would have been compiled for it is compiled in parallel: in processes, since Warp's compilers share
-one lock within a process.
+launched, and what would have been compiled for it is compiled in parallel.
 """
 
 import sys

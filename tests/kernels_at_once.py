@@ -1,5 +1,6 @@
 """Compile a kernel as a study does, and print what it makes; for processes that do so at once."""
 
+import sys
 from functools import partial
 
 import numpy as np
@@ -17,7 +18,9 @@ def double(values: wp.array(dtype=float)):
 if __name__ == "__main__":
     wp.config.log_level = wp.LOG_ERROR
     wp.init()
-    load_all([partial(double.module.load, "cpu", 1)])
+    here = partial(double.module.load, "cpu", 1)
+    for_a_gpu = partial(wp.compile_aot_module, double.module, arch=90, module_dir=sys.argv[1])  # which takes none
+    load_all([here, for_a_gpu])
     numbers = wp.array(np.arange(3.0, dtype=np.float32), device="cpu")
     wp.launch(double, dim=3, inputs=[numbers], device="cpu")
     print(numbers.numpy().tolist())
