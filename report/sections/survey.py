@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
+from typing import Any
 
 import pandas as pd
 
@@ -137,11 +139,29 @@ def _releases_differ(results: Results, ends: Ends | None) -> Claim:
 
 
 def _changed_table(ends: Ends | None) -> Table:
-    """What is found in the examples that changed, in the oldest and in the newest release."""
-    sides = [(case, side) for case in (ends.changed if ends else []) for side in (ends.old, ends.new)]
-    found = [(side, row) for case, side in sides for row in _findings(side, case)]
-    columns = {"release": [side.edition for side, _ in found], **_columns([row for _, row in found])}
-    return Table(_frame(columns, [row.scene for _, row in found], "example"))
+    """What is found in the examples that changed, the oldest and the newest release side by side."""
+    changed = ends.changed if ends else []
+    lines: list[tuple[str, ...]] = []
+    cells: list[tuple[Any, ...]] = []
+    """What is authored in either release, or words where it is not found there."""
+    for case in changed:
+        found = [_by_parameter(_findings(side, case)) for side in (ends.old, ends.new)]
+        for said in dict.fromkeys([*found[0], *found[1]]):
+            values = list(zip_longest(*(side.get(said, []) for side in found), fillvalue="nothing"))
+            cells += values
+            lines += [(case, *said)] * len(values)
+    columns: dict[str, list] = {"rule": [line[1] for line in lines], "parameter": [line[2] for line in lines]}
+    for index, side in enumerate((ends.old, ends.new) if ends else ()):
+        columns[side.edition] = [cell[index] for cell in cells]
+    return Table(_frame(columns, [line[0] for line in lines], "example"))
+
+
+def _by_parameter(findings: Sequence[Row]) -> dict[tuple[str, str], list[Quantity]]:
+    """What is authored, by rule and parameter."""
+    found: dict[tuple[str, str], list[Quantity]] = {}
+    for row in findings:
+        found.setdefault((row.rule, row.parameter), []).append(_authored(row))
+    return found
 
 
 def _columns(findings: Sequence[Row]) -> dict[str, list]:
