@@ -92,7 +92,7 @@ def _table(rows: Mapping[tuple[str, str], Row], growths: Growths) -> Table:
     def cell(solver: str, step: str):
         row = rows[solver, step]
         if row and not row.stays:
-            return "loses the box" if row.end_radius_mm.value is not None else row.end_radius_mm
+            return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
         return growths.get((solver, step)) or absent("%/s", "it was not run")
 
     columns = {f"step of {step.replace('ms', ' ms')}": [cell(solver, step) for solver in SOLVERS] for step in STEPS}
