@@ -113,6 +113,13 @@ def test_a_damping_ratio_far_from_one(kd, ratio):
     assert found(two_boxes(*[{"ke": 1e4, "kd": 100.0}] * 2)) == []  # 0.5 is not far
 
 
+def test_a_kd_taken_for_a_share_of_ke_makes_a_timeconst_of_many_seconds():
+    """As in Newton 1.4.0's franka_cable_ik_pick_place, which gives all its shapes ke 1e4 and kd 1e-5 ke."""
+    [finding] = lint(two_boxes(*[{"ke": 1e4, "kd": 0.1}] * 2), ENGINE)
+    assert (finding.rule, finding.value) == ("dampratio", pytest.approx(5e-4))
+    assert "timeconst is 20 s" in finding.message
+
+
 def test_the_damping_ratio_of_a_stiffness_and_a_damping():
     for damping, rules in ((100.0, []), (2.0, ["dampratio"])):
         model = two_boxes({}, {}, solref=((-2500.0, -damping),) * 2, solref_mode=(RAW, RAW))
