@@ -53,11 +53,10 @@ def derive(results: Results) -> Section:
 def _as_published(results: Results) -> Claim:
     """Whether the fingers press as hard, and the cube slips in each of the runs in which it was published to."""
     runs = [results.row[f"published-{name}-{factor}"] for name in ("euler", "implicitfast") for factor in TRIED]
-    slips = [run.slip_mm for run in runs if run]
+    slips = [run.slip_mm for run in runs]
     least = results.value("least_slip", "least slip with a published friction", min, *slips, unit="mm")
     lost = results.chosen("slipped_bound", "published: this counts as slipped", 5.0, unit="mm")
     count = results.value("tried_count", "published frictions that were tried", lambda *found: len(found), *slips)
-    all_runs = results.chosen("tried_bound", "all that were published", float(2 * len(TRIED)))
     force = results.row["published-euler"].grip_force_n
     published = results.value("published_force", "published, and not measured here", lambda: 6.96, unit="N")
     off = departure(
@@ -65,7 +64,7 @@ def _as_published(results: Results) -> Claim:
     )
     same = results.chosen("force_bound", "the same force", 5.0, unit="%")
     numbers = {"count": count, "force": force, "published": published, "least": least, "lost": lost}
-    return Claim("as_published", all_of(at_most(off, same), at_least(count, all_runs), at_least(least, lost)), numbers)
+    return Claim("as_published", all_of(at_most(off, same), at_least(least, lost)), numbers)
 
 
 def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:

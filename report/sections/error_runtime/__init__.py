@@ -96,7 +96,7 @@ def _as_shipped(points: Points, error: str) -> dict[str, Markup]:
 
 
 def _front_table(rows: Sequence[Row]) -> Table:
-    engines = [ENGINES[row.backend] for row in rows]
+    engines = [ENGINES.get(row.backend, "") for row in rows]
     alone = engines[0] if len(set(engines)) == 1 else ""
     columns = {
         "pads": [PADS[row["pads"]] for row in rows],
