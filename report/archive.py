@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
-from report.chapters import Chapter
+from report.chapters import Chapter, values_text
 from report.editions import Edition
 from report.page import Templates
 from report.quantities import VALUES_FILE
@@ -59,9 +59,7 @@ def _data_files(editions: Mapping[str, Edition]) -> Iterator[tuple[str, bytes]]:
             for file in (path, *traces_of(path, chapter.results.record)):
                 yield f"{path.parent.name}/{file.name}", file.read_bytes()
             yield f"{path.parent.name}/{path.stem}.csv", rows_csv(chapter.results.record.rows)
-        values = {chapter.name: chapter.values for chapter in edition.chapters.values()}
-        text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
-        yield f"newton-{release}/{VALUES_FILE}", f"{text}\n".encode()
+        yield f"newton-{release}/{VALUES_FILE}", values_text(edition.chapters.values()).encode()
 
 
 def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:

@@ -1,8 +1,11 @@
 """Chapters: what a section of a release makes of its record, and the words for it; nothing is drawn yet."""
 
-from collections.abc import Mapping
+import json
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
+
+import msgspec
 
 from report.page import Prose
 from report.pages import Page
@@ -37,6 +40,13 @@ class Chapter:
     def values(self) -> dict[str, dict]:
         """What the site's values file says of it."""
         return {name: value.entry for name, value in self.results.derived.items()}
+
+
+def values_text(chapters: Iterable[Chapter]) -> str:
+    """The site's values file: what each chapter derived, by its name, a field a line."""
+    values = {chapter.name: chapter.values for chapter in chapters}
+    # Python's own indenting takes three times as long, and a build writes this a dozen times.
+    return msgspec.json.format(json.dumps(values, ensure_ascii=False, allow_nan=False), indent=1) + "\n"
 
 
 Chapters = Mapping[str, Chapter]

@@ -63,7 +63,10 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
         "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
         "count": len(chosen),
         "left_grasp_s": row["left_grasp_s"],
-        "begin": {"position": run.begin_in_hand[:3, 3].tolist(), "quaternion": turn[run.shake_start].tolist()},
+        "begin": {
+            "position": run.begin_in_hand[:3, 3].tolist(),
+            "quaternion": np.round(turn[run.shake_start], 9).tolist(),
+        },
         "low": low.tolist(),
         "high": high.tolist(),
         "samples": base64.b64encode(whole.T.tobytes()).decode(),

@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from report import ROOT
 from report.archive import rows_csv
-from report.chapters import Chapter
+from report.chapters import Chapter, values_text
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
 from report.keeping import Keeper, surroundings
@@ -279,11 +279,9 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], table
             (there / f"{path.stem}.csv").write_bytes(tables[chapter.results.source])
         # What compares releases is derived for the page that it stands on alone.
         chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
-        values = {chapter.name: chapter.values for chapter in chapters}
-        text = json.dumps(values, indent=1, ensure_ascii=False, allow_nan=False)
         place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(local(text, shown) + "\n", encoding="utf-8")
+        place.write_text(local(values_text(chapters), shown), encoding="utf-8")
 
 
 def _digest(project: Project, address: str) -> str:

@@ -10,7 +10,7 @@ import pandas as pd
 from report.chapters import Releases
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from report.parts import Section, Table
-from report.quantities import Quantity
+from report.quantities import Quantity, absent
 from report.results import Results, Row
 
 order = 131
@@ -124,7 +124,8 @@ def _told(results: Results, case: str) -> list[tuple[str, str, float | None]]:
 def _releases_differ(results: Results, ends: Ends | None) -> Claim:
     """Whether an example that two releases have has other findings in the newer of them."""
     if not ends:
-        return Claim("releases_differ", Outcome("unknown", "only one release was surveyed"))
+        alone = "only one release was surveyed"
+        return Claim("releases_differ", Outcome("unknown", alone), {"count": absent("1", alone)})
     changed = len(ends.changed)
     cells = [_authored(row) for side in (ends.old, ends.new) for row in side.rows if "rule" in row]
     count = results.value(
