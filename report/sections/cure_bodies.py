@@ -12,7 +12,7 @@ from report.quantities import Quantity
 from report.results import Results, Row
 
 order = 148
-page = "fix"
+page = "cure"
 
 ENGINES = ("warp", "c")
 WAYS = {"plain": "nothing done", "term": "the term", "full": "normal rows too"}

@@ -16,7 +16,7 @@ from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
 order = 144
-page = "fix"
+page = "cure"
 
 WORLD_COUNTS = (1, 4096, 16384)
 CASES = ("as-shipped", "term", "kept", "best", "term-rk4")

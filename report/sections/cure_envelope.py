@@ -13,7 +13,7 @@ from report.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_map, grid_of
 
 order = 147
-page = "fix"
+page = "cure"
 
 SIDES = {"term": "the term", "best": "all remedies"}
 OTHERS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}

@@ -15,7 +15,7 @@ from report.parts import Download, Figure, Section, Table
 from report.results import Results, Row, Series
 
 order = 143
-page = "fix"
+page = "cure"
 
 POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")

@@ -14,7 +14,7 @@ from report.quantities import Quantity, absent
 from report.results import Results, Row
 
 order = 131
-page = "fix"
+page = "scenes"
 
 RULES = {
     "priority": "priority_count",

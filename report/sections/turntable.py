@@ -17,7 +17,7 @@ from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 141
-page = "fix"
+page = "cure"
 
 ENGINES = {"warp": "MuJoCo Warp", "c": "MuJoCo C"}
 BIAS_FILE = ROOT / "assets/fix/contact_bias.py"

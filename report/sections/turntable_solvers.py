@@ -11,7 +11,7 @@ from report.quantities import Value, absent
 from report.results import Results, Row
 
 order = 142
-page = "fix"
+page = "cure"
 
 SOLVERS = {
     "mujoco": "MuJoCo Warp",

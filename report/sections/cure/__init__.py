@@ -20,7 +20,7 @@ from report.sections.cure.figures import draw_budget
 from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, far_mm, use_table, what_to_use
 
 order = 149
-page = "fix"
+page = "cure"
 
 OTHER_CONTACTS = {
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
