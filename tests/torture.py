@@ -356,8 +356,8 @@ def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         content = path.read_bytes()
         try:
             damage_record(path, way)
-            if is_own_file(path) and path.stat().st_size == len(content) and path.read_bytes() == content:
-                continue  # there is nothing in it to damage in this way
+            if is_still(path, content):
+                continue
             load_record(path)
             trial(f"{path.name}, {way}", "taken for whole")
         except RecordError as error:
@@ -368,6 +368,11 @@ def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         remove(path)
         path.write_bytes(content)
     yield trial
+
+
+def is_still(path: Path, content: bytes) -> bool:
+    """Whether there was nothing in a record to damage in some way."""
+    return is_own_file(path) and path.stat().st_size == len(content) and path.read_bytes() == content
 
 
 def sealed_ways() -> list[str]:
@@ -396,6 +401,8 @@ def shown_damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         try:
             damage_record(path, way)
         except (KeyError, TypeError):
+            continue
+        if is_still(path, content):
             continue
         done = world.run(*PAGE)
         found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
