@@ -17,7 +17,7 @@ from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
-order = 184
+order = 179
 page = "scenes"
 
 SCENES = {

@@ -13,7 +13,7 @@ from report.parts import Section, Table
 from report.quantities import Quantity, absent
 from report.results import Results, Row
 
-order = 131
+order = 185
 page = "scenes"
 
 RULES = {
