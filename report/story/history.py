@@ -1,7 +1,6 @@
 """What the page of the history shows: the numbers that say most, and the claims that flip, over all editions."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import pandas as pd
 from markupsafe import Markup, escape
@@ -28,7 +27,7 @@ DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-
 def history_of(releases: Releases, shown: str) -> Section:
     """The tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
     return Section(
-        tables={"numbers": _numbers(releases), "flips": FlipList(flips(releases, shown), list(releases[shown]))}
+        tables={"numbers": _numbers(releases), "flips": _flips(flips(releases, shown), list(releases[shown]))}
     )
 
 
@@ -84,29 +83,29 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
     return "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
 
 
-@dataclass(frozen=True)
-class FlipList:
-    """The claims that flip; printed, each is a question with the answers of all editions."""
+def _flips(found: Sequence[Flip], shown: Sequence[str]) -> Markup:
+    """The claims that flip: each is a question with the answers of all editions.
 
-    flips: Sequence[Flip]
-    shown: Sequence[str]
-    """Sections of the page's edition, to link to."""
-
-    def __html__(self) -> Markup:
-        before = [""] + [flip.turn.section for flip in self.flips]
-        told = Markup("\n").join(
-            Markup("<dt>{}: {}</dt>\n<dd>{}</dd>").format(
-                self._section(flip, is_link=flip.turn.section != section), flip.question, _answers(flip)
-            )
-            for section, flip in zip(before, self.flips, strict=False)
+    Args:
+        found: In the order of the page.
+        shown: Sections of the page's edition, to link to.
+    """
+    before = [""] + [flip.turn.section for flip in found]
+    told = Markup("\n").join(
+        Markup("<dt>{}: {}</dt>\n<dd>{}</dd>").format(
+            # One link to a section is enough for whoever goes from link to link.
+            _section(flip.turn.section, is_linked=flip.turn.section != section and flip.turn.section in shown),
+            flip.question,
+            _answers(flip),
         )
-        return Markup('<figure class="turns">\n<dl>\n{}\n</dl>\n</figure>').format(told or Markup("<dt>none</dt>"))
+        for section, flip in zip(before, found, strict=False)
+    )
+    return Markup('<figure class="turns">\n<dl>\n{}\n</dl>\n</figure>').format(told or Markup("<dt>none</dt>"))
 
-    def _section(self, flip: Flip, *, is_link: bool) -> Markup:
-        """One link to a section is enough for whoever goes from link to link."""
-        name = section_name(flip.turn.section)
-        is_linked = is_link and flip.turn.section in self.shown
-        return Markup('<a href="#{}">{}</a>').format(flip.turn.section, name) if is_linked else escape(name)
+
+def _section(section: str, *, is_linked: bool) -> Markup:
+    name = section_name(section)
+    return Markup('<a href="#{}">{}</a>').format(section, name) if is_linked else escape(name)
 
 
 def _answers(flip: Flip) -> Markup:
