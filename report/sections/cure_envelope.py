@@ -2,15 +2,13 @@
 
 import numpy as np
 import pandas as pd
-from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most
 from report.deriving.arithmetic import SETTLES
-from report.figures import new_figure, plain_labels
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Series
-from report.sections.envelope import HELD_HEIGHT_M, draw_map, grid_of
+from report.sections.envelope import HELD_HEIGHT_M, draw_maps, grid_of
 
 order = 147
 page = "cure"
@@ -28,7 +26,9 @@ def derive(results: Results) -> Section:
     lost = {side: _lost(results, trace, side, held) for side in SIDES}
     lost |= {side: _lost(results, before, side, held) for side in OTHERS}
     gains = {(side, than): _gain(results, before, than, trace, side) for side in SIDES for than in OTHERS}
-    maps = Figure(draw=lambda: _draw(trace.value), sources=[trace], numbers={side: lost[side] for side in SIDES})
+    maps = Figure(
+        draw=lambda: draw_maps(trace.value, SIDES), sources=[trace], numbers={side: lost[side] for side in SIDES}
+    )
     return Section(
         tables={"sides": _table(lost, gains)},
         figures={"maps": maps},
@@ -84,16 +84,3 @@ def _table(lost: dict[str, Value], gains: dict[tuple[str, str], Value]) -> Table
     columns = {"runs that lose the cube": [lost[side] for side in SIDES]}
     columns |= {f"times less than {label}": [gains[side, than] for side in SIDES] for than, label in OTHERS.items()}
     return Table(pd.DataFrame(columns, index=pd.Index(list(SIDES.values()), name="what is done")))
-
-
-def _draw(frame: pd.DataFrame) -> Drawing:
-    drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
-    drawing.set_layout_engine("constrained", wspace=0.06)
-    for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
-        colours = draw_map(axes, *(grid_of(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
-        axes.set_title(label)
-    panels[0].set_ylabel("amplitude [cm]")
-    drawing.supxlabel("frequency [Hz]", fontsize=10)
-    bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
-    bar.ax.yaxis.set_major_formatter(plain_labels())
-    return drawing

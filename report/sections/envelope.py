@@ -1,5 +1,6 @@
 """How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -37,7 +38,7 @@ def derive(results: Results) -> Section:
     held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, unit="m")
     lost = _lost(results, trace, held)
     maps = Figure(
-        draw=lambda: _draw_maps(trace.value),
+        draw=lambda: draw_maps(trace.value, SIDES),
         sources=[trace],
         numbers={"shipped": costs.dropped_as_shipped_count, "stiff": costs.dropped_stiff_count},
     )
@@ -254,11 +255,12 @@ def _held_slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
     return shipped[is_there], stiff[is_there]
 
 
-def _draw_maps(frame: pd.DataFrame) -> Drawing:
-    drawing, panels = new_figure(7.2, 4.0, ncols=len(SIDES), sharey=True)
+def draw_maps(frame: pd.DataFrame, sides: Mapping[str, str]) -> Drawing:
+    """The slip of every cell, and which of them lose the cube, a panel for each of the ``sides``, which have labels."""
+    drawing, panels = new_figure(7.2, 4.0, ncols=len(sides), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)
-    for axes, (side, label) in zip(panels, SIDES.items(), strict=True):
-        colours = draw_map(axes, *(grid_of(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
+    for axes, (side, label) in zip(panels, sides.items(), strict=True):
+        colours = _draw_map(axes, *(grid_of(frame, side, column) for column in ("slip_mm", "dropped", "failure")))
         axes.set_title(label)
     panels[0].set_ylabel("amplitude [cm]")
     drawing.supxlabel("frequency [Hz]", fontsize=10)
@@ -271,7 +273,7 @@ def _draw_maps(frame: pd.DataFrame) -> Drawing:
     return drawing
 
 
-def draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
+def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
     frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
     failed = failure.notna().to_numpy()
     lost = (dropped.astype(str) == "True").to_numpy()
