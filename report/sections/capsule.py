@@ -34,6 +34,9 @@ def derive(results: Results) -> Section:
         )
         for variant, rate in PUBLISHED_MM_S.items()
     }
+    has_noslip = rows["noslip-newton"].creep_mm_s.value is not None  # older releases of MuJoCo Warp have none
+    noslip = [_noslip_helps(results, rows)]
+    noslip += [_noslip_helps_through_newton(results, rows)] if has_noslip else []
     rates = Figure(
         draw=lambda: _draw(rows, published),
         sources=[row.creep_mm_s for row in rows.values()],
@@ -47,9 +50,10 @@ def derive(results: Results) -> Section:
             _follows_law(results, rows),
             _rest_is_jolts(results, rows),
             _impratio_divides(results, rows),
-            _noslip_helps(results, rows),
+            *noslip,
             _newton_changes_a_mass(results, rows),
         ],
+        unmeasured=() if has_noslip else ("noslip_helps_through_newton",),
     )
 
 
@@ -116,6 +120,14 @@ def _noslip_helps(results: Results, rows: Mapping[str, Row]) -> Claim:
     left = share(results, "noslip_share", "rate with noslip, of that without", noslip, recipe)
     bound = results.chosen("noslip_bound", "most of it is gone", 5.0, unit="%")
     return Claim("noslip_helps", at_most(left, bound), {"noslip": noslip, "recipe": recipe, "share": left})
+
+
+def _noslip_helps_through_newton(results: Results, rows: Mapping[str, Row]) -> Claim:
+    noslip, recipe = rows["noslip-newton"].creep_mm_s, rows["recipe-newton"].creep_mm_s
+    left = share(results, "newton_noslip_share", "rate with noslip, of that without, through Newton", noslip, recipe)
+    return Claim(
+        "noslip_helps_through_newton", at_most(left, results.derived["noslip_bound"]), {"noslip": noslip, "share": left}
+    )
 
 
 def _newton_changes_a_mass(results: Results, rows: Mapping[str, Row]) -> Claim:

@@ -8,7 +8,7 @@ from report.deriving.arithmetic import SETTLES
 from report.parts import Figure, Section, Table
 from report.quantities import Value
 from report.results import Results, Series
-from report.sections.envelope import HELD_HEIGHT_M, draw_maps, grid_of
+from report.sections.envelope import HELD_HEIGHT_M, draw_maps, grid_of, lost_count
 
 order = 147
 page = "cure"
@@ -23,8 +23,8 @@ def derive(results: Results) -> Section:
     trace, held = results.trace(MAP), results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, unit="m")
     other = results.others.get("envelope")
     before = other.trace(MAP) if other else Series(None, "", "section envelope has no results here")
-    lost = {side: _lost(results, trace, side, held) for side in SIDES}
-    lost |= {side: _lost(results, before, side, held) for side in OTHERS}
+    lost = {side: lost_count(results, trace, side, held) for side in SIDES}
+    lost |= {side: lost_count(results, before, side, held) for side in OTHERS}
     gains = {(side, than): _gain(results, before, than, trace, side) for side in SIDES for than in OTHERS}
     maps = Figure(
         draw=lambda: draw_maps(trace.value, SIDES), sources=[trace], numbers={side: lost[side] for side in SIDES}
@@ -33,16 +33,6 @@ def derive(results: Results) -> Section:
         tables={"sides": _table(lost, gains)},
         figures={"maps": maps},
         claims=[_never_drops(results, lost), _gains(results, gains)],
-    )
-
-
-def _lost(results: Results, trace: Series, side: str, held: Value) -> Value:
-    return results.value(
-        f"lost_{side.replace('-', '_')}",
-        f"cells of side {side} whose cube ends lower than held_height, or nowhere",
-        lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
-        trace,
-        held,
     )
 
 

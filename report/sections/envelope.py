@@ -36,7 +36,7 @@ def derive(results: Results) -> Section:
     gains = {name: _gain(results, name, *sides) for name, sides in points.items()}
     trace = results.trace("map")
     held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, unit="m")
-    lost = _lost(results, trace, held)
+    lost = {side: lost_count(results, trace, side, held) for side in SIDES}
     maps = Figure(
         draw=lambda: draw_maps(trace.value, SIDES),
         sources=[trace],
@@ -75,19 +75,15 @@ def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
     return ratio(results, key, formula, _held_slip(shipped), _held_slip(stiff))
 
 
-def _lost(results: Results, trace: Series, held: Value) -> dict[str, Value]:
-    """Cells of each side of the map whose cube ends lower than ``held``, or nowhere."""
-
-    def count_of(side: str) -> Value:
-        return results.value(
-            f"lost_{side.replace('-', '_')}",
-            f"cells of side {side} whose cube ends lower than held_height, or nowhere",
-            lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
-            trace,
-            held,
-        )
-
-    return {side: count_of(side) for side in SIDES}
+def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value:
+    """Cells of a side of the map whose cube ends lower than ``held``, or nowhere."""
+    return results.value(
+        f"lost_{side.replace('-', '_')}",
+        f"cells of side {side} whose cube ends lower than held_height, or nowhere",
+        lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
+        trace,
+        held,
+    )
 
 
 def _nothing_dropped(results: Results, row: Row, lost: Value, held: Value) -> Claim:

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_least, at_most
+from report.claims import Claim, Outcome, all_of, at_least, at_most
 from report.deriving.arithmetic import extreme, other_value
 from report.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from report.names import cases_html
@@ -17,7 +17,7 @@ from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
-order = 179
+order = 184  # after all SCENES, which it reads
 page = "scenes"
 
 SCENES = {
@@ -144,7 +144,10 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
     scenes = results.value("scene_count", formula, lambda *_: len(names), *factors, across=True)
     numbers: dict[str, Any] = {"largest": largest, "bound": bound, "count": _count(results, points), "scenes": scenes}
     numbers |= {"fast": fast, "slow": slow, "outside": cases_html(outside)}
-    return Claim("predicted", all_of(at_most(largest, bound), at_least(decades, least)), numbers)
+    outcome = all_of(at_most(largest, bound), at_least(decades, least))
+    if missing := [label for scene, label in SCENES.items() if scene not in names]:
+        outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, decades)
+    return Claim("predicted", outcome, numbers)
 
 
 def _table(results: Results, points: list[Point]) -> Table:
