@@ -206,7 +206,7 @@ def _moving_iterations(task: Task, before: wp.array, iterations: int) -> int:
     solutions = [before.numpy()]
     for count in range(1, iterations + 1):
         solution = wp.clone(before)
-        task.solver.step(solution, solution, iterations=count)
+        task.solver.step(solution, count)
         solutions.append(solution.numpy())
     changes = [k for k in range(1, len(solutions)) if not np.array_equal(solutions[k], solutions[k - 1])]
     return max(changes, default=0)

@@ -9,7 +9,7 @@ return, in the order in which it has named them; what needs others' results is y
         return Measurement([*points, *cells, alone])
 
 The generator itself runs where the records are kept, which may have no GPU: what takes a device or long is a batch. A
-section whose ``measure`` is no generator is one batch.
+section whose ``measure`` is no generator is one batch, which measures no times.
 """
 
 from collections.abc import Callable, Generator, Sequence

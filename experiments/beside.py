@@ -1,34 +1,34 @@
 """Runs on the CPU in processes of their own, beside what the device does. Nothing may be timed meanwhile."""
 
 import os
-import signal
-from collections.abc import Callable, Sequence
-from multiprocessing import get_context
-from multiprocessing.pool import AsyncResult, Pool
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Executor, Future
+from contextlib import AbstractContextManager
 
 import warp as wp
 from tqdm import tqdm
 
+from report.records.processes import workers
 
-def processes(count: int) -> Pool:
+
+def processes(count: int) -> AbstractContextManager[Executor]:
     """A pool for ``count`` calls, or for as many at once as there are cores. Close it with ``with``.
 
     What is called, and its arguments, must be found by name in a module: the processes start afresh.
     """
-    return get_context("spawn").Pool(max(1, min(count, os.cpu_count() or 1)), be_quiet)
+    return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", be_quiet)
 
 
-def start(pool: Pool, function: Callable, calls: Sequence[tuple]) -> list[AsyncResult]:
+def start(pool: Executor, function: Callable, calls: Sequence[tuple]) -> list[Future]:
     """Start a call of ``function`` for each tuple of arguments."""
-    return [pool.apply_async(function, arguments) for arguments in calls]
+    return [pool.submit(function, *arguments) for arguments in calls]
 
 
-def gather(waiting: Sequence[AsyncResult], title: str) -> list:
+def gather(waiting: Iterable[Future], title: str) -> list:
     """Wait for what was started, in that order."""
-    return [result.get() for result in tqdm(waiting, desc=title, unit="run", delay=3.0)]
+    return [result.result() for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)]
 
 
 def be_quiet() -> None:
-    """In a process beside others: Warp warns no second time, and whoever started it is who stops it."""
+    """In a process beside others Warp warns no second time."""
     wp.config.log_level = wp.LOG_ERROR
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -62,10 +62,10 @@ def measure_motion(case: Case) -> Motion:
     """Run a case through MuJoCo's C engine with the term put back, and add up what moves its cube."""
     case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
     simulation = Simulation([case], wp.get_device("cpu"))
-    watch = _Watch(simulation)
+    watch = Watch(simulation)
     step = simulation.solver._mujoco.mj_step
     simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: watch.step(step, engine, data))
-    frames = np.zeros((case.frame_count, len(_Watch.COLUMNS), 3))
+    frames = np.zeros((case.frame_count, len(Watch.COLUMNS), 3))
     for frame in range(case.frame_count):
         watch.sums[:] = 0.0
         simulation.step()
@@ -78,7 +78,7 @@ def measure_motion(case: Case) -> Motion:
     return Motion(bias, damping, load, rounding, watch.inverse_mass_1_kg)
 
 
-class _Watch:
+class Watch:
     """Adds up what each substep shows of the cube against the hand."""
 
     COLUMNS = ("bias", "damping", "load", "velocity")

@@ -1,17 +1,15 @@
 """The solver's live contact rows in the middle of the shake, as shipped and with stiff pads."""
 
-import os
 from collections.abc import Sequence
 from dataclasses import replace
-from multiprocessing import get_context
 
 import numpy as np
-from tqdm import tqdm
 
 from experiments import metrics
+from experiments.beside import gather, processes, start
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.measurement import Conditions, Measurement, grasp_columns, summarize
-from experiments.missing_term import be_quiet, predicted_row, restored_row
+from experiments.missing_term import predicted_row, restored_row
 from experiments.trace import ContactRows
 
 ROW_NAMES = ("normal", "friction 1", "friction 2")
@@ -22,11 +20,12 @@ def measure(conditions: Conditions) -> Measurement:
     """Rows of five kinds: contacts of a frame, rows of one contact, slide over the run, what explains it, the proof."""
     cases = (AS_SHIPPED, STIFF_PADS)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
-    runs = [(predicted_row, case) for case in cases] + [(restored_row, case) for case in (*cases, DOUBLE_STEP)]
-    with get_context("spawn").Pool(min(len(runs), os.cpu_count() or 1), be_quiet) as pool:
-        waiting = [pool.apply_async(measure_row, [case]) for measure_row, case in runs]
+    restored = (*cases, DOUBLE_STEP)
+    with processes(len(cases) + len(restored)) as pool:
+        waiting = start(pool, predicted_row, [(case,) for case in cases])
+        waiting += start(pool, restored_row, [(case,) for case in restored])
         measurement = measure_live(conditions, cases)
-        in_c = [row.get() for row in tqdm(waiting, desc="contacts, in C", unit="run", delay=3.0)]
+        in_c = gather(waiting, "contacts, in C")
     return replace(measurement, rows=[*measurement.rows, *in_c])
 
 

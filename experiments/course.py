@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 WHOLE = "whole"
 """The one batch of a section that has declared none."""
-CLOCK = "experiments/timing.py"
-"""What reads this measures times: where it is one batch, it is alone on its host."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +128,7 @@ class Course:
         each = {
             f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
             for name in sorted(self.done)
-            if name != WHOLE or self.alone
+            if name != WHOLE
         }
         record = Record(
             section=self.section,
@@ -170,7 +168,7 @@ def course_of(project: Project, section: str, module: ModuleType, device: str, k
     if inspect.isgeneratorfunction(module.measure):
         plan = module.measure(conditions)
     else:
-        plan = _as_one(Batch(WHOLE, module.measure, (conditions,), alone=CLOCK in identity.files))
+        plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
     return Course(project, section, device, plan, identity, known)
 
 

@@ -1,18 +1,16 @@
 """The slip's causes taken out one by one and together, beside what each is predicted to move the cube."""
 
-import os
 from dataclasses import replace
 from itertools import product
-from multiprocessing import get_context
 
 import numpy as np
-from tqdm import tqdm
 
 from experiments import metrics
+from experiments.beside import gather, processes, start
 from experiments.budget import Motion, measure_motion, predicted_mm
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.compat import kf_is_read
 from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
-from experiments.missing_term import be_quiet
 from experiments.trace import Trace
 
 PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
@@ -59,7 +57,21 @@ def cases(quick: bool) -> list[Case]:
                 **POSITIONS[positions],
             )
             found.append(case)
-    return found
+    return found + (without_kf(quick) if kf_is_read() else [])
+
+
+def without_kf(quick: bool) -> list[Case]:
+    """The scene as shipped with the pads' ``kf`` switched off: worlds of the batches of the others."""
+    return [
+        replace(
+            AS_SHIPPED,
+            name=f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped-{shake}-kf-off",
+            shake_amplitude_m=amplitude,
+            pad_kf=-1.0,
+        )
+        for shake, amplitude in AMPLITUDES_M.items()
+        if not (quick and shake == "10cm")
+    ]
 
 
 def measure(conditions: Conditions) -> Measurement:
@@ -67,14 +79,14 @@ def measure(conditions: Conditions) -> Measurement:
     variants = cases(conditions.quick)
     shakes = dict.fromkeys(shake_of(case) for case in variants)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
-    with get_context("spawn").Pool(min(len(shakes), os.cpu_count() or 1), be_quiet) as pool:
-        for pads, shake in shakes:
-            frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
-            case = replace(PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count)
-            shakes[pads, shake] = pool.apply_async(measure_motion, [case])
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
+    moved = [
+        replace(PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count) for pads, shake in shakes
+    ]
+    with processes(len(moved)) as pool:
+        waiting = start(pool, measure_motion, [(case,) for case in moved])
         traces = conditions.simulate(variants, title="cure")
-        waiting = tqdm(shakes.items(), desc="cure, in C", unit="run", delay=3.0)
-        motions = {shake: motion.get() for shake, motion in waiting}
+        motions = dict(zip(shakes, gather(waiting, "cure, in C"), strict=True))
     rows = [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
     return Measurement(rows + [motion_row(*item) for item in motions.items()])
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import warp as wp
 
+from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED
 from experiments.cure import BEST, POSITIONS, TERMS
 from experiments.leave_out import time_cases
@@ -21,14 +22,17 @@ WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 REPEAT_COUNT = {"cuda": 40, "cpu": 10}
 
 
-def measure(conditions: Conditions) -> Measurement:
-    """A row for each case and number of worlds; all start in the same state of the shake."""
-    kind = "cuda" if conditions.is_cuda else "cpu"
+def measure(conditions: Conditions) -> Plan:
+    counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
+    found = yield [Batch(f"worlds-{count}", measure_worlds, (conditions, count), alone=True) for count in counts]
+    return Measurement([row for rows in found for row in rows])
+
+
+def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
+    """A row for each case; all start in the same state of the shake."""
     pilot = in_the_shake(AS_SHIPPED, wp.get_device(conditions.device))
-    rows = []
-    for world_count in WORLD_COUNTS[kind][:1] if conditions.quick else WORLD_COUNTS[kind]:
-        timed = time_cases(CASES, world_count, pilot, REPEAT_COUNT[kind])
-        for case in CASES:
-            row = {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias}
-            rows.append(row | timed[case.name])
-    return Measurement(rows)
+    timed = time_cases(CASES, world_count, pilot, REPEAT_COUNT["cuda" if conditions.is_cuda else "cpu"])
+    return [
+        {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias} | timed[case.name]
+        for case in CASES
+    ]

@@ -13,7 +13,7 @@ import warp as wp
 
 from experiments import metrics, stiffness
 from experiments.beside import gather, processes, start
-from experiments.budget import _Watch, friction_timeconst_s
+from experiments.budget import Watch, friction_timeconst_s
 from experiments.case import AS_SHIPPED, Case
 from experiments.cure import POSITIONS
 from experiments.measurement import Conditions, Measurement, summarize
@@ -45,7 +45,7 @@ def measure_slopes(case: Case) -> tuple[dict[str, float], float]:
     """Slope of each of SUMS along the shake's main axis [m/s²], and the inverse mass of ``budget.Motion`` [1/kg]."""
     case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
     simulation = Simulation([case], wp.get_device("cpu"))
-    watch = _Watch(simulation)
+    watch = Watch(simulation)
     step = simulation.solver._mujoco.mj_step
     simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: watch.step(step, engine, data))
     frames = np.zeros((case.frame_count, len(SUMS), 3))

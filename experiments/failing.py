@@ -15,7 +15,7 @@ NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 def reason_of(error: Exception) -> str:
     """Why measuring failed, in one line, with what to do."""
     said = " ".join(str(error).split())
-    if isinstance(error, MemoryError) or OUT_OF_MEMORY.search(said):
+    if is_out_of_memory(error):
         return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
     if DEVICE_LOST.search(said):
         return f"the device does not answer ({said:.200}); nvidia-smi says whether it is there"
@@ -24,6 +24,10 @@ def reason_of(error: Exception) -> str:
     if isinstance(error, OSError):
         return f"{error.filename or 'a file'}: {error.strerror}"
     return said or type(error).__name__
+
+
+def is_out_of_memory(error: Exception) -> bool:
+    return isinstance(error, MemoryError) or bool(OUT_OF_MEMORY.search(str(error)))
 
 
 def is_expected(error: Exception) -> bool:

@@ -2,14 +2,15 @@
 
 import gc
 from collections.abc import Sequence
+from concurrent.futures import Executor, Future
 from dataclasses import replace
-from multiprocessing.pool import AsyncResult, Pool
 
 import numpy as np
 import warp as wp
 
 from experiments import metrics
 from experiments.audit import audit, audit_rows
+from experiments.batch import Batch, Plan
 from experiments.beside import gather, processes, start
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
@@ -53,22 +54,40 @@ def variants(quick: bool) -> list[Case]:
     return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
     kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
-    trajectories, double_rows = run_to_end(conditions, kinds)
-    # Nothing else runs from here on: what is timed has the machine for itself.
+    counts = {kind: (1,) if conditions.quick else WORLD_COUNTS[kind] for kind in kinds}
+    timings = [(kind, count) for kind in kinds for count in counts[kind]]
+    (trajectories, double_rows), items, *found = yield [
+        Batch("to-end", run_to_end, (conditions, kinds)),
+        Batch("audit", measure_audit, (conditions,)),
+        *(Batch(f"stages-{kind}", measure_stages, (kind,), alone=True) for kind in kinds),
+        *(Batch(f"{kind}-{count}", measure_times, (conditions, kind, count), alone=True) for kind, count in timings),
+    ]
+    stages, timed = dict(zip(kinds, found, strict=False)), dict(zip(timings, found[len(kinds) :], strict=True))
     rows = []
     for kind in kinds:
-        pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
-        for world_count in (1,) if conditions.quick else WORLD_COUNTS[kind]:
-            timed = time_cases(variants(conditions.quick), world_count, pilot, REPEAT_COUNT[kind])
+        for count in counts[kind]:
             for case in variants(conditions.quick):
-                row = {"case": case.name, "device": kind, "worlds": world_count}
-                rows.append(row | timed[case.name] | trajectories[kind][case.name])
-        rows += stage_rows(pilot, kind)
-    frame_count = AUDIT_FRAME_COUNT[conditions.profile]
-    items = audit(Simulation([UNTRIMMED], wp.get_device(conditions.device)), frame_count)
-    return Measurement(rows + double_rows + audit_rows(items))
+                row = {"case": case.name, "device": kind, "worlds": count}
+                rows.append(row | timed[kind, count][case.name] | trajectories[kind][case.name])
+        rows += stages[kind]
+    return Measurement(rows + double_rows + items)
+
+
+def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
+    """Time frames of every variant in so many worlds on one kind of device; columns by case."""
+    pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
+    return time_cases(variants(conditions.quick), world_count, pilot, REPEAT_COUNT[kind])
+
+
+def measure_stages(kind: str) -> list[dict[str, object]]:
+    return stage_rows(in_the_shake(AS_SHIPPED, wp.get_device(kind)), kind)
+
+
+def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
+    simulation = Simulation([UNTRIMMED], wp.get_device(conditions.device))
+    return audit_rows(audit(simulation, AUDIT_FRAME_COUNT[conditions.profile]))
 
 
 def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> tuple[dict[str, dict], list[dict[str, object]]]:
@@ -117,7 +136,7 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
     return found
 
 
-def start_doubles(conditions: Conditions, pool: Pool) -> tuple[list[Case], list[AsyncResult]]:
+def start_doubles(conditions: Conditions, pool: Executor) -> tuple[list[Case], list[Future]]:
     """Start the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
     out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
     """

@@ -1,6 +1,5 @@
 """The acceleration that contact rows leave out: how much slide it predicts, and what happens once it is put back."""
 
-import signal
 from dataclasses import replace
 
 import numpy as np
@@ -16,12 +15,6 @@ from experiments.trace import Trace
 MOTION = ("slide_mm", "along_mm", "slip_mm", "drift_mm_s")
 TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 """The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
-
-
-def be_quiet() -> None:
-    """In a process beside others: Warp warns no second time, and whoever started it is who stops it."""
-    wp.config.log_level = wp.LOG_ERROR
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def predicted_row(case: Case) -> dict[str, object]:

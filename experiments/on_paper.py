@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from experiments.batch import Batch
-from experiments.course import CLOCK, WHOLE, Task
+from experiments.course import WHOLE, Task
 from experiments.study import Host, Place, next_start
 from report.records.measure import BATCH
 from report.records.project import Project, own_release
@@ -50,8 +50,7 @@ def tasks_of(record: Record) -> list[Task]:
         for name, seconds in record.measured.items()
         if (match := BATCH.fullmatch(name))
     ]
-    whole = Batch(WHOLE, print, alone=CLOCK in record.identity.files)
-    return found or [Task(record.section, whole, record.measured["seconds"])]
+    return found or [Task(record.section, Batch(WHOLE, print), record.measured["seconds"])]
 
 
 def hosts_of(gpu_count: int) -> list[Host]:

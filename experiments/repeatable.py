@@ -10,6 +10,7 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 
 from experiments import metrics
+from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, Case
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.simulation import CONTACT_MAX, Simulation, run
@@ -62,33 +63,32 @@ def engine_has_it() -> bool:
     return any(field.name == "deterministic" for field in fields(mujoco_warp.Option))
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
     """A row for each way, with what two runs of one batch have in common, and one for each way and number of worlds
     with the time of a frame."""
-    device = wp.get_device(conditions.device)
-    case = replace(AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
-    pilot = in_the_shake(AS_SHIPPED, device)
-    rows = []
-    for way, options in WAYS.items():
-        row = {"case": way, "kind": "same", "worlds": BATCH_COUNT[conditions.profile]}
-        if options.get("bits") and not engine_has_it():
-            rows.append(row | absent(NUMBERS, "MuJoCo Warp here has no Option.deterministic"))
-            continue
-        batch = [replace(case, name=way)] * row["worlds"]
-        try:
-            # One after the other, so that nothing but chance can tell them apart.
-            first, second = (
-                run([Deterministic(batch, device, **options)], title=f"repeatable, {way}")[0] for _ in "ab"
-            )
-            rows.append(row | likeness(first, second))
-            rows += [
-                time_row(way, options, count, pilot, conditions.profile) for count in WORLD_COUNTS[conditions.profile]
-            ]
-        except Exception as error:  # a release that has it need not be able to compile it
-            if not options.get("bits"):
-                raise
-            rows.append(row | absent(NUMBERS, " ".join(str(error).split())[:120] or type(error).__name__))
-    return Measurement(rows)
+    same = yield [Batch(way, measure_likeness, (conditions, way)) for way in WAYS]
+    timed = [
+        (row["case"], count) for row in same if row["slip_mm"] is not None for count in WORLD_COUNTS[conditions.profile]
+    ]
+    asked = [Batch(f"{way}-time-{count}", time_row, (conditions, way, count), alone=True) for way, count in timed]
+    times = (yield asked) if asked else []
+    return Measurement([*same, *times])
+
+
+def measure_likeness(conditions: Conditions, way: str) -> dict[str, object]:
+    """Run one batch twice, one after the other, so that nothing but chance can tell them apart."""
+    row = {"case": way, "kind": "same", "worlds": BATCH_COUNT[conditions.profile]}
+    if WAYS[way].get("bits") and not engine_has_it():
+        return row | absent(NUMBERS, "MuJoCo Warp here has no Option.deterministic")
+    case = replace(AS_SHIPPED, name=way, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
+    batch, device = [case] * row["worlds"], wp.get_device(conditions.device)
+    try:
+        first, second = (run([Deterministic(batch, device, **WAYS[way])], title=f"repeatable, {way}")[0] for _ in "ab")
+    except Exception as error:  # a release that has it need not be able to compile it
+        if not WAYS[way].get("bits"):
+            raise
+        return row | absent(NUMBERS, " ".join(str(error).split())[:120] or type(error).__name__)
+    return row | likeness(first, second)
 
 
 def likeness(first: Sequence[Trace], second: Sequence[Trace]) -> dict[str, object]:
@@ -108,11 +108,12 @@ def likeness(first: Sequence[Trace], second: Sequence[Trace]) -> dict[str, objec
     }
 
 
-def time_row(way: str, options: dict, world_count: int, pilot: Simulation, profile: str) -> dict[str, object]:
+def time_row(conditions: Conditions, way: str, world_count: int) -> dict[str, object]:
     """Time of a frame in the middle of the shake."""
-    simulation = Deterministic([replace(AS_SHIPPED, frame_count=1)] * world_count, pilot.device, **options)
+    pilot = in_the_shake(AS_SHIPPED, wp.get_device(conditions.device))
+    simulation = Deterministic([replace(AS_SHIPPED, frame_count=1)] * world_count, pilot.device, **WAYS[way])
     put_in_state_of(simulation, pilot)
-    times = frame_ms(simulation, REPEAT_COUNT[profile])
+    times = frame_ms(simulation, REPEAT_COUNT[conditions.profile])
     return {"case": f"{way}-time-{world_count}", "kind": "time", "way": way, "worlds": world_count} | spread(
         "frame_ms", times
     )

@@ -2,14 +2,25 @@
 
 from dataclasses import replace
 
+from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS
 from experiments.measurement import Conditions, Measurement, displacement_table, summarize
 
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
+QUICK_FRAME_COUNT = 24
+"""Of a batch, in a quick run."""
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
+    runs, times = yield [
+        Batch("runs", measure_runs, (conditions,)),
+        Batch("times", batch_rows, (conditions,), alone=True),
+    ]
+    return replace(runs, rows=[*runs.rows, *times])
+
+
+def measure_runs(conditions: Conditions) -> Measurement:
     cases = [AS_SHIPPED, STIFF_PADS, HOLD]
     cases += [replace(case, name=f"{case.name}-mujoco-c", backend="mujoco") for case in cases[:2]]
     if conditions.is_cuda:
@@ -17,7 +28,7 @@ def measure(conditions: Conditions) -> Measurement:
     traces = conditions.simulate(cases, title="reproduction")
     rows = [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
     tables = {case.name: displacement_table(trace) for case, trace in zip(cases[:3], traces[:3], strict=True)}
-    return Measurement(rows + batch_rows(conditions), tables)
+    return Measurement(rows, tables)
 
 
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
@@ -26,7 +37,7 @@ def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
     On the CPU also without graphs: there launching costs more than computing, and a batch shares the launches.
     """
     kind = "cuda" if conditions.is_cuda else "cpu"
-    case = replace(AS_SHIPPED, frame_count=BATCH_FRAME_COUNT[kind])
+    case = replace(AS_SHIPPED, frame_count=QUICK_FRAME_COUNT if conditions.quick else BATCH_FRAME_COUNT[kind])
     rows = []
     for graph in (True,) if conditions.is_cuda else (True, False):
         for size in (1, BATCH_SIZE[kind]):

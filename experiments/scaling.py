@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import warp as wp
 
+from experiments.batch import Batch, Plan
 from experiments.case import FIXED
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.simulation import Simulation
@@ -14,11 +15,17 @@ WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 
 REPEAT_COUNT = 40
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
+    [rows] = yield [Batch("worlds", measure_worlds, (conditions,), alone=True)]
+    return Measurement(rows)
+
+
+def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
+    """A row for each number of worlds."""
     device = wp.get_device(conditions.device)
     pilot = in_the_shake(FIXED, device)
     counts = WORLD_COUNTS["quick" if conditions.quick or not conditions.is_cuda else "full"]
-    return Measurement([time_worlds(pilot, world_count, device) for world_count in counts])
+    return [time_worlds(pilot, world_count, device) for world_count in counts]
 
 
 def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[str, object]:

@@ -1,5 +1,7 @@
 """From cases to traces: cases that can share a simulation are worlds of one batch."""
 
+import gc
+import sys
 import time
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
@@ -16,6 +18,7 @@ from tqdm import tqdm
 from experiments.beside import gather, processes, start
 from experiments.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
 from experiments.compat import make_solver, warp_has_noslip
+from experiments.failing import is_out_of_memory
 from experiments.recorder import Recorder
 from experiments.remedies import install_remedies
 from experiments.scene import ARM_DOF_COUNT, build_scene
@@ -274,11 +277,8 @@ def simulate(
         (away if is_away else here).append(members)
     with processes(len(away)) if away else nullcontext() as pool:
         waiting = start(pool, run_batch, [([cases[index] for index in members], "cpu") for members in away])
-        simulations = [
-            Simulation([cases[index] for index in members], wp.get_device(_device_of(cases[members[0]], device)))
-            for members in here
-        ]
-        found = run(simulations, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
+        groups = [[cases[index] for index in members] for members in here]
+        found = run_in_memory(groups, device, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
     traces: dict[int, Trace] = {}
     for members, worlds in zip(here + away, found, strict=True):
         traces.update(zip(members, worlds, strict=True))
@@ -297,9 +297,36 @@ def _device_of(case: Case, device: str | None) -> str | None:
     return "cpu" if case.backend == "mujoco" else case.device or device
 
 
+def run_in_memory(
+    groups: Sequence[Sequence[Case]], device: str | None, title: str = "", contact_frames: Sequence[int] = ()
+) -> list[list[Trace]]:
+    """Run groups of cases, those of a group with the same ``batch_key``, side by side: where the memory is too small
+    for that, in two halves one after the other. Worlds know nothing of each other, so the traces are the same."""
+    try:
+        simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
+        return run(simulations, title, contact_frames)
+    except (RuntimeError, MemoryError) as error:
+        if not is_out_of_memory(error) or max(len(groups), *map(len, groups)) < 2:
+            raise
+    simulations = []
+    gc.collect()  # frees what did not fit; the error, which holds on to it, is gone
+    tqdm.write(f"{title}: the memory is too small for all at once; one half after the other", file=sys.stderr)
+    middle = len(groups) // 2
+    if middle:
+        return [
+            traces
+            for half in (groups[:middle], groups[middle:])
+            for traces in run_in_memory(half, device, title, contact_frames)
+        ]
+    [group] = groups
+    middle = len(group) // 2
+    halves = [run_in_memory([half], device, title, contact_frames) for half in (group[:middle], group[middle:])]
+    return [[trace for [traces] in halves for trace in traces]]
+
+
 def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
     """Run cases with the same ``batch_key`` and return their traces; for a process of its own."""
-    [traces] = run([Simulation(cases, wp.get_device(device))])
+    [traces] = run_in_memory([cases], device)
     return traces
 
 

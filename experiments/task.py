@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-import newton.ik as ik
 import numpy as np
 import warp as wp
 
+from experiments.arm_ik import ArmSolver, arm_solver
 from experiments.case import Case
 from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
 
@@ -23,8 +23,6 @@ SHAKE_RATIO_Z = wp.constant(0.35)
 POSITION_TOLERANCE = wp.constant(0.005)
 ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
 FRAME_DT = wp.constant(1.0 / FRAME_RATE)
-IK_LIMIT_WEIGHT = 10.0
-IK_LAMBDA = 0.1
 APPROACH_SOLVE_COUNT = 30
 """Warm-started IK solves from the ready pose to the approach pose."""
 
@@ -161,7 +159,7 @@ class Task:
     target_rotation: wp.array
     target_finger: wp.array
     """Finger joint target [m], shape [worlds]."""
-    solver: ik.IKSolver
+    solver: ArmSolver
     solution: wp.array
     """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
     ik_iterations: int
@@ -197,7 +195,7 @@ class Task:
 
     def solve(self) -> None:
         """Queue the inverse kinematics of what was planned, from the last solution."""
-        self.solver.step(self.solution, self.solution, iterations=self.ik_iterations)
+        self.solver.step(self.solution, self.ik_iterations)
 
 
 def build_task(scene: Scene, cases: list[Case]) -> Task:
@@ -215,21 +213,10 @@ def build_task(scene: Scene, cases: list[Case]) -> Task:
     starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
     target_position = wp.array(starts, dtype=wp.vec3, device=device)
     target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=device)
-    limits = (scene.robot.joint_limit_lower, scene.robot.joint_limit_upper)
-    solver = ik.IKSolver(
-        model=scene.robot,
-        n_problems=world_count,
-        objectives=[
-            ik.IKObjectivePosition(tcp.body, tcp.pose.p, target_position),
-            ik.IKObjectiveRotation(tcp.body, tcp.pose.q, target_rotation),
-            ik.IKObjectiveJointLimit(*limits, weight=IK_LIMIT_WEIGHT),
-        ],
-        lambda_initial=IK_LAMBDA,
-        jacobian_mode=ik.IKJacobianType.ANALYTIC,
-    )
+    solver = arm_solver(scene.robot, tcp.body, tcp.pose, target_position, target_rotation)
     solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=wp.float32, device=device)
     for _ in range(APPROACH_SOLVE_COUNT):
-        solver.step(solution, solution, iterations=cases[0].ik_iterations)
+        solver.step(solution, cases[0].ik_iterations)
     return Task(
         phase=wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=device),
         elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),

@@ -32,8 +32,11 @@ class Way:
     tried: str = ""
     """What it is called in section cure_limits, where it was tried at the limits of the grasp."""
 
+    def case(self, amplitude: str) -> str:
+        return f"{self.setting}-{amplitude}-{self.remedies}"
+
     def row(self, results: Results, amplitude: str) -> Row:
-        return results.row[f"{self.setting}-{amplitude}-{self.remedies}"]
+        return results.row[self.case(amplitude)]
 
 
 BEST = Way(
@@ -62,20 +65,25 @@ WAYS = (
     Way("and compensated positions", "newton-euler-400-shipped", "centred-kept", "", "the same"),
     BEST,
 )
+KF_OFF = Way(
+    "shipped pads, kf off", "newton-implicitfast-50-shipped", "kf-off", may_break="slides as releases before kf"
+)
+"""Where the release reads ``kf``."""
 STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impratio", "and compensated positions")
 """One remedy more each time."""
 
 
 def use_table(results: Results) -> Table:
     """What to use: for each way its slips, and what it breaks or may break."""
+    ways = [*WAYS, *([KF_OFF] if KF_OFF.case("3cm") in results.row else [])]
     columns: dict[str, Sequence] = {
-        "slip, 3 cm": [_slip(way.row(results, "3cm")) for way in WAYS],
-        "slip, 10 cm": [_slip(way.row(results, "10cm")) for way in WAYS],
-        "held still": [_slip(way.row(results, "held")) for way in WAYS],
-        "lost at the limits": [_lost(results, way) for way in WAYS],
-        "may break": [way.may_break for way in WAYS],
+        "slip, 3 cm": [_slip(way.row(results, "3cm")) for way in ways],
+        "slip, 10 cm": [_slip(way.row(results, "10cm")) for way in ways],
+        "held still": [_slip(way.row(results, "held")) for way in ways],
+        "lost at the limits": [_lost(results, way) for way in ways],
+        "may break": [way.may_break for way in ways],
     }
-    return _by_way(WAYS, columns)
+    return _by_way(ways, columns)
 
 
 def _slip(row: Row) -> Quantity | str:

@@ -1,0 +1,215 @@
+"""Inverse kinematics of an arm whose joints are one after the other: which angles bring its TCP to a pose.
+
+The same Levenberg-Marquardt steps as those of ``newton.ik``, with the same damping, for the seven joints that move the
+TCP alone: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which is −(JᵀJ + λ 1)⁻¹ Jᵀ r. So what is to be solved is 6×6, one thread does a
+world, and the kernel compiles in seconds.
+"""
+
+from dataclasses import dataclass
+
+import newton
+import numpy as np
+import warp as wp
+
+LAMBDA_INITIAL = wp.constant(0.1)
+LAMBDA_FACTOR = wp.constant(2.0)
+LAMBDA_MIN = wp.constant(1e-5)
+LAMBDA_MAX = wp.constant(1e10)
+LEAST_GAIN = wp.constant(1e-3)
+"""How damping begins and changes, and which part of the predicted gain a step must bring, as in ``newton.ik``."""
+
+
+@wp.func
+def residual(
+    world: int,
+    side: int,
+    tip: wp.transform,
+    target_position: wp.vec3,
+    target_rotation: wp.quat,
+    parent_pose: wp.array[wp.transform],
+    child_pose: wp.array[wp.transform],
+    axis: wp.array[wp.vec3],
+    coordinate: wp.array[int],
+    angles: wp.array3d[float],
+    columns: wp.array3d[wp.spatial_vector],
+):
+    """How far the TCP is off, in place and as a rotation vector; its Jacobian goes into ``columns``."""
+    pose = wp.transform_identity()
+    for joint in range(axis.shape[0]):
+        pose = pose * parent_pose[joint]
+        if coordinate[joint] >= 0:
+            along = wp.transform_vector(pose, axis[joint])
+            columns[world, side, joint] = wp.spatial_vector(wp.transform_get_translation(pose), along)
+            turn = wp.quat_from_axis_angle(axis[joint], angles[world, side, coordinate[joint]])
+            pose = pose * wp.transform(wp.vec3(0.0), turn)
+        pose = pose * child_pose[joint]
+    pose = pose * tip
+    place = wp.transform_get_translation(pose)
+    for joint in range(axis.shape[0]):
+        if coordinate[joint] >= 0:
+            column = columns[world, side, joint]
+            along = wp.spatial_bottom(column)
+            columns[world, side, joint] = wp.spatial_vector(wp.cross(along, place - wp.spatial_top(column)), along)
+    off = wp.transform_get_rotation(pose) * wp.quat_inverse(target_rotation)
+    if off[3] < 0.0:
+        off = -off
+    vector = wp.vec3(off[0], off[1], off[2])
+    length = wp.length(vector)
+    scale = float(2.0)
+    if length > 1e-8:
+        scale = 2.0 * wp.atan2(length, off[3]) / length
+    return wp.spatial_vector(place - target_position, scale * vector)
+
+
+@wp.func
+def solved(matrix: wp.spatial_matrix, right: wp.spatial_vector):
+    """The x for which ``matrix`` x = ``right``, by Cholesky's decomposition."""
+    lower = wp.spatial_matrix()
+    for i in range(6):
+        for j in range(i + 1):
+            rest = matrix[i, j]
+            for k in range(j):
+                rest -= lower[i, k] * lower[j, k]
+            if i == j:
+                lower[i, j] = wp.sqrt(rest)
+            else:
+                lower[i, j] = rest / lower[j, j]
+    x = wp.spatial_vector()
+    for i in range(6):
+        rest = right[i]
+        for k in range(i):
+            rest -= lower[i, k] * x[k]
+        x[i] = rest / lower[i, i]
+    for back in range(6):
+        i = 5 - back
+        rest = x[i]
+        for k in range(i + 1, 6):
+            rest -= lower[k, i] * x[k]
+        x[i] = rest / lower[i, i]
+    return x
+
+
+@wp.kernel(enable_backward=False, module="unique", module_options={"max_unroll": 1})
+def solve_arm(
+    iterations: int,
+    tip: wp.transform,
+    target_position: wp.array[wp.vec3],
+    target_rotation: wp.array[wp.vec4],
+    parent_pose: wp.array[wp.transform],
+    child_pose: wp.array[wp.transform],
+    axis: wp.array[wp.vec3],
+    coordinate: wp.array[int],
+    angles: wp.array3d[float],
+    columns: wp.array3d[wp.spatial_vector],
+    joint_q: wp.array2d[float],
+):
+    world = wp.tid()
+    for joint in range(axis.shape[0]):
+        if coordinate[joint] >= 0:
+            angles[world, 0, coordinate[joint]] = joint_q[world, coordinate[joint]]
+    place = target_position[world]
+    turned = target_rotation[world]
+    turn = wp.quat(turned[0], turned[1], turned[2], turned[3])
+    side = int(0)  # noqa: RUF046 (a variable, which 0 would not be)
+    damping = float(LAMBDA_INITIAL)
+    off = residual(world, side, tip, place, turn, parent_pose, child_pose, axis, coordinate, angles, columns)
+    for _ in range(iterations):
+        other = 1 - side
+        matrix = damping * wp.identity(n=6, dtype=float)
+        for joint in range(axis.shape[0]):
+            if coordinate[joint] >= 0:
+                matrix += wp.outer(columns[world, side, joint], columns[world, side, joint])
+        x = solved(matrix, off)
+        predicted = float(0.0)
+        for joint in range(axis.shape[0]):
+            at = coordinate[joint]
+            if at >= 0:
+                step = -wp.dot(columns[world, side, joint], x)
+                predicted += 0.5 * step * (damping * step - wp.dot(columns[world, side, joint], off))
+                angles[world, other, at] = angles[world, side, at] + step
+        off_there = residual(world, other, tip, place, turn, parent_pose, child_pose, axis, coordinate, angles, columns)
+        gain = 0.5 * (wp.dot(off, off) - wp.dot(off_there, off_there))
+        if gain >= LEAST_GAIN * (predicted + 1e-8):
+            side = other
+            off = off_there
+            damping = damping / LAMBDA_FACTOR
+        else:
+            damping = wp.clamp(damping * LAMBDA_FACTOR, LAMBDA_MIN, LAMBDA_MAX)
+    for joint in range(axis.shape[0]):
+        if coordinate[joint] >= 0:
+            joint_q[world, coordinate[joint]] = angles[world, side, coordinate[joint]]
+
+
+@dataclass(frozen=True)
+class ArmSolver:
+    """The joints between the world and the TCP, and where the TCP should be in each world."""
+
+    tip: wp.transform
+    target_position: wp.array
+    """Shape [worlds], vec3 [m]."""
+    target_rotation: wp.array
+    """Shape [worlds], vec4."""
+    parent_pose: wp.array
+    child_pose: wp.array
+    """Pose of each joint in the body before, and of the body behind in the joint, shape [joints], transform."""
+    axis: wp.array
+    coordinate: wp.array
+    """Which coordinate of the robot a joint has, −1 where it is fixed, shape [joints], int."""
+    angles: wp.array
+    """Present and proposed coordinates, shape [worlds, 2, coordinates]."""
+    columns: wp.array
+    """Columns of the Jacobian at both, shape [worlds, 2, joints]."""
+
+    def step(self, joint_q: wp.array, iterations: int) -> None:
+        """Queue the steps that bring ``joint_q``, shape [worlds, coordinates], to the targets."""
+        wp.launch(
+            solve_arm,
+            dim=joint_q.shape[0],
+            inputs=[iterations, self.tip, self.target_position, self.target_rotation, self.parent_pose]
+            + [self.child_pose, self.axis, self.coordinate, self.angles, self.columns],
+            outputs=[joint_q],
+            device=joint_q.device,
+        )
+
+
+def arm_solver(
+    robot: newton.Model, body: int, tip: wp.transform, target_position: wp.array, target_rotation: wp.array
+) -> ArmSolver:
+    """The solver for the pose ``tip`` in ``body`` of ``robot``.
+
+    Raises:
+        ValueError: A joint before that body neither turns nor is fixed.
+    """
+    kinds = robot.joint_type.numpy()
+    parents, children = robot.joint_parent.numpy().tolist(), robot.joint_child.numpy().tolist()
+    joints: list[int] = []
+    while body >= 0:
+        joints.insert(0, children.index(body))
+        body = parents[joints[0]]
+    for joint in joints:
+        if kinds[joint] not in (newton.JointType.REVOLUTE, newton.JointType.FIXED):
+            raise ValueError(f"joint {joint} neither turns nor is fixed")
+    turns = [kinds[joint] == newton.JointType.REVOLUTE for joint in joints]
+    first, axes = robot.joint_qd_start.numpy(), robot.joint_axis.numpy()
+    behind = [wp.transform_inverse(wp.transform(*robot.joint_X_c.numpy()[joint])) for joint in joints]
+    device, worlds = robot.device, target_position.shape[0]
+    coordinates = robot.joint_q_start.numpy()
+    return ArmSolver(
+        tip,
+        target_position,
+        target_rotation,
+        wp.array(robot.joint_X_p.numpy()[joints], dtype=wp.transform, device=device),
+        wp.array(np.array(behind, dtype=np.float32), dtype=wp.transform, device=device),
+        wp.array(
+            [axes[first[joint]] if turn else np.zeros(3) for joint, turn in zip(joints, turns, strict=True)],
+            dtype=wp.vec3,
+            device=device,
+        ),
+        wp.array(
+            [int(coordinates[joint]) if turn else -1 for joint, turn in zip(joints, turns, strict=True)],
+            dtype=int,
+            device=device,
+        ),
+        wp.zeros((worlds, 2, robot.joint_coord_count), dtype=float, device=device),
+        wp.zeros((worlds, 2, len(joints)), dtype=wp.spatial_vector, device=device),
+    )
