@@ -301,6 +301,8 @@ def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
 BLOCK = re.compile(r"</?(?:p|li|ul|ol|h\d|figcaption|figure|dd|dt|dl|div|section|details)\b[^>]*>")
 CLAIM = re.compile(r'<span class="claim" data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?[^>]*>')
 SKIPPED = re.compile(r"<(table|pre|nav|svg)\b.*?</\1>", re.DOTALL)
+STALE = re.compile(r' <(a|span) class="badge"[^>]*>stale</\1>')
+"""Which records are stale today changes nothing of what a world says."""
 
 
 def said(editions: Mapping[str, Edition], templates: Templates, release: str, *, numbers: bool = False) -> list[str]:
@@ -310,7 +312,7 @@ def said(editions: Mapping[str, Edition], templates: Templates, release: str, *,
 
 
 def _lines(text: str, numbers: bool) -> Iterator[str]:
-    text = SKIPPED.sub("", text.replace("\n", " "))
+    text = STALE.sub("", SKIPPED.sub("", text.replace("\n", " ")))
     text = text if numbers else NUMBER.sub("#", text)
     text = CLAIM.sub(lambda claim: f"\n[{claim[1]} {'the opposite' if claim[3] else claim[2]}] ", text)
     text = html.unescape(re.sub("<[^>]*>", "", BLOCK.sub("\n", text)).replace("\xa0", " "))
