@@ -6,7 +6,7 @@ a table that turns, as in section turntable, a body stands on feet of different 
 slid into step.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from types import SimpleNamespace
@@ -112,16 +112,23 @@ MOTIONS = [
 
 def measure(conditions: Conditions) -> Measurement:
     """A row for each motion, way and engine: where the body is at the end, or how it walks on the table."""
+    runs = [(motion, way) for motion in MOTIONS for way in WAYS]
+    paths = {
+        "warp": run_in_warp([(*run, seconds_of(run[0], conditions)) for run in runs], wp.get_device(conditions.device)),
+        "c": [run_in_c(motion, WAYS[way], seconds_of(motion, conditions)) for motion, way in runs],
+    }
     rows = []
-    runs = [(motion, way, engine) for motion in MOTIONS for way in WAYS for engine in ENGINES]
-    for motion, way, engine in tqdm(runs, desc="cure_bodies", unit="run", delay=3.0):
-        seconds = SECONDS[motion.place][conditions.profile]
-        run = run_in_c if engine == "c" else partial(run_in_warp, device=conditions.device)
-        path = run(motion, WAYS[way], seconds)
-        row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}", "motion": motion.name, "body": motion.body}
-        row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
-        rows.append(row | (plane_columns(path) if motion.place == "plane" else table_columns(path)))
+    for index, (motion, way) in enumerate(runs):
+        for engine in ENGINES:
+            path = paths[engine][index]
+            row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}", "motion": motion.name, "body": motion.body}
+            row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
+            rows.append(row | (plane_columns(path) if motion.place == "plane" else table_columns(path)))
     return Measurement(rows)
+
+
+def seconds_of(motion: Motion, conditions: Conditions) -> float:
+    return SECONDS[motion.place][conditions.profile]
 
 
 def plane_columns(path: np.ndarray) -> dict[str, float]:
@@ -161,22 +168,41 @@ def run_in_c(motion: Motion, remedy: dict | None, seconds: float) -> np.ndarray:
     return np.array(path)
 
 
-def run_in_warp(motion: Motion, remedy: dict | None, seconds: float, *, device: str) -> np.ndarray:
-    """The same in MuJoCo Warp."""
-    model, data = started(motion)
-    with wp.ScopedDevice(device):
-        m, d = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
-        start = d.qpos.numpy().copy(), d.qvel.numpy().copy()
-        if remedy is not None:
-            contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=d), **remedy)
-        mjw.step(m, d)  # compiles, which must not happen inside a capture
-        d.qpos.assign(start[0])
-        d.qvel.assign(start[1])
-        with wp.ScopedCapture() as capture:
-            for _ in range(round(SAMPLE_S / model.opt.timestep)):
-                mjw.step(m, d)
-        path = [start[0][0, -7:-4]]
-        for _ in range(round(seconds / SAMPLE_S)):
-            wp.capture_launch(capture.graph)
-            path.append(d.qpos.numpy()[0, -7:-4].copy())
-    return np.array(path, dtype=float)
+class WarpRun:
+    """One motion in MuJoCo Warp, captured and at its start."""
+
+    def __init__(self, motion: Motion, way: str, seconds: float, device: wp.Device):
+        model, data = started(motion)
+        self.sample_count = round(seconds / SAMPLE_S)
+        self.stream = wp.Stream(device) if device.is_cuda else None
+        with wp.ScopedDevice(device), wp.ScopedStream(self.stream):
+            m, self.data = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
+            start = wp.clone(self.data.qpos), wp.clone(self.data.qvel)
+            self.path = wp.zeros((self.sample_count + 1, model.nq), dtype=float)
+            wp.copy(self.path, start[0])
+            if WAYS[way] is not None:
+                contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=self.data), **WAYS[way])
+            mjw.step(m, self.data)  # compiles, which must not happen inside a capture
+            wp.copy(self.data.qpos, start[0])
+            wp.copy(self.data.qvel, start[1])
+            with wp.ScopedCapture() as capture:
+                for _ in range(round(SAMPLE_S / model.opt.timestep)):
+                    mjw.step(m, self.data)
+            self.graph = capture.graph
+
+    def sample(self, number: int) -> None:
+        """Queue the steps up to a sample, and keep it."""
+        with wp.ScopedStream(self.stream):
+            wp.capture_launch(self.graph)
+            wp.copy(self.path, self.data.qpos, dest_offset=number * self.path.shape[1], count=self.path.shape[1])
+
+
+def run_in_warp(motions: Sequence[tuple[Motion, str, float]], device: wp.Device) -> list[np.ndarray]:
+    """The same in MuJoCo Warp, all motions side by side: each has one world, which leaves most of a GPU idle."""
+    runs = [WarpRun(*motion, device) for motion in tqdm(motions, desc="cure_bodies", unit="run", delay=3.0)]
+    for number in range(1, 1 + max(run.sample_count for run in runs)):
+        for run in runs:
+            if number <= run.sample_count:
+                run.sample(number)
+    wp.synchronize_device(device)
+    return [run.path.numpy()[:, -7:-4].astype(float) for run in runs]

@@ -26,9 +26,9 @@ WAYS = {
     "all": {"is_sorted": True, "bits": CONTACTS | CONSTRAINT | ATOMICS},
 }
 """Newton's contacts sorted, then MuJoCo Warp's contacts and rows in a fixed order, then its sums as well."""
-BATCH_COUNT = {"full": 64, "quick": 2}
+BATCH_COUNT = {"full": 16, "quick": 2}
 WORLD_COUNTS = {"full": (1, 4096), "quick": (1,)}
-REPEAT_COUNT = {"full": 40, "quick": 3}
+REPEAT_COUNT = {"full": 16, "quick": 3}
 NUMBERS = ("slip_mm", "run_spread_mm", "world_spread_mm", "differing_world_count", "peak_contact_count")
 
 

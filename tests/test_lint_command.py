@@ -1,13 +1,18 @@
 """The lint as a program: what it reads, prints, and ends with."""
 
 import json
+import os
 import re
+import shutil
+import subprocess
+import sys
 
 import newton
 import pytest
 
 from experiments.linting.command import main
 from report import ROOT
+from report.stated import tomllib
 
 SCENE = """
 <mujoco>
@@ -59,6 +64,24 @@ def test_a_clean_scene(scene, capsys):
 def test_findings_end_with_one(scene, capsys):
     assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
     assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
+
+
+def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
+    """With the files of the wheel and nothing else of the project."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["only-include"]:
+        place = tmp_path / "site" / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copytree(ROOT / name, place) if (ROOT / name).is_dir() else shutil.copy(ROOT / name, place)
+    module, _, function = project["project"]["scripts"]["newton-lint"].partition(":")
+    program = tmp_path / "newton-lint"
+    program.write_text(f"import sys\nfrom {module} import {function}\nsys.exit({function}())\n")
+    environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
+    call = [sys.executable, program, scene(), "--dt", "soon"]
+    refused = subprocess.run(call, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert (refused.returncode, refused.stderr.count("\n")) == (2, 1) and "newton-lint --help" in refused.stderr
+    found = subprocess.run(call[:3], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert found.returncode == 0 and "nothing found" in found.stdout
 
 
 def test_a_function_and_a_robot_are_targets(tmp_path, capsys):

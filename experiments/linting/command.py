@@ -1,10 +1,12 @@
-"""The lint as a program: ``python -m experiments.lint TARGET``; see docs/lint.md."""
+"""The lint as a program: ``python -m experiments.lint TARGET``, and ``newton-lint`` where it is installed by itself; see
+docs/lint.md."""
 
 import argparse
 import json
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any, NoReturn
 
 import newton
@@ -19,7 +21,8 @@ from experiments.linting.target import TargetError, model_of
 SCHEMA = 1
 CLEAN, FOUND, UNFIT = 0, 1, 2
 """Exit status."""
-PROGRAM = "python -m experiments.lint"
+INSTALLED = "newton-lint"
+PROGRAM = INSTALLED if Path(sys.argv[0]).stem == INSTALLED else "python -m experiments.lint"
 
 
 class _Parser(argparse.ArgumentParser):

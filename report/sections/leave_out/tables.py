@@ -26,6 +26,8 @@ LEFT_OUT = {
     "without-visuals": "shapes for looking at",
     "without-fixed-joints": "bodies fixed to one another",
     "without-broad-phase": "testing all pairs of shapes",
+    "without-sensors": "the engine's stage of sensors",
+    "without-limits": "the engine's stage of joint limits",
     ALL: "all of these",
     "as-shipped": "buffers, IK iterations, waiting for IK, state writes: this report's baseline",
 }
