@@ -125,3 +125,22 @@ class Noted(Mapping[str, Any]):
     def __len__(self) -> int:
         self.reads.note(self.place, NAMES)
         return len(self.reads.places[self.place])
+
+
+@dataclass(frozen=True)
+class Earlier(Mapping[str, Any]):
+    """The sections that stand before one on the page, for it: what asks for a later one would never find it."""
+
+    those: Noted
+    outline: Outline
+
+    def __getitem__(self, name: str) -> Any:
+        if outline_of(name).order >= self.outline.order:
+            raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
+        return self.those[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.those)
+
+    def __len__(self) -> int:
+        return len(self.those)
