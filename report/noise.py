@@ -23,7 +23,7 @@ MEDIAN = 1.25
 RATES = {"frames_per_s": "frame_ms", "realtime_factor": "frame_ms", "world_substeps_per_s": "frame_ms"}
 """Rates that a time in the same row makes, so that they have its share of noise."""
 IN_C = ("c", "mujoco", "mujoco-c")
-"""What ``backend`` says of MuJoCo's engine in C, whose runs on one thread repeat to the last bit. Their times do not."""
+"""What ``backend`` says of MuJoCo's engine in C, whose runs on one thread repeat to the last bit, all but times."""
 TIMES = ("s", "ms")
 PAIRS = 0.999
 """Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
@@ -107,7 +107,7 @@ def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
     """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
 
-    A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or that of
+    A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or of
     rounding where the engine repeats itself; what was set or counted is exact.
     """
     value, timed = row[column], RATES.get(column, column)
