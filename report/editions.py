@@ -45,7 +45,7 @@ class Edition:
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
         """Its pages with what each shows; one that would show nothing is not there."""
-        chapters = self.chapters.values()
+        chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         always = (FRONT, HISTORY) if len(self.project.releases) > 1 else (FRONT,)
         return {page: found for page, found in shown.items() if found or page in always}
