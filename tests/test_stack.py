@@ -137,19 +137,19 @@ def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, 
 
 
 def test_what_is_installed_must_be_what_was_asked_for(tmp_path, monkeypatch):
-    python = environment_of(stack_of("1.7.0"), tmp_path) / "bin/python"
+    python = environment_of(stack_of("1.7.9"), tmp_path) / "bin/python"
     python.parent.mkdir(parents=True)
     (python.parent.parent / ".ready").touch()
     (tmp_path / "pyproject.toml").write_text("")
     missing = dict.fromkeys(package_versions(), identity.MISSING)
-    for said, fault in ((missing | {"newton": "1.7.1"}, "newton 1.7.1"), (missing | {"newton": "1.7.0"}, "")):
+    for said, fault in ((missing | {"newton": "1.7.8"}, "newton 1.7.8"), (missing | {"newton": "1.7.9"}, "")):
         python.write_text(f"#!/bin/sh\necho '{json.dumps(said)}'\n")
         python.chmod(0o755)
         if fault:
             with pytest.raises(UsageError, match=fault):
-                python_of(stack_of("1.7.0"), missing, tmp_path)
+                python_of(stack_of("1.7.9"), missing, tmp_path)
         else:
-            assert python_of(stack_of("1.7.0"), missing, tmp_path) == python
+            assert python_of(stack_of("1.7.9"), missing, tmp_path) == python
 
 
 def test_a_measurement_refuses_what_is_not_installed():
