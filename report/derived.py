@@ -33,6 +33,8 @@ class Outline:
     page: Page
     compares: bool
     """Whether it compares releases: its ``derive`` then takes them as a second argument."""
+    leads: bool
+    """Whether its page begins with it, wherever its order has it: it says what the others there come to."""
 
     @property
     def source(self) -> str:
@@ -54,7 +56,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
-    return Outline(file, root, says["order"], page_named(says.get("page", DEFAULT), name), says["derive"] > 1)
+    page = page_named(says.get("page", DEFAULT), name)
+    return Outline(file, root, says["order"], page, compares=says["derive"] > 1, leads=says.get("leads", False))
 
 
 def derive_section(results: Results, releases: Releases) -> Section:
@@ -125,3 +128,22 @@ class Noted(Mapping[str, Any]):
     def __len__(self) -> int:
         self.reads.note(self.place, NAMES)
         return len(self.reads.places[self.place])
+
+
+@dataclass(frozen=True)
+class Earlier(Mapping[str, Any]):
+    """The sections that stand before one on the page, for it: what asks for a later one would never find it."""
+
+    those: Noted
+    outline: Outline
+
+    def __getitem__(self, name: str) -> Any:
+        if outline_of(name).order >= self.outline.order:
+            raise ReportError(f"{self.outline.source} reads {name}, which stands after it: give it a higher order")
+        return self.those[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.those)
+
+    def __len__(self) -> int:
+        return len(self.those)

@@ -11,7 +11,7 @@ from report import ROOT, ReportError
 from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS
 from report.clips import Clips, clips_of
-from report.derived import LostError, Noted, Outline, Reads, derive_section, outline_of
+from report.derived import Earlier, LostError, Noted, Outline, Reads, derive_section, outline_of
 from report.keeping import Derivation, Keeper, Made
 from report.noise import NOISE, noise_floors
 from report.page import Prose, Templates, Text
@@ -45,7 +45,7 @@ class Edition:
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
         """Its pages with what each shows; one that would show nothing is not there."""
-        chapters = self.chapters.values()
+        chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
         always = (FRONT, HISTORY) if len(self.project.releases) > 1 else (FRONT,)
         return {page: found for page, found in shown.items() if found or page in always}
@@ -205,7 +205,7 @@ def _made(
     """What a section makes of its results, and of those of the sections before it, or of all releases."""
 
     def make(reads: Reads) -> Derivation:
-        given = replace(results, others=Noted(reads), derived={})
+        given = replace(results, others=Earlier(Noted(reads), outline), derived={})
         return derive_section(given, {release: Noted(reads, release) for release in releases}), given.derived
 
     places: dict[str, Mapping[str, Any]] = {"": results.others, **releases}

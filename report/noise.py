@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from statistics import NormalDist, fmean, stdev
 from typing import Any
 
+from report.records.columns import unit_of
 from report.records.record import Record
 from report.settings import is_exact
 
@@ -21,6 +22,9 @@ MEDIAN = 1.25
 """How much wider the median of n numbers spreads than their mean, which does by 1/√n of theirs: √(π/2), for many."""
 RATES = {"frames_per_s": "frame_ms", "realtime_factor": "frame_ms", "world_substeps_per_s": "frame_ms"}
 """Rates that a time in the same row makes, so that they have its share of noise."""
+IN_C = ("c", "mujoco", "mujoco-c")
+"""What ``backend`` says of MuJoCo's engine in C, whose runs on one thread repeat to the last bit, all but times."""
+TIMES = ("s", "ms")
 PAIRS = 0.999
 """Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
 comparisons, and the largest difference that was seen among some tens of runs is less than the largest of those."""
@@ -103,8 +107,8 @@ def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
     """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
 
-    A time is the median of frames that a row has the spread of; other numbers have the floor of their column; what was
-    set or counted is exact.
+    A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or of
+    rounding where the engine repeats itself; what was set or counted is exact.
     """
     value, timed = row[column], RATES.get(column, column)
     if value is None:
@@ -116,7 +120,8 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
         share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:
-        return None
+        is_repeated = row.get("backend") in IN_C and unit_of(column) not in TIMES
+        return ROUNDING_SHARE * abs(value) if is_repeated else None
     return max(floors[column].at(value), RESOLUTION.get(column, 0.0)) or None
 
 

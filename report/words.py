@@ -44,6 +44,9 @@ TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTAL
 TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
 """A number with the unit of one that is measured."""
 
+CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
+"""Names that Jinja has for itself, so that what is given under them is never said."""
+
 Part = Callable[[Mapping[str, Any]], Markup]
 """One part as a function of what it can name."""
 
@@ -63,7 +66,9 @@ class Wording:
         return self.parts[part](numbers) if part in self.parts else Markup("")
 
     def refuse_unknown(self, what: str, numbers: Mapping[str, Any]) -> None:
-        """ReportError when the wording names something that it is not given."""
+        """ReportError when the wording names something that it is not given, or could not name what it is given."""
+        if taken := sorted(CONSTANTS & set(numbers)):
+            raise ReportError(f"{self.place}: {what} is given {taken[0]}, which is a constant in a template: rename it")
         if unknown := sorted(self.names - set(numbers)):
             there = ", ".join(sorted(numbers)) or "none"
             raise ReportError(f"{self.place}: {what} names {unknown[0]}, which it is not given; it is given: {there}")

@@ -51,20 +51,20 @@ def keep(toy: Toy, release: str, rows, packages: dict[str, str]) -> None:
 
 @pytest.fixture
 def search(toy, monkeypatch) -> Bisection:
-    """The toy's claim holds up to 1.5.0 and fails from 1.6.0 on."""
-    monkeypatch.setattr(bisect, "releases_between", lambda first, last: ["1.5.0", "1.6.0", "1.7.0"])
-    for release, rows, packages in (("1.5.0", ROWS, OLD), ("1.6.0", WORSE, NEW), ("1.7.0", WORSE, NEW)):
+    """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
+    monkeypatch.setattr(bisect, "releases_between", lambda first, last: ["1.5.9", "1.6.9", "1.7.9"])
+    for release, rows, packages in (("1.5.9", ROWS, OLD), ("1.6.9", WORSE, NEW), ("1.7.9", WORSE, NEW)):
         keep(toy, release, rows, packages)
-    keep(toy, "1.8.0", WORSE, NEW)
+    keep(toy, "1.8.9", WORSE, NEW)
     return Bisection(toy.project, Question("toy.helps", True), "cpu", Templates(toy.project.templates))
 
 
 def test_the_release_and_then_newton_itself(toy, search, capsys):
-    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()
-    assert said[0] == "toy.helps changes between 1.5.0 and 1.6.0"
-    assert said[1].startswith("newton 1.6.0 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
-    assert "1.7.0" not in capsys.readouterr().out, "what lies behind the change is not asked"
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()
+    assert said[0] == "toy.helps changes between 1.5.9 and 1.6.9"
+    assert said[1].startswith("newton 1.6.9 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
+    assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
 
 
 def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
@@ -72,30 +72,30 @@ def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, 
         raise ReportError("it does not compile")
 
     monkeypatch.setattr(bisect, "measure", refuse)
-    keep(toy, "1.5.0+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()[1]
-    assert said == "newton 1.6.0 did it: 1.5.0 stays as it is with all others of 1.6.0"
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    assert said == "newton 1.6.9 did it: 1.5.9 stays as it is with all others of 1.6.9"
 
 
 def test_or_another_package_of_it(toy, search):
-    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
-    keep(toy, "1.5.0+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
-    keep(toy, "1.5.0+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).splitlines()[1]
-    assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.0 does so too")
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
+    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.9 does so too")
 
 
 def test_a_value_is_followed_as_well(toy, search):
-    keep(toy, "1.6.0+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
     search = replace(search, question=Question("toy.soft.slip_mm", False))
-    assert bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.0")).startswith(
-        "toy.soft.slip_mm changes between 1.5.0"
+    assert bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).startswith(
+        "toy.soft.slip_mm changes between 1.5.9"
     )
 
 
 def test_there_is_nothing_to_find_between_ends_that_agree(search):
     with pytest.raises(UsageError, match="holds at A and holds at B"):
-        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.0"))
+        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.9"))
 
 
 def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
@@ -132,7 +132,7 @@ def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
 def test_commits_of_one_repository_are_seen_as_such(checkout):  # noqa: F811
     first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
     assert common_repository(first, last) == (checkout, "HEAD", "main")
-    assert common_repository(first, stack_of("1.8.0")) is None
+    assert common_repository(first, stack_of("1.8.9")) is None
 
 
 @pytest.fixture
@@ -144,22 +144,22 @@ def told(search, toy):
 
 def test_a_history_has_every_edition_and_says_what_moved(told):
     lines = history(told, Question("toy.soft.slip_mm", False)).splitlines()
-    assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.0", "6.362"], ["1.6.0", "0.4", "better"]]
+    assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.9", "6.362"], ["1.6.9", "0.4", "better"]]
     lines = history(told, Question("toy.helps", True)).splitlines()
     assert [line.split() for line in lines[1:4]] == [
         ["1.4.0", "holds"],
-        ["1.5.0", "holds"],
-        ["1.6.0", "fails", "flipped"],
+        ["1.5.9", "holds"],
+        ["1.6.9", "fails", "flipped"],
     ]
     assert history(told, Question("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
 
 
 def test_claims_that_flip_are_listed_with_what_each_edition_says(told):
     (flip,) = flips(told, "1.4.0")
-    assert flip.said == dict.fromkeys(("1.4.0", "1.5.0"), "holds") | dict.fromkeys(
-        ("1.6.0", "1.7.0", "1.8.0"), "not shown"
+    assert flip.said == dict.fromkeys(("1.4.0", "1.5.9"), "holds") | dict.fromkeys(
+        ("1.6.9", "1.7.9", "1.8.9"), "not shown"
     )
-    assert flip.told == [("true", ["1.4.0", "1.5.0"]), ("not true", ["1.6.0", "1.7.0", "1.8.0"])]
+    assert flip.told == [("true", ["1.4.0", "1.5.9"]), ("not true", ["1.6.9", "1.7.9", "1.8.9"])]
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
 
 
@@ -167,9 +167,9 @@ def test_the_page_of_the_history_is_there_where_there_is_more_than_one_edition(t
     toy.build()
     site = toy.project.site
     page = (site / "history.html").read_text(encoding="utf-8")
-    assert "<b>true</b> in 1.4.0, 1.5.0; <b>not true</b> in 1.6.0, 1.7.0, 1.8.0" in page
+    assert "<b>true</b> in 1.4.0, 1.5.9; <b>not true</b> in 1.6.9, 1.7.9, 1.8.9" in page
     assert check_site(site) == []
-    for release in ("1.5.0", "1.6.0", "1.7.0", "1.8.0"):
+    for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
         shutil.rmtree(toy.of(release).project.results)
     toy.build()
     assert not (site / "history.html").exists() and check_site(site) == []
@@ -177,14 +177,14 @@ def test_the_page_of_the_history_is_there_where_there_is_more_than_one_edition(t
 
 def test_a_retired_edition_leaves_no_link(toy, search, capsys):
     toy.build()
-    stack = stack_of("1.6.0")
-    side = toy.project.of("1.6.0")
-    write_manifest(side.results, Manifest("1.6.0"))
-    (toy.project.root / ".venv-newton-1.6.0").mkdir()
+    stack = stack_of("1.6.9")
+    side = toy.project.of("1.6.9")
+    write_manifest(side.results, Manifest("1.6.9"))
+    (toy.project.root / ".venv-newton-1.6.9").mkdir()
     assert build.retire(side, Namespace(stack=stack, address="")) == 0
     assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
     site = toy.project.site
-    assert not (site / "newton-1.6.0").exists() and "1.6.0" not in toy.front and check_site(site) == []
+    assert not (site / "newton-1.6.9").exists() and "1.6.9" not in toy.front and check_site(site) == []
     with pytest.raises(UsageError, match="neither results"):
         build.retire(side, Namespace(stack=stack, address=""))
     with pytest.raises(UsageError, match="stays"):

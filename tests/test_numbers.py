@@ -152,6 +152,10 @@ def test_the_noise_of_a_cell():
         "row_count": 0.0,
     }
     assert cell_noise("slip_mm", {"slip_mm": 64.0}, floors) == pytest.approx(0.05), "larger values are noisier"
+    in_c = row | {"backend": "c", "build_s": 2.0}
+    assert cell_noise("creep_mm_s", in_c, floors) == pytest.approx(1e-4), "it repeats to the last bit"
+    assert cell_noise("slip_mm", in_c, floors) == 0.005
+    assert cell_noise("build_s", in_c, floors) is None, "a time does not"
 
 
 def test_a_time_has_the_noise_of_its_own_frames():

@@ -13,7 +13,9 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
 from report import ROOT, ReportError, keeping
+from report.editions import editions_of
 from report.keeping import surroundings
+from report.page import Templates
 from report.records import identity
 from report.records.cache import FOLDER, Cache
 from report.records.identity import sources_kept
@@ -184,6 +186,16 @@ def test_a_figure_can_not_read_what_its_section_has_not(toy):
     toy.write("report/sections/toy.py", late)
     with pytest.raises(ReportError, match="reads reader only while it is drawn"):
         toy.build()
+
+
+def test_a_section_can_not_read_one_that_stands_after_it(toy):
+    """It would find nothing there, ever."""
+    with_readers(toy)
+    module = (toy.project.root / "report/sections/reader.py").read_text()
+    toy.write("report/sections/reader.py", module.replace("order = 2", "order = 0"))
+    [edition] = editions_of(toy.project, Templates(toy.project.templates)).values()
+    said = {state.section: "; ".join(state.notes) for state in edition.left_out}
+    assert "report/sections/reader.py reads toy, which stands after it" in said["reader"]
 
 
 WARM = """

@@ -43,6 +43,13 @@ def test_a_claim_without_words_stops_the_build(toy):
         toy.build()
 
 
+def test_a_number_whose_name_is_a_constant_stops_the_build(toy):
+    """The page would say "None"."""
+    toy.write("report/sections/toy.py", MODULE.replace('{"gain": gain}', '{"gain": gain, "none": gain}'))
+    with pytest.raises(ReportError, match=r"sections/toy.md.j2:4: claim helps is given none, which is a constant"):
+        toy.build()
+
+
 def test_words_are_known_without_rendering(toy):
     text = Templates(toy.project.templates).text("sections/toy.md.j2")
     wording = text.words["claim", "helps"]

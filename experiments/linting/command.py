@@ -1,5 +1,7 @@
-"""The lint as a program: ``python -m experiments.lint TARGET``, and ``newton-lint`` where it is installed by itself; see
-docs/lint.md."""
+"""The lint as a program: ``python -m experiments.lint TARGET``, or ``newton-lint`` where that is installed.
+
+See docs/lint.md.
+"""
 
 import argparse
 import json

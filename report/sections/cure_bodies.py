@@ -137,9 +137,9 @@ def _rolling_body_sinks(results: Results, runs: Runs) -> Claim:
     least = extreme(results, "sinks_least", "least of these, normal rows too", min, depths["full"])
     most = extreme(results, "sinks_most", "most of these, friction rows alone", max, depths["term"])
     deep = results.chosen("sinks_bound", "deeper than a contact of this weight is", 1.0, unit="mm")
-    none = results.chosen("stays_bound", "as deep as before", 0.01, unit="mm")
-    outcome = all_of(at_least(least, deep), at_most(most, none))
-    return Claim("rolling_body_sinks", outcome, numbers={"least": least, "most": most, "none": none})
+    same = results.chosen("stays_bound", "as deep as before", 0.01, unit="mm")
+    outcome = all_of(at_least(least, deep), at_most(most, same))
+    return Claim("rolling_body_sinks", outcome, numbers={"least": least, "most": most, "same": same})
 
 
 def _plane_table(runs: Runs) -> Table:

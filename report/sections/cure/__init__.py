@@ -19,8 +19,9 @@ from report.sections.cure.budget import (
 from report.sections.cure.figures import draw_budget
 from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, far_mm, use_table, what_to_use
 
-order = 149
+order = 149  # after all of its page, which it reads
 page = "cure"
+leads = True
 
 OTHER_CONTACTS = {
     "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
