@@ -24,7 +24,8 @@ Each has its remedy: with the term put back the first is gone; RK4 has neither t
 third; centred, the term takes the second along; R goes with 1 / impratio. All four are along the pads: across them the
 normal rows hold the cube. Rounding of positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's
 step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double
-precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
+precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted,
+``softness`` where the cone is a pyramid.
 """
 
 from dataclasses import dataclass, replace
@@ -37,9 +38,12 @@ import warp as wp
 from experiments import metrics
 from experiments.case import AS_SHIPPED, Case
 from experiments.compat import kf_is_read
-from experiments.scene import body_index
+from experiments.linting.creep import impedance_at
+from experiments.scene import PAD_SOLIMP, body_index
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
+
+BISECTION_COUNT = 50
 
 
 @dataclass(frozen=True)
@@ -52,6 +56,8 @@ class Motion:
     """∫ e dt with implicitfast."""
     load_m_s: np.ndarray
     """∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts."""
+    depth_m: float
+    """How deep these are in the end, in the mean."""
     rounding_m: np.ndarray
     """What the cube moved less what its velocity says, in single-precision positions."""
     inverse_mass_1_kg: float
@@ -75,7 +81,7 @@ def measure_motion(case: Case) -> Motion:
     bias, damping, load, velocity = frames[shaking].sum(axis=0)
     moved = metrics.displacement(trace).vector_m[-1]
     rounding = moved - (velocity - 0.5 * simulation.substep_dt * bias)
-    return Motion(bias, damping, load, rounding, watch.inverse_mass_1_kg)
+    return Motion(bias, damping, load, watch.depth_m, rounding, watch.inverse_mass_1_kg)
 
 
 class Watch:
@@ -96,6 +102,7 @@ class Watch:
         finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
         self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
         self.sums = np.zeros((len(self.COLUMNS), 3))
+        self.depth_m = 0.0
         self.rate = np.zeros((3, engine.nv))
         self.jacobian = np.zeros((2, 3, engine.nv))
 
@@ -116,14 +123,17 @@ class Watch:
             total += h * (into_tcp @ value)
 
     def _load(self, data: mujoco.MjData) -> np.ndarray:
-        """R f of the cube's friction rows in the world, mean over the contacts that carry force [m/s²]."""
-        found = []
+        """R f of the cube's friction rows in the world, mean over the contacts that carry force [m/s²]; their depth is
+        kept."""
+        found, depths_m = [], []
         for contact in data.contact:
             row = contact.efc_address
             if row >= 0 and self.cube_geom in contact.geom and data.efc_force[row] > 0.0:
                 yielded = data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
                 sign = 1.0 if contact.geom[1] == self.cube_geom else -1.0
                 found.append(sign * contact.frame.reshape(3, 3)[1:].T @ yielded)
+                depths_m.append(contact.includemargin - contact.dist)
+        self.depth_m = float(np.mean(depths_m)) if found else 0.0
         return np.mean(found, axis=0) if found else np.zeros(3)
 
 
@@ -137,18 +147,45 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
     b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, h, motion.inverse_mass_1_kg))
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
     runge_kutta = case.integrator == "rk4"
-    softness = AS_SHIPPED.impratio / case.impratio
-    if case.cone == "pyramidal":
-        softness *= 1.0 + case.pad_mu**2
     along = np.array([1.0, 0.0, 1.0])
     parts = {
         "term": left_out * motion.bias_m_s / b,
         "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
         "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
-        "creep": -softness * motion.load_m_s / b,
+        "creep": -softness(case, motion.depth_m) * motion.load_m_s / b,
         "rounding": (not case.compensated) * motion.rounding_m,
     }
     return {name: 1e3 * along * part for name, part in parts.items()}
+
+
+def softness(case: Case, depth_m: float) -> float:
+    """R of the friction rows, of what it is with the impratio and the cone as shipped.
+
+    A pyramid's rows are normal and friction rows in one, four a contact, with R = 2 μ² (1 + μ²) / impratio of what an
+    elliptic cone's normal row has (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal force, so that
+    k d(r) r = R f is balanced by a smaller depth r, and there the impedance d is less and R ∝ (1 - d) / d is more.
+
+    Args:
+        depth_m: How deep the contacts of an elliptic cone are.
+    """
+    found = AS_SHIPPED.impratio / case.impratio
+    if case.cone != "pyramidal":
+        return found
+    solimp = (PAD_SOLIMP[0], case.pad_dmax, *PAD_SOLIMP[2:])
+    of_cone = impedance_at(solimp, depth_m)
+    share = case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
+    shallow_m, deep_m = 0.0, depth_m
+    for _ in range(BISECTION_COUNT):
+        middle_m = 0.5 * (shallow_m + deep_m)
+        d = impedance_at(solimp, middle_m)
+        is_deep = d * middle_m > share * yielding(d) / yielding(of_cone) * of_cone * depth_m
+        shallow_m, deep_m = (shallow_m, middle_m) if is_deep else (middle_m, deep_m)
+    return found * (1.0 + case.pad_mu**2) * yielding(impedance_at(solimp, deep_m)) / yielding(of_cone)
+
+
+def yielding(impedance: float) -> float:
+    """What R is in proportion to."""
+    return (1.0 - impedance) / impedance
 
 
 def friction_timeconst_s(case: Case, h: float, inverse_mass_1_kg: float) -> float:

@@ -127,7 +127,7 @@ def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
         ("rounding", "mm", 1e3 * motion.rounding_m),
     ):
         row |= {f"{name}_x_{unit}": float(value[0]), f"{name}_z_{unit}": float(value[2])}
-    return row
+    return row | {"depth_mm": 1e3 * motion.depth_m}
 
 
 def name_of(part: str) -> str:

@@ -1,12 +1,14 @@
 """The parts of the slip, predicted and measured, and the box on the turntable."""
 
 from dataclasses import replace
+from itertools import product
 
+import mujoco
 import numpy as np
 import pytest
 
 from experiments import cure, metrics, turntable
-from experiments.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm
+from experiments.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
 from experiments.case import AS_SHIPPED, STIFF_PADS, batch_key
 from experiments.compat import kf_is_read
 from experiments.simulation import simulate
@@ -18,10 +20,22 @@ MOTION = Motion(
     bias_m_s=np.array([1.0, 0.5, -0.5]),
     damping_m_s=np.array([0.1, 0.0, 0.0]),
     load_m_s=np.array([0.0, 0.0, -0.02]),
+    depth_m=2e-3,
     rounding_m=np.array([0.0, 0.0, 1e-4]),
     inverse_mass_1_kg=20.0,
 )
 """Numbers to reckon with by hand."""
+BLOCK = """
+<mujoco>
+  <option timestep="0.001" cone="{cone}" impratio="{impratio}" integrator="implicitfast"/>
+  <default><geom friction="1" solref="0.02 1" solimp="0.7 0.95 0.0001 0.5 2"/></default>
+  <worldbody>
+    <geom type="plane" size="1 1 1"/>
+    <body pos="0 0 0.019"><freejoint/><geom type="box" size="0.02 0.02 0.02" mass="20"/></body>
+  </worldbody>
+</mujoco>
+"""
+"""As the pads: deeper than their solimp is wide."""
 
 
 def test_the_parts_add_up_to_the_slip_through_c():
@@ -45,6 +59,26 @@ def test_the_parts_are_as_by_hand():
     assert parts["damping"] == pytest.approx([100.0 * inverse_b, 0.0, 0.0])
     assert parts["creep"] == pytest.approx([0.0, 0.0, 20.0 * inverse_b])
     assert parts["rounding"] == pytest.approx([0.0, 0.0, 0.1])
+
+
+def test_a_pyramid_is_softer_the_less_it_lets_pads_sink_in():
+    """Against R of a block at rest on a plane, in MuJoCo's C engine."""
+    depths_m, found = {}, {}
+    for cone, impratio in product(("elliptic", "pyramidal"), (50.0, 400.0)):
+        model = mujoco.MjModel.from_xml_string(BLOCK.format(cone=cone, impratio=impratio))
+        data = mujoco.MjData(model)
+        for _ in range(3000):
+            mujoco.mj_step(model, data)
+        depths_m[cone, impratio] = float(np.mean([-contact.dist for contact in data.contact]))
+        of_cone = cone == "elliptic"
+        r = data.efc_R[[contact.efc_address + of_cone for contact in data.contact]].mean()
+        # Two rows of a pyramid share a direction: b v = R f / (2 μ²), of a cone's row b v = R f.
+        found[cone, impratio] = r if of_cone else r / 2.0
+    shipped = found["elliptic", 50.0]
+    for (cone, impratio), r in found.items():
+        case = replace(AS_SHIPPED, cone=cone, impratio=impratio)
+        assert softness(case, depths_m["elliptic", 50.0]) == pytest.approx(r / shipped, rel=0.03), (cone, impratio)
+    assert depths_m["pyramidal", 400.0] < 0.05 * depths_m["elliptic", 400.0]
 
 
 def test_each_remedy_takes_its_part():

@@ -1,9 +1,10 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
+import math
 from collections.abc import Sequence
 
 from report.claims import Claim, all_of, at_least, at_most, decreases, greater
-from report.deriving.arithmetic import noise_floor, share
+from report.deriving.arithmetic import departure, noise_floor, share
 from report.parts import Figure, Section
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -59,6 +60,7 @@ def derive(results: Results) -> Section:
             _term_uncovers_step(results, parts["the term"]),
             _stiff_pads_with_term(results),
             _with_other_contacts(results),
+            _pyramid_yields(results),
             lacks_the_sway(results, amplitude),
         ],
     )
@@ -151,7 +153,20 @@ def _stiff_pads_with_term(results: Results) -> Claim:
 
 
 def _with_other_contacts(results: Results) -> Claim:
-    slips = {name: results.row[case].slip_mm for name, case in OTHER_CONTACTS.items()}
+    rows = {name: results.row[case] for name, case in OTHER_CONTACTS.items()}
+    slips = {name: row.slip_mm for name, row in rows.items()}
     largest = results.value("other_slip", "larger of both", max, *slips.values(), unit="mm")
     bound = results.chosen("other_bound", "as good as with Newton's contacts, or nearly", 0.1, unit="mm")
     return Claim("with_other_contacts", at_most(largest, bound), numbers=slips)
+
+
+def _pyramid_yields(results: Results) -> Claim:
+    """What the pyramidal cone leaves is load alone, on rows that are softer the less deep the contacts are."""
+    row = results.row[OTHER_CONTACTS["pyramid"]]
+    load = results.value(
+        "pyramid_load", "size of the part of load", math.hypot, row.creep_x_mm, row.creep_z_mm, unit="mm"
+    )
+    formula = "slip less that part, in size, of the slip"
+    off = departure(results, "pyramid_load_off", formula, load, row.slip_mm)
+    bound = results.chosen("pyramid_load_bound", "that part and no other", 15.0, unit="%")
+    return Claim("pyramid_yields", at_most(off, bound), numbers={"slip": row.slip_mm, "load": load})
