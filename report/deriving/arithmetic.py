@@ -84,12 +84,12 @@ def noise_floor(results: Results, name: str) -> Quantity:
 def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity) -> Claim:
     """That there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and ``share``.
 
-    With their signs: what drifts the other way when held is no part of the drift when shaken.
+    What drifts the other way when held is no part of the drift when shaken, but a cause that takes no shake.
     """
-    formula = "drift with the arm held still, of the drift as shipped; below zero where it is the other way"
-    part = share(results, "hold_share", formula, held, shaken)
+    formula = "drift with the arm held still, of the drift as shipped, in size"
+    part = size_share(results, "hold_share", formula, held, shaken)
     bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
-    is_opposed = part.value is not None and part.value < 0
+    is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
     return Claim(name, at_most(part, bound), numbers)
 

@@ -32,8 +32,8 @@ SCENES = {
 COLUMNS = {"turntable": ("growth_per_s", "predicted_growth_per_s"), "contacts": ("slide_mm", "predicted_slide_mm")}
 """Of what is measured and what is predicted, where they are no creep."""
 MARKERS = ("o", "s", "^", "D", "v")
-SHAKE_S = 2.0
-"""How long the slide of the shake test was watched: two periods."""
+SHAKE_S = 4.0
+"""How long the slide of the shake test was watched: two periods of a motion that repeats every second cycle of 1 Hz."""
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import departure, difference, extreme
+from report.deriving.arithmetic import departure, difference, extreme, share
 from report.figures import INK, SERIES, is_narrow, new_figure
 from report.names import case_html, name_of
 from report.parts import Figure, Section, Table
@@ -55,6 +55,7 @@ def derive(results: Results) -> Section:
             *(_elliptic_holds(results, rows, engine) for engine in ENGINES),
             _shorter_does_not(results, rows),
             _ball_creeps_out(results, rows, held),
+            _cube_is_shaken_out(results, rows, held),
             _creep_is_predicted(results, held),
             _long_step_lifts_nothing(results, rows),
             _implicitfast_shakes_harder(results),
@@ -148,6 +149,13 @@ def _ball_creeps_out(results: Results, rows: Mapping[str, Row], held: Mapping[st
     together = results.chosen("together_bound", "whatever the shake", 0.1, unit="s")
     numbers |= {"drop": row.median_drop_s, "off": off, "apart": apart, "count": row.seed_count}
     return Claim("ball_creeps_out", all_of(at_most(off, bound), at_most(apart, together)), numbers)
+
+
+def _cube_is_shaken_out(results: Results, rows: Mapping[str, Row], held: Mapping[str, Row]) -> Claim:
+    when, drop = held["cube-published"].forecast_drop_s, rows["cube-2ms-published-c"].median_drop_s
+    early = share(results, "cube_drop_share", "time of the drop, of when its creep alone would take it out", drop, when)
+    bound = results.chosen("shaken_out_bound", "well before", 80.0, unit="%")
+    return Claim("cube_is_shaken_out", at_most(early, bound), {"when": when, "drop": drop})
 
 
 def _creep_is_predicted(results: Results, held: Mapping[str, Row]) -> Claim:
