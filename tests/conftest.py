@@ -79,6 +79,11 @@ def slip():
     """How far it slips."""
     return 1.0
 '''
+needs_boxes_in_c = pytest.mark.skipif(
+    package_versions()["mujoco"].startswith("3.11."),
+    reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
+)
+"""For a shake through MuJoCo's C engine. Release 1.5 comes with it; seen in fixed_scene.py, as the hand comes down."""
 REPORT = """
 import sys
 from pathlib import Path

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, TEMPLATE
+from conftest import MODULE, TEMPLATE, needs_boxes_in_c
 
 from experiments import metrics
 from experiments.case import AS_SHIPPED, STIFF_PADS
@@ -43,6 +43,7 @@ def runs(tmp_path_factory) -> dict[str, tuple[subprocess.CompletedProcess, dict,
         return {name: (*said, trace) for name, said, trace in zip(CASES, scripts, traces, strict=True)}
 
 
+@needs_boxes_in_c
 def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(runs):
     fixed, shipped = runs["fixed_scene.py"][0], runs["scene_as_shipped.py"][0]
     assert fixed.returncode == 0, fixed.stderr
@@ -50,6 +51,7 @@ def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(runs):
     assert "the cube slipped" in shipped.stderr.splitlines()[-1]
 
 
+@needs_boxes_in_c
 @pytest.mark.parametrize("name", CASES)
 def test_a_script_is_the_scene_of_this_report(runs, name):
     _, summary, trace = runs[name]

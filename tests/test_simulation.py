@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import warp as wp
+from conftest import needs_boxes_in_c
 
 from experiments import metrics, simulation
 from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
@@ -27,6 +28,7 @@ def slip_mm(trace) -> float:
     return metrics.slip_mm(metrics.displacement(trace))
 
 
+@needs_boxes_in_c
 @pytest.mark.parametrize("case", [AS_SHIPPED, STIFF_PADS], ids=lambda case: case.name)
 def test_calibration_through_mujoco_c(case):
     [trace] = simulate([replace(case, backend="mujoco")])
