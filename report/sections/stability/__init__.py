@@ -56,6 +56,7 @@ def derive(results: Results) -> Section:
             limits.safe(results, critical, default_kd),
             limits.steps(results),
             limits.steps_order(results),
+            limits.gain_goes(results),
             limits.plateau(results, critical),
             limits.boundary(results, default_kd),
             limits.clamp(results),

@@ -106,6 +106,31 @@ def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
     )
 
 
+def gain_goes(results: Results) -> Claim:
+    """What stiff pads gain against shipped ones, from the shipped step to the longest."""
+    runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
+    counts = sorted(
+        (number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps), reverse=True
+    )
+    gains = [
+        results.value(
+            f"step_gain_{number}",
+            f"drift of shipped pads over that of stiff ones, {number} substeps, in size",
+            lambda shipped, stiff: abs(shipped / stiff),
+            runs["as-shipped", number].drift_mm_s,
+            runs["stiff", number].drift_mm_s,
+        )
+        for number in counts
+        if ("as-shipped", number) in runs
+    ]
+    if len(gains) < 2:
+        return Claim("gain_goes", Outcome("unknown", "it was not measured with longer steps"))
+    least = results.chosen("step_gain_least", "a gain", 2.0)
+    longest = runs["stiff", counts[-1]].step_ms
+    numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": longest}
+    return Claim("gain_goes", all_of(at_least(gains[0], least), at_most(gains[-1], least)), numbers)
+
+
 def plateau(results: Results, rows: Sequence[Row]) -> Claim:
     clamped = [row for row in rows if row.clamped]
     return family_claim(
