@@ -2,6 +2,7 @@
 
 import time
 
+import mujoco
 import newton
 import numpy as np
 import pytest
@@ -43,6 +44,13 @@ def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
         builder.add_shape_box(
             body, cfg=ShapeConfig(**{"gap": 0.001, **config}), label=f"box_{index}", custom_attributes=custom
         )
+    return builder.finalize(device="cpu")
+
+
+def read_mjcf(xml: str) -> newton.Model:
+    builder = newton.ModelBuilder()
+    SolverMuJoCo.register_custom_attributes(builder)
+    builder.add_mjcf(xml)
     return builder.finalize(device="cpu")
 
 
@@ -93,6 +101,62 @@ def test_a_timeconst_below_two_substeps():
 def test_a_solref_of_its_own_takes_the_place_of_ke_and_kd():
     model = two_boxes({"ke": 8e4}, {}, solref=((1e-3, 1.0), (1e-3, 1.0)), solref_mode=(RAW, RAW), geom_priority=(0, 1))
     assert [(rule, name) for rule, _, name, *_ in found(model)] == [("timeconst", "timeconst")]
+
+
+CUBE_ON_FLOOR = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" solref="{floor}" priority="{priority}"/>
+    <body pos="0 0 0.09"><freejoint/><geom name="cube" type="box" size="0.1 0.1 0.1" {cube} priority="1"/></body>
+  </worldbody>
+</mujoco>
+"""
+
+
+@pytest.mark.parametrize(
+    ("floor", "cube", "lost"),
+    [
+        ("0.05 1", 'solref="0.02 0.7" solimp="0.8 0.9 0.002"', [("solref[0]", 0.05)]),
+        ("0.05 0.5", 'solref="0.03 0.7"', [("solref[0]", 0.05), ("solref[1]", 0.5)]),
+        ("-2500 -100", 'solref="-900 -60"', []),  # of which MuJoCo Warp takes the smaller, whatever their priority
+        ("0.05 1", "", [("solref[0]", 0.05)]),
+        ("0.02 1", 'solref="0.05 1"', []),
+    ],
+)
+def test_a_solref_of_lower_priority_is_none_that_mujoco_solves_with(floor, cube, lost):
+    xml = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=0)
+    findings = [finding for finding in lint(read_mjcf(xml), ENGINE) if finding.rule == "priority"]
+    assert [(finding.parameter, pytest.approx(finding.value)) for finding in findings] == lost
+    engine = mujoco.MjModel.from_xml_string(xml)
+    data = mujoco.MjData(engine)
+    mujoco.mj_step(engine, data)
+    for finding in findings:
+        assert finding.shape == "floor" and len(data.contact.solref)
+        used = data.contact.solref[:, int(finding.parameter[-2])]
+        np.testing.assert_allclose(used, finding.used, rtol=1e-5)
+        assert not np.isclose(used, finding.value).any()
+    level = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=1)
+    assert not [finding for finding in lint(read_mjcf(level), ENGINE) if finding.rule == "priority"]
+
+
+STIFF = {"ke": 2.5e5, "kd": 1e3}
+SOLREFS = ((0.05, 1.0), (0.02, 1.0))
+MINIMAL = {
+    "priority": ({"mu": 0.3}, {}, {"geom_priority": (0, 1)}),
+    "priority of a solref": ({}, {}, {"geom_priority": (0, 1), "solref_mode": (RAW, RAW), "solref": SOLREFS}),
+    "default-gap": ({"gap": None}, {}, {}),
+    "timeconst": (STIFF, STIFF, {}),
+    "ke-without-kd": ({"ke": 1e5, "kd": 0.0}, {}, {}),
+    "dampratio": ({"ke": 1e4, "kd": 5.0}, {"ke": 1e4, "kd": 5.0}, {}),
+    "kf": ({"kf": 50.0}, {}, {}),
+    "unused": ({"restitution": 0.5}, {}, {}),
+}
+
+
+@pytest.mark.parametrize("name", MINIMAL)
+def test_every_rule_fires_on_its_minimal_model_and_on_none_of_the_others(name):
+    first, second, attributes = MINIMAL[name]
+    assert {rule for rule, *_ in found(two_boxes(first, second, **attributes))} == {name.split()[0]}
 
 
 @pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
@@ -177,18 +241,11 @@ MJCF = """
 """
 
 
-def mjcf_model(**values) -> newton.Model:
-    builder = newton.ModelBuilder()
-    SolverMuJoCo.register_custom_attributes(builder)
-    builder.add_mjcf(MJCF.format(**values))
-    return builder.finalize(device="cpu")
-
-
 @pytest.mark.parametrize(
     ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", [])]
 )
 def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
-    model = mjcf_model(geom=0.001, pair=pair)
+    model = read_mjcf(MJCF.format(geom=0.001, pair=pair))
     assert [rule for rule, *_ in found(model)] == rules
     assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
 

@@ -16,12 +16,24 @@ from report.stated import tomllib
 
 SCENE = """
 <mujoco>
+  {rest}
   <worldbody>
     <geom name="floor" type="plane" size="1 1 1"/>
     <body name="ball"><freejoint/><geom name="skin" size="0.1" mass="2" {skin}/></body>
   </worldbody>
 </mujoco>
 """
+TETRAHEDRON = """
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+"""
+MESH = '<asset><mesh name="rock" file="rock.obj"/></asset><worldbody><geom type="mesh" mesh="rock"/></worldbody>'
 SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
 URDF = f'<robot name="ball"><link name="skin">{SPHERE}</link></robot>'
 KINDS = {
@@ -38,9 +50,9 @@ KINDS = {
 
 @pytest.fixture
 def scene(tmp_path):
-    def write(skin: str = "") -> str:
+    def write(skin: str = "", rest: str = "") -> str:
         path = tmp_path / "scene.xml"
-        path.write_text(SCENE.format(skin=skin))
+        path.write_text(SCENE.format(skin=skin, rest=rest))
         return str(path)
 
     return write
@@ -57,13 +69,62 @@ def built() -> newton.Model:
 def test_a_clean_scene(scene, capsys):
     assert main([scene()]) == 0
     out = capsys.readouterr().out
-    assert "nothing found" in out
-    assert "19 mm/s for each m/s²" not in out and "9.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2
+    assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
+    assert "timeconst 0.02 s; 9.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2
 
 
 def test_findings_end_with_one(scene, capsys):
     assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
     assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
+
+
+def test_one_finding_is_one_finding(scene, capsys):
+    assert main([scene('solref="0.001 0.1"'), "--dt", "0.0001"]) == 0
+    assert main([scene('friction="1 0.2 0.0001"')]) == 1
+    assert capsys.readouterr().out.count(": 1 finding\n") == 1
+
+
+def test_the_time_step_is_the_scenes_unless_another_is_given(scene, capsys):
+    """The pair's timeconst is 12 ms."""
+    target = scene('solref="0.004 1"', '<option timestep="0.007"/>')
+    assert (main([target]), main([target, "--dt", "0.005"])) == (1, 0)
+    first, *_, other = [line for line in capsys.readouterr().out.splitlines() if target in line]
+    assert "dt 0.007 s: 1 finding" in first and "dt 0.005 s: nothing" in other
+
+
+@pytest.mark.parametrize(
+    ("skin", "rest", "said"),
+    [
+        ("", "<bad/>", "'bad'"),
+        ('solreff="0.05 1"', "", "'solreff'"),
+        ("", '<contact><pair geom1="floor" geom2="skim"/></contact>', "'skim'"),
+        ("", MESH, "rock.obj"),
+    ],
+)
+def test_what_mujoco_refuses_is_refused_with_its_words(skin, rest, said, scene, capsys):
+    assert main([scene(skin, rest)]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1) and "MuJoCo refuses" in err and said in err
+
+
+def test_textures_and_sensors_that_are_amiss_are_not_missed(scene):
+    texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
+    assert main([scene('material="b"', f'{texture}<sensor><touch site="nowhere"/></sensor>')]) == 0
+
+
+def test_what_meshes_take_is_said(scene, tmp_path, monkeypatch, capsys):
+    (tmp_path / "rock.obj").write_text(TETRAHEDRON)
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    assert main([scene(rest=MESH)]) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1 and "pip install trimesh scipy" in err
+
+
+def test_a_reader_may_stop_before_the_end(scene):
+    call = [sys.executable, "-m", "experiments.lint", scene('friction="1 0.2 0.0001"'), "--json"]
+    process = subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.close()
+    assert (process.stderr.read(), process.wait()) == ("", 1)
 
 
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
@@ -81,12 +142,15 @@ def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
     refused = subprocess.run(call, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert (refused.returncode, refused.stderr.count("\n")) == (2, 1) and "newton-lint --help" in refused.stderr
     found = subprocess.run(call[:3], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    assert found.returncode == 0 and "nothing found" in found.stdout
+    assert (found.returncode, found.stderr) == (0, "") and "nothing found" in found.stdout
 
 
 def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
     (tmp_path / "robot.urdf").write_text(URDF)
+    (tmp_path / "beside.py").write_text(f"from {__name__} import built\n")
+    (tmp_path / "model.py").write_text("from beside import built\n\ndef mine():\n    return built()\n")
     assert main([f"{__name__}:built"]) == 0
+    assert main([f"{tmp_path / 'model.py'}:mine"]) == 0
     assert main([str(tmp_path / "robot.urdf")]) == 0  # one shape alone touches nothing
     assert "creep" not in capsys.readouterr().out.split("robot.urdf")[1]
 
@@ -98,6 +162,7 @@ def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
         ["scene.txt"],
         ["no.such.module:function"],
         ["tests.test_lint_command:nothing"],
+        ["nowhere.py:function"],
         ["os:getcwd"],
         ["broken"],
         ["good", "--dt", "0"],
@@ -123,7 +188,8 @@ def test_json_is_as_documented(scene, capsys):
     assert main([target, "--json", "--load", "3", "--acceleration", "0.5"]) == 1
     said = json.loads(capsys.readouterr().out)
     assert (said["schema"], said["target"], said["newton"], said["dt_s"]) == (1, target, newton.__version__, 0.002)
-    assert list(said) == ["schema", "target", "newton", "dt_s", "findings", "creep"]
+    assert (said["shape_count"], said["pair_count"]) == (2, 1)
+    assert list(said) == ["schema", "target", "newton", "dt_s", "shape_count", "pair_count", "findings", "creep"]
     for name, kinds in KINDS.items():
         assert said[name]
         for entry in said[name]:

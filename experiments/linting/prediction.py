@@ -115,7 +115,10 @@ def said(prediction: Prediction, load: Load) -> str:
     count = len(prediction.pairs)
     place = f"{named(one for one, _ in prediction.pairs)} on {named(other for _, other in prediction.pairs)}"
     deep, shallow = prediction.deep, prediction.shallow
-    parts = [f"{1e3 * deep.response_s:.3g} mm/s for each m/s² that its rows leave out"]
+    parts = [
+        f"timeconst {prediction.timeconst_s:.3g} s",
+        f"{1e3 * deep.response_s:.3g} mm/s for each m/s² that its rows leave out",
+    ]
     if load.acceleration_m_s2:
         parts.append(f"{deep.acceleration_mm_s:.3g} mm/s at {load.acceleration_m_s2:g} m/s²")
     if load.load_n:

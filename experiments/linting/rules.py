@@ -29,6 +29,7 @@ FAR = 4.0
 TORSIONAL_CONDIM, ROLLING_CONDIM = 4, 6
 """Least condim with which a contact resists to spinning, and to rolling."""
 NOT_READ = "is not read by SolverMuJoCo"
+OVERRULED = "never reaches the solver: the other shape has the higher priority"
 
 
 @dataclass(frozen=True)
@@ -133,8 +134,12 @@ def priority(scene: Scene) -> Iterator[Hits]:
         lost = ~same(values[loser], default) & ~same(values[loser], values[winner])
         if name in ("ke", "kd"):
             lost &= ~raw  # they are not what the solver reads of a shape with a solref of its own
-        message = "never reaches the solver: the other shape has the higher priority"
-        yield _hits("priority", name, loser[lost], winner[lost], values[loser[lost]], values[winner[lost]], message)
+        yield _hits("priority", name, loser[lost], winner[lost], values[loser[lost]], values[winner[lost]], OVERRULED)
+    for index, default in enumerate(DEFAULT_SOLREF):
+        # Compared with the pair's: of solrefs below 0 MuJoCo Warp takes the smaller, whatever their priority.
+        values, used = shapes.solref[loser, index], contacts.solref[there, index]
+        lost = raw & ~same(values, default) & ~same(values, used)
+        yield _hits("priority", f"solref[{index}]", loser[lost], winner[lost], values[lost], used[lost], OVERRULED)
 
 
 def default_gap(scene: Scene) -> Iterator[Hits]:
