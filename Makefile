@@ -14,7 +14,15 @@ unexport MAKE_$(1)
 endif
 endef
 $(foreach name,$(GIVEN),$(eval $(call pass_on,$(name))))
-unexport PYTHONSAFEPATH MAKEFLAGS
+# Of what is not among these the names go to the programs, which refuse them; a make above has variables of its own.
+KNOWN := $(GIVEN) SHELL MAKE MAKEFLAGS
+override MAKE_UNKNOWN :=
+ifeq ($(MAKELEVEL),0)
+typed = $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
+override MAKE_UNKNOWN := $(filter-out $(KNOWN),$(typed))
+endif
+export MAKE_UNKNOWN
+unexport PYTHONSAFEPATH MAKEFLAGS $(MAKE_UNKNOWN)
 
 ifneq ($(origin MAKE_PYTHON),override)
 READY := .venv/.ready

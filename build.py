@@ -18,6 +18,7 @@ from report.commands.building import clips, page, publish, report, rerun, serve,
 from report.commands.editions import bisect, history, judge, newest, retire, upgrade
 from report.commands.options import OPTIONS, flag
 from report.commands.saying import check, diff, trace, verify
+from report.near import near
 from report.records.columns import UNPRINTABLE
 from report.records.environment import add_cluster, python_of
 from report.records.files import settle
@@ -140,7 +141,11 @@ def _parse_arguments() -> argparse.Namespace:
 def _given_to_make() -> Mapping[str, str]:
     """What the variables of make's command line say, as the Makefile passes it on; what makes no sense is refused."""
     # Programs that are started from here, as the tests, are no part of what make was asked for.
+    unknown = os.environ.pop("MAKE_UNKNOWN", "").split()
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
+    if unknown:
+        names = [*map(str.upper, OPTIONS), "PYTHON"]
+        raise UsageError(f"{unknown[0]}= is nothing that make takes here{near(unknown[0], names)}; see make help")
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
         OPTIONS[name].get("type", flag)(value)

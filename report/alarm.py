@@ -56,9 +56,8 @@ def check_said(found: Check, form: str) -> str:
         return _cut("\n".join(lines))
     lines = [fault.text for fault in found.faults]
     for section, claim in found.claims:
-        more = f" ({claim.outcome.said})" if claim.outcome.name == "fails" else ""
-        lines.append(f"{claim.outcome.name:8} {section}.{claim.name}: {claim.text}{more}")
-    lines += [f"{'absent':8} {section}: {reason}" for section, reason in found.absent]
+        lines.append(f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}")
+    lines += [f"{'absent':12} {section}: {reason}" for section, reason in found.absent]
     return "\n".join(lines)
 
 

@@ -120,7 +120,7 @@ class World:
         record = records.get(kept.source, kept.record)
         noise = records.get(f"{kept.path.parent.name}/{NOISE}.json")
         floors = noise_floors([noise]) if noise else kept.floors
-        return AlteredResults(record, kept.path, kept.others, {}, floors, traces)
+        return AlteredResults(record, kept.path, kept.others, {}, floors, kept.label, traces)
 
     def _results(self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]) -> Results:
         results = self._bare(release, name, records, traces)

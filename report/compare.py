@@ -75,7 +75,7 @@ class Flip:
 
     @property
     def text(self) -> str:
-        outcomes = f"{self.before.outcome.name} → {self.after.outcome.name}"
+        outcomes = f"{self.before.outcome.said} → {self.after.outcome.said}"
         return f"{self.section}.{self.before.name}: {outcomes}\n  {self.before.text}\n  {self.after.text}"
 
 

@@ -35,6 +35,8 @@ class Outline:
     """Whether it compares releases: its ``derive`` then takes them as a second argument."""
     leads: bool
     """Whether its page begins with it, wherever its order has it: it says what the others there come to."""
+    label: str
+    """What figures and tables call the section; the name of its file where it does not say."""
 
     @property
     def source(self) -> str:
@@ -57,7 +59,8 @@ def outline_of(section: str) -> Outline:
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
     page = page_named(says.get("page", DEFAULT), name)
-    return Outline(file, root, says["order"], page, compares=says["derive"] > 1, leads=says.get("leads", False))
+    compares, leads = says["derive"] > 1, says.get("leads", False)
+    return Outline(file, root, says["order"], page, compares, leads, str(says.get("label", section.replace("_", " "))))
 
 
 def derive_section(results: Results, releases: Releases) -> Section:

@@ -164,7 +164,8 @@ def derive_edition(project: Project, templates: Templates, keeper: Keeper | None
     found: dict[str, Chapter] = {}
     for state, outline in sorted(outlines, key=lambda pair: pair[1].order):
         others = {name: chapter.results for name, chapter in found.items()}
-        results = Results(state.record, project.record_path(state.section), others, floors=floors)
+        path = project.record_path(state.section)
+        results = Results(state.record, path, others, floors=floors, label=outline.label)
         try:
             if outline.compares:
                 digest = _results_digest(results)

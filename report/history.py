@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
-from report.chapters import Releases
+from report.chapters import Chapters, Releases
 from report.deriving.releases import Turn, turns
 from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
 from report.question import Answer, Question
@@ -21,6 +21,8 @@ class Point:
     answer: Answer
     noise: float | None
     """How far apart two runs of it come out; None where nobody knows, or where it is no number."""
+    said: str
+    """In words."""
     mark: str = ""
     """What it is against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
 
@@ -41,7 +43,7 @@ def points(releases: Releases, question: Question) -> list[Point]:
         if answer is not None:
             floor = _floors({release: chapters}).get(column, noisiest)
             noise = None if isinstance(answer, str) or not floor else max(floor.at(answer), RESOLUTION.get(column, 0.0))
-            point = Point(release, answer, noise)
+            point = Point(release, answer, noise, _said(question, chapters, answer, noise))
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found
 
@@ -95,14 +97,14 @@ def flips(releases: Releases, shown: str) -> list[Flip]:
 
 def history(releases: Releases, question: Question) -> str:
     """A line for each edition that answers, oldest first."""
-    lines = [(point.release, _said(point), point.mark) for point in points(releases, question)]
-    return "\n".join([question.text, *_aligned(lines)])
+    lines = [(point.release, point.said, point.mark) for point in points(releases, question)]
+    return "\n".join([question.text, *(_aligned(lines) or ["no edition can tell"])])
 
 
-def _said(point: Point) -> str:
-    if isinstance(point.answer, str):
-        return point.answer
-    return f"{point.answer:.4g}" + (f" ± {point.noise:.2g}" if point.noise is not None else "")
+def _said(question: Question, chapters: Chapters, answer: Answer, noise: float | None) -> str:
+    if question.is_claim:
+        return question.claim(chapters).outcome.said
+    return f"{answer:.4g}" + (f" ± {noise:.2g}" if noise is not None else "")
 
 
 def flip_history(releases: Releases, shown: str) -> str:

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.figures import INK, SERIES, fold, is_narrow, new_figure, write
-from report.names import name_of, section_name
+from report.names import name_of
 from report.parts import Figure
 from report.quantities import Quantity
 from report.results import Results, Row
@@ -42,7 +42,7 @@ MARKS = {
 class Line:
     """The runs of one section."""
 
-    section: str
+    label: str
     rows: tuple[Row, ...]
     alike: tuple[Row, ...]
     """Those with a slip and the baseline's shake, stiff pads for comparison left out."""
@@ -94,8 +94,8 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
             "has_noise": bool(noise and noise.value),
             "runs": str(sum(len(line.rows) for line in lines)),
             "sections": str(len(lines)),
-            "idle": ", ".join(section_name(line.section) for line in lines if line.does_little),
-            "moving": ", ".join(section_name(line.section) for line in lines if line.farthest),
+            "idle": ", ".join(line.label for line in lines if line.does_little),
+            "moving": ", ".join(line.label for line in lines if line.farthest),
         },
     )
 
@@ -111,18 +111,18 @@ def lines_of(chapters: Mapping[str, Results], baseline: Row) -> list[Line]:
     A row that has no drift, or does not say whether the run failed, is a look at a part of a run and not at all of it.
     """
     lines = []
-    for section, results in chapters.items():
+    for results in chapters.values():
         rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
         alike = [row for row in rows if row.slip_mm.value and _mark(row, baseline) == "the baseline's shake"]
         if alike:
-            lines.append(_line(section, rows, alike, baseline))
+            lines.append(_line(results.label, rows, alike, baseline))
     return lines
 
 
-def _line(section: str, rows: Sequence[Row], alike: Sequence[Row], baseline: Row) -> Line:
+def _line(label: str, rows: Sequence[Row], alike: Sequence[Row], baseline: Row) -> Line:
     own = next((row for row in alike if row.case == BASELINE), baseline).slip_mm.value
     change_mm = max(abs(row.slip_mm.value - own) for row in alike)
-    return Line(section, tuple(rows), tuple(alike), _farthest(alike, baseline), change_mm, change_mm / own)
+    return Line(label, tuple(rows), tuple(alike), _farthest(alike, baseline), change_mm, change_mm / own)
 
 
 def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
@@ -185,7 +185,7 @@ def _label(line: Line, noise: Quantity | None) -> str:
     runs = f"{len(line.rows)} run{'s' * (len(line.rows) > 1)}"
     lost = f", {line.lost_count} without result" if line.lost_count else ""
     effect = f": {line.effect(noise)}" if line.does_little else ""
-    return f"{section_name(line.section)}\n{runs}{lost}{effect}"
+    return f"{line.label}\n{runs}{lost}{effect}"
 
 
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:

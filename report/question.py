@@ -1,10 +1,14 @@
 """Questions: a claim or a value, asked of one edition after the other."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Any
 
 from report.chapters import Chapters
+from report.claims import Claim
 from report.deriving.releases import Headline, cell
+from report.quantities import Quantity
 
 Answer = str | float
 
@@ -29,13 +33,27 @@ class Question:
             found: Any = cell({"": chapters}, "", Headline("", self.section, case, column, ""))
             value = getattr(found, "value", found)  # yes and no are plain, and so are texts, which nothing is told of
             return None if isinstance(value, str) else value
-        chapter = chapters.get(self.section)
-        if chapter is None:
-            return None
         if self.is_claim:
-            outcomes = [claim.outcome.name for claim in chapter.section.claims if claim.name == name]
-            return next((outcome for outcome in outcomes if outcome != "unknown"), None)
-        return chapter.results.derived[name].value if name in chapter.results.derived else None
+            claim = self.claim(chapters)
+            return claim.outcome.name if claim and claim.outcome.name != "unknown" else None
+        chapter = chapters.get(self.section)
+        return chapter.results.derived[name].value if chapter and name in chapter.results.derived else None
+
+    def claim(self, chapters: Chapters) -> Claim | None:
+        """The claim that is asked for; None where there is none."""
+        chapter = chapters.get(self.section)
+        claims = chapter.section.claims if chapter else ()
+        return next((claim for claim in claims if f"{self.section}.{claim.name}" == self.text), None)
+
+    def names(self, chapters: Chapters) -> Iterator[str]:
+        """What an edition can be asked: claims, or else values and, of the section that is meant, numbers of rows."""
+        for name, chapter in chapters.items():
+            found = [claim.name for claim in chapter.section.claims] if self.is_claim else chapter.results.derived
+            yield from (f"{name}.{each}" for each in found)
+        for name in [] if self.is_claim else get_close_matches(self.section, chapters, n=1):
+            for case, row in chapters[name].results.row.items():
+                numbers = (column for column in row.columns if isinstance(row[column], Quantity))
+                yield from (f"{name}.{case}.{column}" for column in numbers)
 
     def is_as(self, answer: Answer, first: Answer, last: Answer) -> bool:
         """Whether an answer is the first one rather than the last; of numbers, whether it is nearer."""

@@ -123,6 +123,8 @@ class Results:
     """Every derived value by name, for the site's values file."""
     floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
     """By column: how far apart runs of one case come out with this release."""
+    label: str = ""
+    """What figures and tables call the section."""
 
     @property
     def edition(self) -> str:

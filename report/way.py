@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
@@ -12,9 +11,11 @@ from report.altered import Cell
 from report.chapters import Chapter
 from report.editions import Edition
 from report.format import unit_label
+from report.near import near
 from report.noise import NOISE
 from report.page import Templates
 from report.quantities import VALUES_FILE, Quantity, Value
+from report.question import Question
 from report.records.project import Project
 from report.records.record import Record
 from report.settings import from_shipped, is_setting
@@ -32,7 +33,8 @@ class Ways:
     templates: Templates
 
     def text(self, name: str) -> str:
-        """The way of a value, ``section.name`` or the pointer that a page has for it; UsageError for an unknown one."""
+        """The way of a value, ``section.name``, of a number of a row, ``section.case.column``, or of the pointer that a
+        page has for either; UsageError for an unknown one."""
         found = self._found(name)
         lines = [f"{name}: {_said(found)}", *self._of_value(found), *self._on_pages(found)]
         cells: dict[str, list[Cell]] = {}
@@ -43,18 +45,26 @@ class Ways:
         return "\n".join(lines)
 
     def _found(self, name: str) -> Quantity:
-        section, _, value = name.partition(".")
-        chapter = self._chapters.get(section)
-        if chapter and value in chapter.results.derived:
-            return chapter.results.derived[value]
         pointer = name if name.startswith("newton-") else f"newton-{self.project.release}/{name}"
-        known = self._values.get(pointer) or self._cell(pointer)
+        known = self._named(name) or self._values.get(pointer) or self._cell(pointer)
         if known:
             return known
-        names = [f"{each}.{value}" for each, chapter in self._chapters.items() for value in chapter.results.derived]
-        near = get_close_matches(name, names, n=4, cutoff=0.5) or names[:1]
-        fault = f"VALUE={name} is no value of newton {self.project.release}" if name else "VALUE is missing"
-        raise UsageError(f"{fault}; near it: {', '.join(near) or 'none'}; all are in site/data/{VALUES_FILE}")
+        hint = near(name, Question(name, is_claim=False).names(self._chapters))
+        fault = f"VALUE={name} is no value of newton {self.project.release}{hint}"
+        where = f"values are in site/data/{VALUES_FILE}, numbers of rows named as reproduction.as-shipped.slip_mm"
+        raise UsageError(f"{fault}; all {where}")
+
+    def _named(self, name: str) -> Quantity | None:
+        """A value, or a number of a row, by its name."""
+        section, _, rest = name.partition(".")
+        if section not in self._chapters:
+            return None
+        results = self._chapters[section].results
+        if rest in results.derived:
+            return results.derived[rest]
+        case, _, column = rest.rpartition(".")
+        row = results.row[case]
+        return row[column] if column in row and isinstance(row[column], Quantity) else None
 
     @property
     def _chapters(self) -> Mapping[str, Chapter]:
@@ -78,8 +88,8 @@ class Ways:
         match = re.fullmatch(r"([^#]+)#/rows/(\d+)/(\w+)", pointer)
         if not match or match[1] not in self._records:
             return None
-        rows = {row[match[3]].source: row[match[3]] for row in self._records[match[1]].results.rows if match[3] in row}
-        return rows.get(pointer)
+        cells = [row[match[3]] for row in self._records[match[1]].results.rows if match[3] in row]
+        return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer), None)
 
     def _of_value(self, found: Quantity) -> Iterator[str]:
         if isinstance(found, Value):

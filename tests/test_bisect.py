@@ -149,9 +149,28 @@ def test_a_history_has_every_edition_and_says_what_moved(told):
     assert [line.split() for line in lines[1:4]] == [
         ["1.4.0", "holds"],
         ["1.5.9", "holds"],
-        ["1.6.9", "fails", "flipped"],
+        ["1.6.9", "not", "shown", "flipped"],
     ]
     assert history(told, Question("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "near"),
+    [
+        ({"value": "nonsense"}, "VALUE=nonsense"),
+        ({"value": "toy.gian"}, "near it: toy.gain"),
+        ({"value": "toy.sofd.slip_mm"}, "near it: toy.soft.slip_mm"),
+        ({"claim": "toy.help"}, "near it: toy.helps; CLAIM=reproduction.slips is one"),
+    ],
+)
+def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search, asked, near):
+    with pytest.raises(UsageError, match=near) as refused:
+        build.history(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
+    assert "\n" not in str(refused.value)
+
+
+def test_a_history_of_what_no_edition_can_tell_says_so(told):
+    assert history(told, Question("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
 
 
 def test_claims_that_flip_are_listed_with_what_each_edition_says(told):

@@ -1,10 +1,13 @@
 """Names of cases for people: every case has one, and its code name stays with it."""
 
 import re
+from collections import Counter
+from collections.abc import Iterable
 
 import pytest
 
-from report.names import SECTIONS, case_html, cases_html, name_of, number_of
+from report.derived import outline_of
+from report.names import case_html, cases_html, name_of, number_of
 from report.records.identity import sections
 from report.records.project import Project, own_release
 from report.records.reading import load_record
@@ -13,6 +16,11 @@ CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
 """What gives away a name that was made for programs."""
 NO_CASES = re.compile(r"(option|default|sum|audit|as-shipped|fixed)-\w+|.*-batch-\d+|map")
 """Rows that are no runs, or of which only their number is shown."""
+
+
+def unfit(names: Iterable[str]) -> list[str]:
+    """Those that were made for programs, and those that two have."""
+    return [name for name, count in Counter(names).items() if count > 1 or CODE.search(name)]
 
 
 @pytest.mark.parametrize(
@@ -54,9 +62,15 @@ def test_every_case_of_the_tracked_results_has_one():
             path = project.of(release).record_path(section)
             rows = load_record(path).rows if path.is_file() else []
             cases = {row["case"] for row in rows if not NO_CASES.fullmatch(row["case"])}
-            assert {case: name_of(case) for case in cases if CODE.search(name_of(case))} == {}
-            assert len({name_of(case) for case in cases}) == len(cases), section
+            assert unfit(map(name_of, cases)) == [], section
 
 
 def test_every_section_has_one():
-    assert set(sections()) == set(SECTIONS)
+    assert unfit(outline_of(section).label for section in sections()) == []
+
+
+def test_a_section_that_says_none_is_called_as_its_file(toy):
+    toy.write("report/sections/how_heavy.py", "order = 1\n\n\ndef derive(results):\n    pass\n")
+    assert outline_of("how_heavy").label == "how heavy"
+    toy.write("report/sections/how_heavy.py", 'order = 1\nlabel = "weight"\n\n\ndef derive(results):\n    pass\n')
+    assert outline_of("how_heavy").label == "weight"

@@ -29,11 +29,11 @@ TEMPLATE = """# The story
 @pytest.fixture
 def results(toy):
     """Results of the toy section with the rows that are given."""
-    return lambda rows: Results(toy.record(rows), toy.record_path)
+    return lambda rows: Results(toy.record(rows), toy.record_path, label="a toy")
 
 
-def lines(results: Results, section: str = "friction"):
-    return lines_of({section: results}, results.rows[0])
+def lines(results: Results):
+    return lines_of({"toy": results}, results.rows[0])
 
 
 NOISE = Quantity(0.007, "mm", "")
@@ -46,7 +46,7 @@ NOISE = Quantity(0.007, "mm", "")
 def test_a_section_that_does_little_says_how_little(results, slip_mm, effect):
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2", "slip_mm": slip_mm}]))
     assert line.does_little == bool(effect)
-    assert _label(line, NOISE) == f"friction coefficient\n2 runs{effect}"
+    assert _label(line, NOISE) == f"a toy\n2 runs{effect}"
 
 
 def test_without_a_known_noise_nothing_is_said_to_have_no_effect(results):
@@ -62,9 +62,9 @@ def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
 
 def test_stiff_pads_to_compare_with_move_nothing(results):
     stiff = [SHIPPED | {"case": case, "slip_mm": 0.31} for case in ("stiff-pads", "stiff-pads-noslip")]
-    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "as-shipped-noslip"}, *stiff]), "noslip")
+    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "as-shipped-noslip"}, *stiff]))
     assert line.farthest is None and line.does_little
-    (line,) = lines(results([SHIPPED, *stiff]), "contacts")
+    (line,) = lines(results([SHIPPED, *stiff]))
     assert line.farthest is None and not line.does_little  # nothing was tried
 
 

@@ -4,10 +4,14 @@ import re
 import textwrap
 
 import pytest
+from test_names import unfit
 
 from experiments.case import differences
 from report import ROOT
 from report.check import check_site
+from report.derived import outline_of
+from report.names import name_of
+from report.records.identity import sections
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n(?: {3}\S.*\n)*\n((?: {7}.*\n|\n)+)", re.MULTILINE)
@@ -41,4 +45,7 @@ def test_the_section_that_is_added_works(toy, files):
     toy.measure([{"case": case.name, "slip_mm": 1.0 + index} for index, case in enumerate(cases)])
     toy.build()
     assert check_site(toy.project.site) == []
+    labels = [outline_of(section).label for section in {*sections(), *sections(toy.project.root)}]
+    assert "weight" in labels and unfit(labels) == [], "a section is named nowhere but in its own files"
+    assert unfit(name_of(case.name) for case in cases) == []
     assert 'data-claim="toy.heavier_slips_more" data-outcome="unknown"' in toy.page, "there is no section on noise"

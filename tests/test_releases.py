@@ -125,7 +125,7 @@ def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
     assert build.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
     flips, _, moves = said.partition("toy: 1 values moved (1 better)")
-    assert "toy.helps: holds → fails\n  It helps 20 times.\n  It does not." in flips
+    assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in flips
     assert "soft  slip_mm: 6.4 mm → 0.40 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
     assert build.diff(toy.project, arguments) == 0

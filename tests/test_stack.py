@@ -12,6 +12,7 @@ import pytest
 from conftest import Toy
 
 from report import ReportError, UsageError
+from report.commands import building
 from report.records import devices, environment, identity, measure, sources
 from report.records.environment import environment_of, python_of
 from report.records.identity import package_versions
@@ -203,6 +204,29 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
         measure.kept_by(apart, "cpu", ["toy"])
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert devices.machine_of(record) == "nvidia-h100-80gb-hbm3"
+
+
+def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of(toy, monkeypatch, capsys):
+    def hint(side: Project) -> str:
+        building.build_site(side, "")
+        return next(line for line in capsys.readouterr().out.splitlines() if line.startswith("make rerun"))
+
+    monkeypatch.setattr(building, "has_cuda", lambda: False)
+    stale = toy.record().identity
+    toy.write("experiments/scene.py", "def slip():\n    return 2.0\n")  # which makes the record stale
+    assert hint(toy.project) == "make rerun SECTION=toy DEVICE=cpu measures one of them"
+    gpu = {"device": "cuda", "gpu": "NVIDIA H200", "driver": "1", "cpu": "A processor", "python": "3.12.1"}
+    on_gpu = "make rerun SECTION=toy measures one of them on a GPU"
+    for release, said in {
+        "1.4.0": f"{on_gpu}; with DEVICE=cpu it becomes an edition of its own, 1.4.0@cpu",
+        "1.4.0@nvidia-h200": on_gpu.replace("toy", "toy NEWTON=1.4.0@nvidia-h200"),
+    }.items():
+        side = toy.of(release) if "@" in release else toy
+        write_record(side.record_path, side.record(machine=gpu, identity=stale, traces=None))
+        assert hint(side.project) == said
+    monkeypatch.setattr(building, "has_cuda", lambda: True)
+    assert hint(toy.project) == "make rerun SECTION=toy measures one of them"
+    assert measure.kept_by(toy.project, "cpu", ["toy"]).release == "1.4.0@cpu", "as it was said"
 
 
 def test_an_edition_whose_code_is_nowhere_says_so(tmp_path):

@@ -47,11 +47,34 @@ def test_a_number_of_the_page_is_found_by_its_pointer(toy):
     assert ways(toy).text("values.json#/toy/gain").partition(": ")[2] == ways(toy).text("toy.gain").partition(": ")[2]
 
 
-@pytest.mark.parametrize("name", ["toy.gian", "toy", "", "newton-1.4.0/toy.json#/rows/7/slip_mm", "other.gain"])
+@pytest.mark.parametrize("name", ["toy.gian", "toy", "toi.gain", "other.gain"])
 def test_an_unknown_value_names_those_near_it_in_one_line(toy, name):
     with pytest.raises(UsageError, match=r"near it: .*toy\.gain") as refused:
         ways(toy).text(name)
     assert "\n" not in str(refused.value)
+
+
+def test_a_number_of_a_row_is_named_by_section_case_and_column(toy):
+    of_row = ways(toy).text("toy.stiff.slip_mm")
+    assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
+    pointed = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    assert of_row.splitlines()[1:] == pointed.splitlines()[1:]
+
+
+@pytest.mark.parametrize(
+    "name", ["toy.stif.slip_mm", "toy.stiff.slip", "tpy.stiff.slip_mm", "toy.stiff.slip_mm_reason"]
+)
+def test_an_unknown_number_of_a_row_names_those_near_it(toy, name):
+    with pytest.raises(UsageError, match=r"near it: .*toy\.stiff\.slip_mm"):
+        ways(toy).text(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["toy.stiff.dropped", "newton-1.4.0/toy.json#/rows/1/dropped", "newton-1.4.0/toy.json#/rows/7/slip_mm"]
+)
+def test_what_is_no_number_has_no_way(toy, name):
+    with pytest.raises(UsageError, match="is no value of newton"):
+        ways(toy).text(name)
 
 
 def test_what_differs_from_the_scene_as_shipped():

@@ -4,14 +4,15 @@ import argparse
 import subprocess
 import sys
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
 from report import ReportError, UsageError
 from report.records.clips import clips_state
-from report.records.devices import NO_CUDA, measuring_device, needs_gpu
+from report.records.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
 from report.records.environment import add_group
-from report.records.measure import measure
+from report.records.measure import machines_besides, measure
 from report.records.project import Project
 from report.records.stack import Stack
 from report.records.status import states_of, status_matrix, status_table
@@ -112,14 +113,25 @@ def build_site(project: Project, address: str) -> tuple[bool, bool]:
     built = releases[project.release]
     missing = [state.section for state in built.left_out if state.kind == "missing"]
     lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
-    device = measuring_device(None, "full") or "cpu"
     for words, names in (("not measured", missing), ("stale", built.stale)):
         if names:
             print(f"{words}: {', '.join(names)}")
     if lacking:
-        print(f"{project.rerun(lacking[0], None if device == 'cuda' else device)} measures one of them")
+        print(_hint(project, lacking[0]))
     print(f"built {project.site / 'index.html'}")
     return say_damage(releases.values()), bool(lacking)
+
+
+def _hint(project: Project, section: str) -> str:
+    """Which command measures a section for this report; a CPU's results never stand with those of a GPU."""
+    if has_cuda():
+        return f"{project.rerun(section)} measures one of them"
+    if not needs_gpu(section, project.root) or not machines_besides(project, "cpu"):
+        return f"{project.rerun(section, 'cpu')} measures one of them"
+    hint = f"{project.rerun(section)} measures one of them on a GPU"
+    if project.label.machine:
+        return hint
+    return f"{hint}; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
 
 
 def say_damage(releases: "Iterable[Edition | Built]") -> bool:

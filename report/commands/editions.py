@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from report import ReportError, UsageError
 from report.commands.building import build_site
+from report.commands.options import refuse_lacking_ends
+from report.near import near
 from report.records.devices import NO_CUDA, machine_name, measuring_device
 from report.records.environment import environment_of
 from report.records.identity import sections
@@ -20,8 +22,11 @@ from report.records.stack import Stack, stack_of
 from report.records.status import states_of
 
 if TYPE_CHECKING:
+    from report.chapters import Releases
     from report.question import Question
 
+EXAMPLES = {True: "CLAIM=reproduction.slips", False: "VALUE=reproduction.as-shipped.slip_mm"}
+"""By whether a claim is asked for."""
 STDOUT, STDERR = 1, 2
 """As programs that are started from here know them."""
 
@@ -93,6 +98,7 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     from report.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
     from report.page import Templates
 
+    refuse_lacking_ends(arguments, "make bisect CLAIM=reproduction.slips A=1.4.0 B=1.8.0")
     device = measuring_device(arguments.device, "quick")
     question, templates = _question(arguments), Templates(project.templates)
     search = Bisection(replace(project, profile="quick"), question, device, templates)
@@ -156,7 +162,9 @@ def history(project: Project, arguments: argparse.Namespace) -> int:
     editions = editions_of(project, Templates(project.templates))
     releases = {release: edition.uncompared for release, edition in editions.items()}
     if arguments.claim or arguments.value:
-        print(history(releases, _question(arguments)))
+        question = _asked(arguments)
+        _refuse_unknown(question, releases, project.release)
+        print(history(releases, question))
         return 0
     from report.question import Question
     from report.sections.upgrade.tables import HEADLINES
@@ -182,16 +190,32 @@ def retire(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def _question(arguments: argparse.Namespace) -> "Question":
+    """What is asked, of a section that there is: whether that has it is known once it is measured."""
+    question = _asked(arguments)
+    if question.section not in sections() or question.section == question.text:
+        hint = near(question.section, sections())
+        raise UsageError(f"{_given(question)} is in no section{hint}; {EXAMPLES[question.is_claim]} is")
+    return question
+
+
+def _asked(arguments: argparse.Namespace) -> "Question":
     from report.question import Question
 
     if bool(arguments.claim) == bool(arguments.value):
-        raise UsageError("one of CLAIM=reproduction.slips and VALUE=reproduction.as-shipped.slip_mm is needed")
-    question = Question(arguments.claim or arguments.value, bool(arguments.claim))
-    if question.section not in sections() or question.section == question.text:
-        raise UsageError(
-            f"{question.text} is in no section; reproduction.slips and reproduction.as-shipped.slip_mm are"
-        )
-    return question
+        raise UsageError(f"one of {EXAMPLES[True]} and {EXAMPLES[False]} is needed")
+    return Question(arguments.claim or arguments.value, bool(arguments.claim))
+
+
+def _refuse_unknown(question: "Question", releases: "Releases", shown: str) -> None:
+    """What no edition knows is taken for a mistake; names like it are those of the edition ``shown``."""
+    known = (question.answer(each) is not None or question.text in question.names(each) for each in releases.values())
+    if not any(known):
+        hint = near(question.text, question.names(releases[shown]))
+        raise UsageError(f"no edition has {_given(question)}{hint}; {EXAMPLES[question.is_claim]} is one")
+
+
+def _given(question: "Question") -> str:
+    return f"{'CLAIM' if question.is_claim else 'VALUE'}={question.text}"
 
 
 def _editions(project: Project) -> list[Project]:

@@ -1,10 +1,12 @@
 """Options of the command line: what each may be. Each refuses what makes no sense, in one line."""
 
+from argparse import Namespace
 from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
 from report import ROOT, UsageError
+from report.near import near
 from report.records.cluster import read_cluster
 from report.records.devices import DEVICES
 from report.records.identity import sections
@@ -17,6 +19,8 @@ def _section(name: str) -> str:
         fault = f"SECTION={name} is no section" if name else "SECTION is missing"
         if name.isidentifier() and (ROOT / "experiments" / f"{name}.py").is_file():
             fault += f": there is no report/sections/{name}.py"
+        else:
+            fault += near(name, sections())
         raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
 
@@ -54,6 +58,13 @@ def flag(value: str) -> str:
     return value
 
 
+def refuse_lacking_ends(arguments: Namespace, command: str) -> None:
+    """Two editions are compared, so that both must be named, as ``command`` does it."""
+    lacking = [name.upper() for name in ("a", "b") if getattr(arguments, name) is None]
+    if lacking:
+        raise UsageError(f"{' and '.join(lacking)} {'are' if len(lacking) > 1 else 'is'} missing: {command}")
+
+
 FORMATS = ("text", "markdown", "json")
 VALUES = ("sums", "all")
 # An option's type checks its default as well, so one that must be given has a default that is refused.
@@ -64,8 +75,8 @@ OPTIONS: dict[str, dict[str, Any]] = {
         "help": "Newton, where not the project's own: a release, a checkout, a wheel, git+https://…@ref or a label",
     },
     "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as warp-lang==1.19.0"},
-    "a": {"type": partial(_edition, "A"), "default": "", "help": "edition to compare from"},
-    "b": {"type": partial(_edition, "B"), "default": "", "help": "edition to compare with it"},
+    "a": {"type": partial(_edition, "A"), "help": "edition to compare from"},
+    "b": {"type": partial(_edition, "B"), "help": "edition to compare with it"},
     "since": {"type": partial(_edition, "SINCE"), "help": "edition to compare with; default: the one before"},
     "claim": {"type": str, "default": "", "help": "claim, as reproduction.slips"},
     "first": {"type": str, "default": "", "help": "what the first end answers"},

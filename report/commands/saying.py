@@ -2,7 +2,9 @@
 
 import argparse
 
+from report import UsageError
 from report.commands.building import refuse_unmeasured, say_damage
+from report.commands.options import refuse_lacking_ends
 from report.records.devices import has_cuda, measuring_device
 from report.records.measure import measure_headline
 from report.records.project import Project
@@ -29,6 +31,7 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     from report.editions import derive_edition
     from report.page import Templates
 
+    refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
     stacks = arguments.a, arguments.b
     sides = [project.of(str(stack.label)) for stack in stacks]
     for side, stack in zip(sides, stacks, strict=True):
@@ -45,6 +48,9 @@ def trace(project: Project, arguments: argparse.Namespace) -> int:
     from report.page import Templates
     from report.way import Ways
 
+    if not arguments.value:
+        forms = "stiffness.improvement, or a number of a row, VALUE=reproduction.as-shipped.slip_mm"
+        raise UsageError(f"VALUE is missing: make trace VALUE={forms}")
     refuse_unmeasured(project, arguments.stack)
     templates = Templates(project.templates)
     print(Ways(project, editions_of(project, templates), templates).text(arguments.value))

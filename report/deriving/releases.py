@@ -10,7 +10,6 @@ from report.chapters import Chapter, Chapters, Releases
 from report.claims import HOLDS, Claim, Outcome, beyond
 from report.costs import is_cost, terms_of
 from report.deriving.arithmetic import cell_or_absent
-from report.names import section_name
 from report.noise import is_beyond, verdict
 from report.pages import PAGES, Page
 from report.quantities import Quantity, Value
@@ -97,6 +96,8 @@ class Turn:
     """A claim that releases answer differently, and what each says."""
 
     section: str
+    label: str
+    """What the section is called."""
     name: str
     page: Page
     said: Sequence[tuple[Sequence[str], Claim]]
@@ -133,8 +134,8 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
             names = [release for release, _ in members]
             said.append((names, dict(members)[shown if shown in names else names[-1]]))
         if len(said) > 1:
-            page = next(chapters[section].page for chapters in releases.values() if section in chapters)
-            found.append(Turn(section, name, page, said))
+            chapter = next(chapters[section] for chapters in releases.values() if section in chapters)
+            found.append(Turn(section, chapter.results.label, name, chapter.page, said))
     return sorted(found, key=lambda turn: not turn.is_decided)
 
 
@@ -175,9 +176,8 @@ class TurnList:
         return Markup('<figure class="turns">\n{}\n</figure>').format(groups)
 
     def _heading(self, turn: Turn, *, is_link: bool) -> Markup:
-        name = section_name(turn.section)
         is_linked = is_link and turn.section in self.shown
-        place = Markup('<a href="#{}">{}</a>').format(turn.section, name) if is_linked else escape(name)
+        place = Markup('<a href="#{}">{}</a>').format(turn.section, turn.label) if is_linked else escape(turn.label)
         return Markup("{}: {}").format(place, turn.said[0][1].said("asks"))
 
 

@@ -146,13 +146,18 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     label = project.label
     if label.machine not in ("", machine):
         raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
-    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
-    others = {machine_of(record) for record in kept} - {machine}
+    others = machines_besides(project, machine)
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))
     print(f"NEWTON={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
     return found
+
+
+def machines_besides(project: Project, machine: str) -> set[str]:
+    """Other machines that the report has results of, which those of ``machine`` never take the place of."""
+    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
+    return {machine_of(record) for record in kept} - {machine}
 
 
 def _note_measured(project: Project, stack: Stack) -> None:

@@ -109,13 +109,17 @@ def status_matrix(project: Project) -> str:
 
 
 def status_table(states: Iterable[State], profile: str) -> str:
-    """The state of every section of one release, with all that changed."""
+    """The state of every section of one release, with all that changed; once, below, what did for all stale ones."""
+    shown = list(states)
+    stale = [state.notes for state in shown if state.kind == "stale"]
+    shared = [note for note in stale[0] if all(note in notes for notes in stale)] if len(stale) > 1 else []
     lines = [HEADINGS]
-    for state in states:
+    for state in shown:
         record = state.record
         where, when = (record.processor, record.time_text) if record else ("–", "–")
-        lines.append((state.section, state.kind, where, when, profile, "; ".join(state.notes)))
-    return _aligned(lines)
+        notes = [note for note in state.notes if note not in shared]
+        lines.append((state.section, state.kind, where, when, profile, "; ".join(notes)))
+    return "\n".join([_aligned(lines), *([f"all that are stale: {'; '.join(shared)}"] if shared else [])])
 
 
 def _aligned(lines: Sequence[Sequence[str]]) -> str:

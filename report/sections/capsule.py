@@ -16,6 +16,7 @@ from report.results import Results, Row
 
 order = 180
 page = "scenes"
+label = "pinched capsule"
 
 ENGINES = {"c": "MuJoCo C", "warp": "MuJoCo Warp", "newton": "through Newton"}
 VARIANTS = (

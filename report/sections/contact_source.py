@@ -5,6 +5,7 @@ from report.parts import Section
 from report.results import Results
 
 order = 30
+label = "contact points"
 
 LABELS = {
     "collide_count": "collision passes a frame:",

@@ -13,6 +13,7 @@ from report.results import Results, Row
 
 order = 148
 page = "cure"
+label = "other bodies and the cure"
 
 ENGINES = ("warp", "c")
 WAYS = {"plain": "nothing done", "term": "the term", "full": "normal rows too"}

@@ -17,6 +17,7 @@ from report.results import Results, Row
 
 order = 144
 page = "cure"
+label = "what the cure costs"
 
 WORLD_COUNTS = (1, 4096, 16384)
 CASES = ("as-shipped", "term", "kept", "best", "term-rk4")

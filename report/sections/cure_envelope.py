@@ -12,6 +12,7 @@ from report.sections.envelope import HELD_HEIGHT_M, draw_maps, grid_of, lost_cou
 
 order = 147
 page = "cure"
+label = "harder shakes with the cure"
 
 SIDES = {"term": "the term", "best": "all remedies"}
 OTHERS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}

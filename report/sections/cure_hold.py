@@ -16,6 +16,7 @@ from report.results import Results, Row, Series
 
 order = 143
 page = "cure"
+label = "held for a minute"
 
 POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")

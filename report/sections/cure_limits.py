@@ -17,6 +17,7 @@ from report.results import Results, Row
 
 order = 146
 page = "limits"
+label = "the cure at its limits"
 
 WAYS = {"term": "the term", "best": "all remedies"}
 FAMILIES = {

@@ -16,6 +16,7 @@ from report.sections.stiffness.runs import FIX, SHIPPED, is_held
 
 order = 91
 page = "cause"
+label = "law of the drift"
 
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load"}
 """Columns of the parts, and what they are called."""

@@ -19,6 +19,7 @@ from report.results import Results, Row, Series
 
 order = 120
 page = "fix"
+label = "harder shakes"
 
 SIDES = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 SLIP_RANGE_MM = (0.01, 50.0)

@@ -16,6 +16,7 @@ from report.results import Results, Row
 
 order = 183
 page = "scenes"
+label = "a firm grasp"
 
 STEPS = ("0.5", "1", "2", "4", "8", "16", "32", "64")
 """In ms, as cases have them."""

@@ -11,6 +11,7 @@ from report.results import Results, Row
 
 order = 140
 page = "fix"
+label = "the fix as files"
 
 ENGINES = {"warp": "MuJoCo Warp", "mujoco": "MuJoCo C"}
 PASSED = {True: "passes", False: "fails"}

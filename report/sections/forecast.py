@@ -19,6 +19,7 @@ from report.results import Results, Row
 
 order = 184  # after all SCENES, which it reads
 page = "scenes"
+label = "predicted creep"
 leads = True
 
 SCENES = {

@@ -10,6 +10,7 @@ from report.parts import Figure, Section, Table
 from report.results import Results, Row
 
 order = 60
+label = "what moves"
 
 FINGERS = ("cube-in-left-finger", "cube-in-right-finger")
 ROBOT = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")

@@ -7,6 +7,7 @@ from report.parts import Section
 from report.results import Results, Row
 
 order = 40
+label = "friction coefficient"
 
 LABELS = {"pad_mu": "pads' coefficient", "cube_mu": "cube's coefficient"}
 

@@ -12,6 +12,7 @@ from report.parts import Figure, Section, Table
 from report.results import Results, Row
 
 order = 110
+label = "contact gap"
 
 CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 

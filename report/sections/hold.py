@@ -19,6 +19,7 @@ from report.results import Results, Row, Series
 
 order = 80
 page = "cause"
+label = "arm held still"
 
 NAMES = {
     "as-shipped": "shaken, shipped pads",

@@ -15,6 +15,7 @@ from report.results import Results, Row
 
 order = 181
 page = "scenes"
+label = "least friction"
 
 SETTINGS = (
     *("published-euler", "published-implicitfast", "pyramidal-impratio-10"),

@@ -11,6 +11,7 @@ from report.results import Results, Row
 
 order = 130
 page = "fix"
+label = "lint"
 
 SCENES = ("as-shipped", "fixed")
 NOT_FOUND = "the lint does not find it"

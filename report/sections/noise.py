@@ -19,6 +19,7 @@ from report.results import Results, Row
 
 order = 20
 page = "method"
+label = "the same again"
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from report.results import Results, Row
 
 order = 75
 page = "cause"
+label = "noslip"
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")

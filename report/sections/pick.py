@@ -16,6 +16,7 @@ from report.results import Results, Row
 
 order = 182
 page = "scenes"
+label = "a Panda's shake"
 
 OBJECTS = ("cube", "ball")
 STEPS = ("2ms", "10ms")

@@ -8,6 +8,7 @@ from report.parts import Section, Table
 from report.results import Results
 
 order = 25
+label = "see it move"
 
 NAMES = {
     "as-shipped": "shipped pads",

@@ -14,6 +14,7 @@ from report.results import Results, Row
 
 order = 100
 page = "fix"
+label = "whose material counts"
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")

@@ -14,6 +14,7 @@ from report.results import Results, Row
 
 order = 21
 page = "evidence"
+label = "to the last bit"
 
 WAYS = {
     "plain": "as shipped",

@@ -26,6 +26,7 @@ from report.parts import Figure, Section, Table
 from report.results import Results, Row, Series
 
 order = 10
+label = "the shake test"
 
 CALIBRATED = ("as-shipped", "stiff-pads")
 """Cases that are run on every engine and device."""

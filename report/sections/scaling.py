@@ -18,6 +18,7 @@ from report.results import Results, Row
 
 order = 170
 page = "cost"
+label = "many worlds"
 
 FLOOR_COUNTS = (1, 4096, 16384)
 """Numbers of worlds for which the floor is a target."""

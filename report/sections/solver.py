@@ -7,6 +7,7 @@ from report.quantities import Value
 from report.results import Results, Row
 
 order = 50
+label = "solver and time step"
 
 LABELS = {
     "iterations": "iterations",

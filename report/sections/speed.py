@@ -16,6 +16,7 @@ from report.results import Results, Row
 
 order = 160
 page = "cost"
+label = "speed of one world"
 
 EDGES = ("frame_ms_p5", "frame_ms_p95")
 UNTRIMMED = "as-shipped-untrimmed"

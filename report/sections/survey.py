@@ -15,6 +15,7 @@ from report.results import Results, Row
 
 order = 185
 page = "scenes"
+label = "Newton's examples, linted"
 
 RULES = {
     "priority": "priority_count",

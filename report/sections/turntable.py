@@ -18,6 +18,7 @@ from report.results import Results, Row
 
 order = 141
 page = "cure"
+label = "box on a turntable"
 
 ENGINES = {"warp": "MuJoCo Warp", "c": "MuJoCo C"}
 BIAS_FILE = ROOT / "assets/fix/contact_bias.py"

@@ -12,6 +12,7 @@ from report.results import Results, Row
 
 order = 142
 page = "cure"
+label = "turntable, other solvers"
 
 SOLVERS = {
     "mujoco": "MuJoCo Warp",

@@ -6,10 +6,9 @@ import pandas as pd
 from markupsafe import Markup, escape
 
 from report.chapters import Releases
-from report.deriving.releases import Headline, cell
+from report.deriving.releases import Headline, Turn, cell
 from report.format import unit_label
 from report.history import Flip, Point, flips, points
-from report.names import section_name
 from report.noise import NOISE
 from report.parts import Section, Table
 from report.quantities import Quantity, absent
@@ -94,7 +93,7 @@ def _flips(found: Sequence[Flip], shown: Sequence[str]) -> Markup:
     told = Markup("\n").join(
         Markup("<dt>{}: {}</dt>\n<dd>{}</dd>").format(
             # One link to a section is enough for whoever goes from link to link.
-            _section(flip.turn.section, is_linked=flip.turn.section != section and flip.turn.section in shown),
+            _section(flip.turn, is_linked=flip.turn.section != section and flip.turn.section in shown),
             flip.question,
             _answers(flip),
         )
@@ -103,9 +102,8 @@ def _flips(found: Sequence[Flip], shown: Sequence[str]) -> Markup:
     return Markup('<figure class="turns">\n<dl>\n{}\n</dl>\n</figure>').format(told or Markup("<dt>none</dt>"))
 
 
-def _section(section: str, *, is_linked: bool) -> Markup:
-    name = section_name(section)
-    return Markup('<a href="#{}">{}</a>').format(section, name) if is_linked else escape(name)
+def _section(turn: Turn, *, is_linked: bool) -> Markup:
+    return Markup('<a href="#{}">{}</a>').format(turn.section, turn.label) if is_linked else escape(turn.label)
 
 
 def _answers(flip: Flip) -> Markup:

@@ -7,21 +7,22 @@ from markupsafe import Markup
 
 from report.chapters import Chapters
 from report.claims import HOLDS, Claim, all_of, at_least, at_most
-from report.names import section_name
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity
 from report.story.figures import draw_mechanism, draw_suspects, draw_walk
 from report.story.found import Found
 from report.story.shared import gain, remedy_elsewhere, substeps
 
-SUSPECTS = {
-    section_name("friction"): ("friction", "largest_share", "pads and cube, lower and higher"),
-    section_name("contact_source"): ("contact_source", "largest_share", "more often, by another code, on other shapes"),
-    section_name("solver"): ("solver", "largest_share", "iterations, tolerance, impratio, cone, smaller steps"),
-    section_name("gap"): ("gap", "slip_difference_share", "as the robot's, and none"),
-    "cube's material": ("priority", "cube_slip_share", "ke lower and higher"),
-}
+SUSPECTS = (
+    ("friction", "largest_share", "pads and cube, lower and higher"),
+    ("contact_source", "largest_share", "more often, by another code, on other shapes"),
+    ("solver", "largest_share", "iterations, tolerance, impratio, cone, smaller steps"),
+    ("gap", "slip_difference_share", "as the robot's, and none"),
+    ("priority", "cube_slip_share", "ke lower and higher"),
+)
 """What was suspected: section, value, and what was tried."""
+NAMED = {"priority": "cube's material"}
+"""Suspects that go by another name than their section."""
 REMEDY = "stiff pads"
 TOLD = {
     "walks": ("reproduction", "slips"),
@@ -127,7 +128,8 @@ def _walk(found: Found) -> Figure:
 
 
 def _shares(found: Found) -> dict[str, Quantity]:
-    shares = {name: found.value(section, value, "%") for name, (section, value, _) in SUSPECTS.items()}
+    labels = {section: NAMED.get(section, found.chapters[section].results.label) for section, _, _ in SUSPECTS}
+    shares = {labels[section]: found.value(section, value, "%") for section, value, _ in SUSPECTS}
     return shares | {REMEDY: found.value("reproduction", "stiff_share", "%")}
 
 
@@ -148,7 +150,7 @@ def _suspect_figure(found: Found) -> Figure:
 
 def _suspect_table(found: Found) -> Table:
     shares = _shares(found)
-    tried = [what for _, _, what in SUSPECTS.values()]
+    tried = [what for _, _, what in SUSPECTS]
     columns = {"what was tried": [*tried, "ke and kd raised together"], "largest change in slip": list(shares.values())}
     return Table(pd.DataFrame(columns, index=pd.Index(list(shares), name="suspect")))
 

@@ -13,6 +13,7 @@ from report.sections.contacts.missing_term import CASES, missing_table, missing_
 
 order = 70
 page = "cause"
+label = "contact rows"
 
 
 def derive(results: Results) -> Section:

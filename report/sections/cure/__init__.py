@@ -22,6 +22,7 @@ from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, cost_tab
 
 order = 149  # after all of its page, which it reads
 page = "cure"
+label = "the cure"
 leads = True
 
 OTHER_CONTACTS = {

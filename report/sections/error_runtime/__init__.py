@@ -35,6 +35,7 @@ from report.sections.error_runtime.worlds import derive_worlds
 
 order = 155
 page = "error"
+label = "error and run time"
 
 PARAMETERS = (
     "iterations",

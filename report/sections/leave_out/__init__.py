@@ -26,6 +26,7 @@ from report.sections.leave_out.variants import (
 
 order = 150
 page = "cost"
+label = "what to leave out"
 
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""

@@ -27,6 +27,7 @@ from report.sections.stability.passing import DEPTH_LARGEST, passing
 
 order = 145
 page = "limits"
+label = "limits"
 
 LET_GO = "the fingers let the cube go"
 

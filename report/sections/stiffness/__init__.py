@@ -14,6 +14,7 @@ from report.sections.stiffness.runs import FIX, SHIPPED, Runs, drift_without_sli
 
 order = 90
 page = "cause"
+label = "pads' ke and kd"
 
 
 def derive(results: Results) -> Section:

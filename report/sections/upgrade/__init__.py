@@ -39,6 +39,7 @@ from report.sections.upgrade.tables import (
 
 order = 200
 page = "releases"
+label = "other releases"
 
 
 def derive(results: Results, releases: Releases) -> Section:
