@@ -2,8 +2,18 @@
 
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
-GIVEN := SECTION NEWTON WITH SINCE DEVICE CLUSTER PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT ADDRESS PYTHON
-define pass_on
+# The Makefile's own variables are none of them, whence override.
+override GIVEN := SECTION NEWTON WITH SINCE DEVICE CLUSTER PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT \
+        ADDRESS PYTHON
+override name :=
+# The names of all others go along, to be refused as misspelt; not those of a make above, nor make's own.
+override MAKE_KNOWN := $(GIVEN)
+override MAKE_UNKNOWN := $(if $(filter 0,$(MAKELEVEL)),$(filter-out $(GIVEN) SHELL MAKEFLAGS,\
+        $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))))
+unexport PYTHONSAFEPATH MAKEFLAGS $(MAKE_UNKNOWN)
+export MAKE_KNOWN MAKE_UNKNOWN
+
+override define pass_on
 unexport $(1)
 ifeq ($$(origin $(1)),command line)
 override MAKE_$(1) := $$(value $(1))
@@ -14,21 +24,13 @@ unexport MAKE_$(1)
 endif
 endef
 $(foreach name,$(GIVEN),$(eval $(call pass_on,$(name))))
-# Of what is not among these the names go to the programs, which refuse them; a make above has variables of its own.
-KNOWN := $(GIVEN) SHELL MAKE MAKEFLAGS
-override MAKE_UNKNOWN :=
-ifeq ($(MAKELEVEL),0)
-typed = $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
-override MAKE_UNKNOWN := $(filter-out $(KNOWN),$(typed))
-endif
-export MAKE_UNKNOWN
-unexport PYTHONSAFEPATH MAKEFLAGS $(MAKE_UNKNOWN)
 
+override READY :=
 ifneq ($(origin MAKE_PYTHON),override)
-READY := .venv/.ready
+override READY := .venv/.ready
 export MAKE_PYTHON := .venv/bin/python
 endif
-RUN := @"$$MAKE_PYTHON" build.py
+override RUN := @"$$MAKE_PYTHON" build.py
 
 .PHONY: report page status rerun upgrade bisect history retire clips check diff trace verify publish serve test worlds \
         torture lint help

@@ -141,11 +141,10 @@ def _parse_arguments() -> argparse.Namespace:
 def _given_to_make() -> Mapping[str, str]:
     """What the variables of make's command line say, as the Makefile passes it on; what makes no sense is refused."""
     # Programs that are started from here, as the tests, are no part of what make was asked for.
-    unknown = os.environ.pop("MAKE_UNKNOWN", "").split()
+    known, unknown = (os.environ.pop(f"MAKE_{names}", "").split() for names in ("KNOWN", "UNKNOWN"))
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
-    if unknown:
-        names = [*map(str.upper, OPTIONS), "PYTHON"]
-        raise UsageError(f"{unknown[0]}= is nothing that make takes here{near(unknown[0], names)}; see make help")
+    for name in unknown:
+        raise UsageError(f"{name}= is no variable of make here{near(name.upper(), known)}; see make help")
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
         OPTIONS[name].get("type", flag)(value)

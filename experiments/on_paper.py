@@ -39,7 +39,10 @@ def main() -> int:
     print(f"newton {project.release}: {len(tasks)} batches, {once:.0f} s one after the other")
     for count in arguments.gpus:
         seconds = makespan(tasks, hosts_of(count))
-        print(f"{count:4} GPUs  {seconds:6.0f} s  {once / seconds:5.1f} times as fast")
+        unit = "GPU " if count == 1 else "GPUs"
+        print(f"{count:4} {unit}  {seconds:6.0f} s  {once / seconds:5.1f} times as fast")
+    longest = max(tasks, key=lambda task: task.seconds)
+    print(f"never less than {longest.seconds:.0f} s, which {longest.name} takes by itself")
     return 0
 
 

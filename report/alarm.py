@@ -40,7 +40,7 @@ class Check:
 def check(edition: Edition) -> Check:
     """What an edition says, each claim once."""
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
-    absent = [(state.section, "; ".join(state.notes) or "it was not measured") for state in edition.left_out]
+    absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     return Check(edition.project.release, faults_of(edition), claims, absent)
 
 

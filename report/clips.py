@@ -65,7 +65,7 @@ class Clips:
 
     def _marked(self, caption: Markup) -> Markup:
         """A caption that says whether what it was made from has changed since."""
-        notes = "; ".join(self.state.notes)
+        notes = self.state.words
         return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
 
     def _moved(self, row: Row) -> dict[str, Quantity]:

@@ -34,7 +34,7 @@ def faults_of(edition: Edition) -> list[Fault]:
     can't be told because a run broke down."""
     release = edition.project.release
     found = [
-        Fault(release, state.section, "damaged" if state.kind == "damaged" else "not shown", "; ".join(state.notes))
+        Fault(release, state.section, "damaged" if state.kind == "damaged" else "not shown", state.words)
         for state in edition.left_out
         if state.kind != "missing"
     ]

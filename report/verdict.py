@@ -101,7 +101,7 @@ def _lines(edition: Edition, found: Mapping[str, Any], comparisons: Sequence[Com
         yield f"devices: {values['engine_bound']}, chosen for other devices, whose noise is not known"
         yield f"  (reproduction.engine_bound); the tracked ones are {values['engine_difference']} apart"
     if chapter.state.notes:
-        yield f"the tracked ones are stale: {'; '.join(chapter.state.notes)}"
+        yield f"the tracked ones are stale: {chapter.state.words}"
 
 
 def _exact(quantity: Quantity) -> str:

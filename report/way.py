@@ -150,7 +150,7 @@ class Ways:
         commit = f", commit {record.measured['commit']}" if record.measured["commit"] else ""
         yield f"  measured on {record.machine_text}, {record.time_text}, newton {record.origin.release}{commit}"
         if chapter.state.notes:
-            yield f"  stale:      {'; '.join(chapter.state.notes)}"
+            yield f"  stale:      {chapter.state.words}"
         yield f"  again by    {project.rerun(record.section, record.machine['device'])}"
 
     def _of_row(self, record: Record, index: int, cells: Sequence[Cell]) -> Iterator[str]:

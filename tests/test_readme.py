@@ -29,6 +29,12 @@ def test_every_make_target_is_there():
     assert named and named <= targets
 
 
+def test_what_there_is_to_type_needs_no_uv_but_the_own():
+    texts = [README, *(path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md"))]
+    own = re.findall(r"(\S*)\buv (?:sync|pip)", "\n".join(texts))
+    assert {before.lstrip("`") for before in own} == {".venv/bin/"}
+
+
 def test_every_place_is_there():
     places = re.findall(r"^\| (`.*`) \|", README, re.MULTILINE)
     assert len(places) > 5

@@ -10,6 +10,7 @@ import batches
 import pytest
 import warp as wp
 
+from experiments import on_paper
 from experiments.batch import Batch
 from experiments.course import Course, Task
 from experiments.forks import Forks
@@ -178,6 +179,19 @@ def test_a_study_on_paper_is_as_by_hand():
     tasks = [task("a", 3.0), task("b", 2.0), task("c", 2.0), task("d", 4.0, alone=True)]
     assert [makespan(tasks, hosts_of(count)) for count in (1, 2, 9)] == [11.0, 8.0, 4.0]
     assert [len(host.slots) for host in hosts_of(17)] == [8, 8, 1]
+
+
+def test_on_paper_the_longest_batch_is_what_no_number_of_gpus_goes_below(monkeypatch, capsys):
+    tasks = [task("a", 6.0), task("b", 2.0), task("c", 1.0)]
+    monkeypatch.setattr(on_paper, "records_of", lambda project: [None])
+    monkeypatch.setattr(on_paper, "tasks_of", lambda record: tasks)
+    monkeypatch.setattr(sys, "argv", ["on_paper", "1", "64"])
+    assert on_paper.main() == 0
+    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [
+        "1 GPU 9 s 1.0 times as fast".split(),
+        "64 GPUs 6 s 1.5 times as fast".split(),
+        "never less than 6 s, which toy/a takes by itself".split(),
+    ]
 
 
 HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}

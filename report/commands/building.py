@@ -138,7 +138,7 @@ def say_damage(releases: "Iterable[Edition | Built]") -> bool:
     """Name each record that can't be trusted; whether there is one."""
     damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
     for state in damaged:
-        print(f"damaged: {'; '.join(state.notes)}", file=sys.stderr)
+        print(f"damaged: {state.words}", file=sys.stderr)
     return bool(damaged)
 
 

@@ -71,7 +71,7 @@ def add_cluster(python: Path, root: Path = ROOT) -> None:
         return
     folder = python.parent.parent
     if folder.parent != root:
-        raise UsageError(f"CLUSTER takes {' and '.join(names)}, which {python} lacks: uv sync --extra cluster")
+        raise UsageError(f"CLUSTER takes {' and '.join(names)}, which {python} lacks; install them there")
     tools = root / ".venv.tools"
     with locked(root):
         try:
@@ -202,8 +202,8 @@ def _uv(root: Path, tools: Path, name: str) -> str:
 
 def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
     yield [uv, "sync", "--frozen", "--project", str(root)], {"UV_PROJECT_ENVIRONMENT": str(new)}
-    if not shutil.which("uv"):  # environments of other releases need it
-        yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
+    # Environments of other releases need it, and what the documents say to type.
+    yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
 
 
 def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":

@@ -32,6 +32,11 @@ class State:
         parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.kind == "stale" else ()
         return f"{self.kind}: {', '.join(parts)}" if parts else self.kind
 
+    @property
+    def words(self) -> str:
+        """The notes in one line."""
+        return in_words(self.notes)
+
 
 def states_of(project: Project) -> list[State]:
     """The state of every section of one release."""
@@ -109,17 +114,42 @@ def status_matrix(project: Project) -> str:
 
 
 def status_table(states: Iterable[State], profile: str) -> str:
-    """The state of every section of one release, with all that changed; once, below, what did for all stale ones."""
+    """The state of every section of one release, with all that changed; what did for several has a number there and is
+    said once, below."""
     shown = list(states)
-    stale = [state.notes for state in shown if state.kind == "stale"]
-    shared = [note for note in stale[0] if all(note in notes for notes in stale)] if len(stale) > 1 else []
+    shared = _shared_changes([state for state in shown if state.kind == "stale"])
+    numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
     lines = [HEADINGS]
     for state in shown:
         record = state.record
         where, when = (record.processor, record.time_text) if record else ("–", "–")
-        notes = [note for note in state.notes if note not in shared]
-        lines.append((state.section, state.kind, where, when, profile, "; ".join(notes)))
-    return "\n".join([_aligned(lines), *([f"all that are stale: {'; '.join(shared)}"] if shared else [])])
+        marks = [mark for mark, notes in numbered.items() if notes[0] in state.notes]
+        own = in_words(note for note in state.notes if not any(note in notes for notes in shared))
+        lines.append((state.section, state.kind, where, when, profile, " ".join([*marks, own])))
+    said = [f"{mark} {in_words(notes)}" for mark, notes in numbered.items()]
+    return "\n".join([_aligned(lines), *(["", *said] if said else [])])
+
+
+def _shared_changes(states: Iterable[State]) -> list[list[str]]:
+    """The changes that several sections have, those of the same sections together; what most have comes first."""
+    sections_of: dict[str, list[str]] = {}
+    for state in states:
+        for note in state.notes:
+            sections_of.setdefault(note, []).append(state.section)
+    changes_of: dict[tuple[str, ...], list[str]] = {}
+    for note, names in sorted(sections_of.items()):
+        changes_of.setdefault(tuple(names), []).append(note)
+    shared = [names for names in changes_of if len(names) > 1]
+    return [changes_of[names] for names in sorted(shared, key=len, reverse=True)]
+
+
+def in_words(notes: Iterable[str]) -> str:
+    """Changes in one line, with each kind, as code, said once."""
+    kinds: dict[str, list[str]] = {}
+    for note in notes:
+        kind, _, what = note.partition(": ")
+        kinds.setdefault(kind, []).extend([what] if what else [])
+    return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
 
 
 def _aligned(lines: Sequence[Sequence[str]]) -> str:
