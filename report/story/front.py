@@ -63,8 +63,7 @@ def _still(found: Found) -> Figure:
 
 
 def _should_work(found: Found) -> Claim:
-    used = {"used": found.value("contacts", "grip_used_shipped")}
-    return found.retold("should_work", "contacts", "far_inside_cone", used)
+    return found.retold("should_work", "contacts", "far_inside_cone")
 
 
 def _is_mistuned(found: Found) -> Claim:
