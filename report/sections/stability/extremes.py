@@ -99,9 +99,7 @@ def mass(results: Results) -> Claim:
 
 
 def mass_grip(results: Results) -> Claim:
-    grips = [row.grip_force_n for row in _by_mass(results)]
-    if not grips:
-        return Claim("mass_grip", Outcome("unknown", "they were not measured"))
+    grips = [row.grip_force_n for row in _by_mass(results)] or [absent("N", "it was not measured")]
     same = results.chosen("mass_grip_bound", "the same grip", GRIP_LEAST_N, unit="N")
     return Claim("mass_grip", increases(grips, noise=same), {"least": grips[0], "most": grips[-1]})
 
@@ -194,8 +192,6 @@ def arm_gives_way(results: Results) -> Claim:
     could carry it."""
     rows = [*(row for row in family(results, "gravity") if not row.freed), *family(results, "mass")]
     lost = [row for row in rows if row.family == "gravity" and not is_stable(row)]
-    if not lost:
-        return Claim("arm_gives_way", Outcome("unknown", "no gravity that was tried takes the cube"))
     sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
     held = [row for row in rows if is_stable(row)]
     most = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
@@ -203,6 +199,8 @@ def arm_gives_way(results: Results) -> Claim:
     load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
     ample = results.chosen("gravity_load_bound", "friction to spare", 50.0, unit="%")
     outcome = all_of(greater(sink, most, noise=results.derived["mass_sink_bound"]), at_most(load, ample))
+    if not lost:
+        outcome = Outcome("unknown", "no gravity that was tried takes the cube")
     return Claim("arm_gives_way", outcome, numbers={"sink": sink, "load": load})
 
 
