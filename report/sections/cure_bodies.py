@@ -8,7 +8,7 @@ import pandas as pd
 from report.claims import Claim, all_of, at_least, at_most
 from report.deriving.arithmetic import extreme, size_share
 from report.parts import Section, Table
-from report.quantities import Quantity
+from report.quantities import Quantity, Value
 from report.results import Results, Row
 
 order = 148
@@ -38,7 +38,7 @@ def derive(results: Results) -> Section:
         runs.setdefault((row.motion, row.body), {})[row.way, row.backend] = row
     whole = {name: found for name, found in runs.items() if set(found) == set(product(WAYS, ENGINES))}
     return Section(
-        tables={"plane": _plane_table(whole), "table": _table_table(whole)},
+        tables={"plane": _plane_table(whole), "table": _table_table(results, whole)},
         claims=[
             _free_motion_stays(results, whole),
             _stands_on_any_feet(results, whole),
@@ -150,8 +150,15 @@ def _plane_table(runs: Runs) -> Table:
     return Table(pd.DataFrame(columns, index=pd.Index(index, name="body on a plane")))
 
 
-def _table_table(runs: Runs) -> Table:
+def _growth(results: Results, runs: Runs, name: tuple[str, str], way: str) -> Value:
+    """In percent, as section turntable has it."""
+    row = runs[name][way, "warp"]
+    formula = "growth of the distance from the axis, of that distance, in MuJoCo Warp"
+    return results.value("_".join((way, *name)), formula, lambda rate: 100 * rate, row.growth_per_s, unit="%/s")
+
+
+def _table_table(results: Results, runs: Runs) -> Table:
     names = [name for name in product(TABLE, FEET) if name in runs]
-    columns = {words: [runs[name][way, "warp"].growth_per_s for name in names] for way, words in WAYS.items()}
+    columns = {words: [_growth(results, runs, name, way) for name in names] for way, words in WAYS.items()}
     index = [f"feet are {FEET[feet]}, {TABLE[motion]}" for motion, feet in names]
     return Table(pd.DataFrame(columns, index=pd.Index(index, name="box on a turning table")))

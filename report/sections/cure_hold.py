@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 from experiments.case import AS_SHIPPED
 from report import ROOT
 from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share
+from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, other_cell, ratio, share
 from report.figures import new_figure
 from report.names import name_of
 from report.parts import Download, Figure, Section, Table
@@ -40,6 +40,7 @@ def derive(results: Results) -> Section:
         figures={"motion": motion},
         claims=[
             _compensation_helps(results, rows),
+            _stiff_creep_is_rounding(results, rows),
             _impratio_alone_does_not(results, rows),
             _rest_goes_with_impratio(results, rows),
             _best_stays(results, rows),
@@ -59,6 +60,15 @@ def _compensation_helps(results: Results, rows: Mapping[str, Row]) -> Claim:
         all_of(outcome, at_least(gain, results.chosen("kept_gain_bound", "less by half", 2.0))),
         numbers=numbers | {"bound": bound, "duration": rows["rounded"].shake_duration_s},
     )
+
+
+def _stiff_creep_is_rounding(results: Results, rows: Mapping[str, Row]) -> Claim:
+    kept, rounded = rows["kept-stiff"].slip_mm, other_cell(results, "hold", "hold-60s-stiff", "slip_mm", unit="mm")
+    formula = "slip with positions rounded over that with compensated ones, both with stiff pads"
+    gain = ratio(results, "kept_stiff_gain", formula, rounded, kept)
+    is_less = greater(rounded, kept, noise=noise_floor(results, "slip_floor"))
+    outcome = all_of(is_less, at_least(gain, results.chosen("kept_stiff_bound", *SETTLES)))
+    return Claim("stiff_creep_is_rounding", outcome, {"kept": kept, "rounded": rounded, "gain": gain})
 
 
 def _slips(rows: Mapping[str, Row]) -> tuple:

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from report.claims import Claim, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, other_cell, ratio
+from report.deriving.arithmetic import SETTLES, other_cell, other_value, ratio
 from report.downloads import fix_files
 from report.parts import Download, Section, Table
 from report.quantities import Value
@@ -23,6 +23,7 @@ def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
     gain = _gain(results, "gain", shipped, fixed)
     bound = results.chosen("gain_bound", *SETTLES)
+    _stiffest(results)
     return Section(
         tables={"runs": _table(results)},
         claims=[
@@ -33,6 +34,14 @@ def derive(results: Results) -> Section:
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],
     )
+
+
+def _stiffest(results: Results) -> None:
+    """ke and kd beyond which the engine, whose shortest timeconst is two steps, makes no contact harder."""
+    step = other_value(results, "stiffness", "substep", unit="s")
+    results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
+    kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
+    results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", lambda kd: kd**2 / 4, kd)
 
 
 def test_passed(row: Row) -> bool:

@@ -10,6 +10,7 @@ from report.deriving.arithmetic import (
     departure,
     needs_shaking,
     noise_floor,
+    other_cell,
     share,
     size_share,
 )
@@ -62,6 +63,7 @@ def derive(results: Results) -> Section:
             _creep_goes_on(results, long),
             _creep_is_monotonic(results, traces["hold-60s"]),
             _stiff_pads_keep_creep(results, long, stiff),
+            _held_is_faster_when_stiff(results, stiff),
             _same_creep_in_c(results),
             _creep_is_rounding(results),
             _joint_stands_still(results),
@@ -143,6 +145,20 @@ def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
         at_least(remaining, bound),
         numbers={"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s},
     )
+
+
+def _held_is_faster_when_stiff(results: Results, stiff: Row) -> Claim:
+    """The shaken run, of section reproduction, is shorter than the long hold, so that rates are compared."""
+    slip = other_cell(results, "reproduction", "stiff-pads", "slip_mm", unit="mm")
+    shorter = other_cell(results, "reproduction", "stiff-pads", "shake_duration_s", unit="s")
+    formula, times = "slip over its time, stiff pads", {"held": stiff.shake_duration_s, "shaken": shorter}
+    held, shaken = (
+        results.value(f"stiff_{name}_rate", formula, lambda a, b: a / b, moved, times[name], unit="mm/s")
+        for name, moved in (("held", stiff.slip_mm), ("shaken", slip))
+    )
+    numbers = {"held": held, "shaken": shaken, "duration": stiff.shake_duration_s, "shorter": shorter}
+    outcome = greater(held, shaken, noise=noise_floor(results, "drift_floor"))
+    return Claim("held_is_faster_when_stiff", outcome, numbers)
 
 
 def _same_creep_in_c(results: Results) -> Claim:

@@ -6,8 +6,8 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, greater, within
-from report.deriving.arithmetic import by_case, ratio
+from report.claims import Claim, at_least, at_most, greater, within
+from report.deriving.arithmetic import by_case, departure, ratio, share
 from report.deriving.timing import cell, frame_spread
 from report.figures import INK, SERIES, new_figure, say_value, write
 from report.names import name_of
@@ -45,6 +45,7 @@ def derive(results: Results) -> Section:
             _real_time(results),
             _same_time(results, "stiff-pads-only"),
             _same_time(results, "all-gaps-zero"),
+            _sections_time_apart(results),
         ],
     )
 
@@ -84,11 +85,24 @@ def _same_time(results: Results, case: str) -> Claim:
         unit="ms",
     )
     spread = frame_spread(results, f"{name}_spread", row, baseline)
+    unseen = share(results, f"{name}_unseen", "that spread, of the time of a frame", spread, baseline.frame_ms)
     return Claim(
         f"{name}_same_time",
-        within(change, spread),
-        numbers={"time": row.frame_ms, "baseline": baseline.frame_ms, "spread": spread},
+        within(change, spread).having_read(unseen),
+        numbers={"time": row.frame_ms, "baseline": baseline.frame_ms, "spread": spread, "unseen": unseen},
     )
+
+
+def _sections_time_apart(results: Results) -> Claim:
+    """Here frames are timed in a row, in section leave_out again and again from one state."""
+    other = results.others.get("leave_out")
+    rows = (row for row in (other.rows if other else ()) if row["device"] == "cuda" and row.worlds.value == 1)
+    timed = next((row for row in rows if row.case == "as-shipped"), None)
+    there = cell(results, timed, "frame_ms", "the case in section leave_out")
+    here = results.row["as-shipped"].frame_ms
+    apart = departure(results, "sections_apart", "difference of the two, of the time here", there, here)
+    bound = results.chosen("sections_apart_bound", "one machine, timed in two ways", 10.0, unit="%")
+    return Claim("sections_time_apart", at_most(apart, bound), {"there": there, "here": here, "apart": apart})
 
 
 def _table(rows: Sequence[Row]) -> Table:

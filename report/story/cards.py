@@ -47,7 +47,7 @@ def cards_of(chapters: Chapters) -> Cards:
     noise, spread = found.value("noise", "slip_floor", "mm"), found.value("speed", "stiff_pads_only_spread", "ms")
     cards = [
         Card("slip in the shake", slips, Markup("runs may differ by {}").format(noise)),
-        Card("friction used", grips, Markup("of what there is, at most")),
+        Card("friction used", grips, Markup("of what a contact has, at most")),
         Card("pads sink in", depths, Markup("mean of the loaded contacts")),
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
     ]

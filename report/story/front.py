@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from report.chapters import Chapters
-from report.claims import Claim, all_of
+from report.claims import HOLDS, Claim, all_of
 from report.overview import overview
 from report.parts import Figure, Section
 from report.story.figures import draw_still
@@ -63,8 +63,7 @@ def _still(found: Found) -> Figure:
 
 
 def _should_work(found: Found) -> Claim:
-    used = {"used": found.value("contacts", "grip_used_shipped")}
-    return found.retold("should_work", "contacts", "far_inside_cone", used)
+    return found.retold("should_work", "contacts", "far_inside_cone")
 
 
 def _is_mistuned(found: Found) -> Claim:
@@ -95,8 +94,11 @@ def _use(found: Found) -> Claim:
 
 def _newest(found: Found) -> Claim:
     """From the release of the page, where that is neither the oldest nor the newest."""
-    between = found.claim("upgrade", "same_as_newest")
-    return found.retold("newest", "upgrade", "same_as_newest" if between else "slip_is_the_same")
+    if found.claim("upgrade", "same_as_newest"):
+        return found.retold("newest", "upgrade", "same_as_newest", {"until": "", "since": ""})
+    step = found.claim("upgrade", "in_one_step")
+    [(until, since)] = step.numbers["steps"] if step and step.outcome == HOLDS else [("", "")]
+    return found.retold("newest", "upgrade", "slip_is_the_same", {"until": until, "since": since})
 
 
 QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {

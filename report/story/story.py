@@ -35,6 +35,7 @@ TOLD = {
     "gap": ("gap", "not_the_cause"),
     "material": ("priority", "cube_does_not_count"),
     "noslip": ("noslip", "noslip_does_not_help_in_mujoco_c"),
+    "grip": ("contacts", "far_inside_cone"),
     "no_memory": ("contacts", "no_friction_residual"),
     "slide": ("contacts", "slide_accounts"),
     "slide_stiff": ("contacts", "slide_accounts_when_stiff"),
@@ -85,13 +86,9 @@ def story_of(chapters: Chapters) -> Section:
     return Section(
         tables={"suspects": _suspect_table(found)},
         figures={"walk": _walk(found), "suspects": _suspect_figure(found), "mechanism": _mechanism(found)},
-        claims=[found.titled("title"), *claims, _grip(found), *own],
+        claims=[found.titled("title"), *claims, *own],
         unmeasured=unsaid,
     )
-
-
-def _grip(found: Found) -> Claim:
-    return found.retold("grip", "contacts", "far_inside_cone", {"used": found.value("contacts", "grip_used_shipped")})
 
 
 def _safe(found: Found) -> Claim:

@@ -106,7 +106,7 @@ def _front_table(rows: Sequence[Row]) -> Table:
         "numerical error": [row.numerical_error_mm for row in rows],
         "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
         "clamped": [is_clamped(row) for row in rows],
-        "cone use": [row.cone_use_max for row in rows],
+        "friction used": [row.cone_use_max for row in rows],
         "time": [row.ms_per_s for row in rows],
         "from": [row.ms_per_s_p5 for row in rows],
         "to": [row.ms_per_s_p95 for row in rows],

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.deriving.timing import decade_axis, world_axis
-from report.figures import FAINT, INK, SERIES, new_figure, write
+from report.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
 from report.names import name_of
 from report.quantities import Quantity
 from report.results import Row
@@ -17,6 +17,12 @@ from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}
+SIDES: dict[str, dict[str, Any]] = {
+    "right": {"xytext": (8, 4), "ha": "left"},
+    "left": {"xytext": (-8, 2), "ha": "right"},
+    "below": {"xytext": (-4, -6), "ha": "right", "va": "top"},
+}
+"""Where the name of a mark stands. Below and to the left of the best there is nothing of the same engine."""
 LEAST_ERROR_MM = 1e-5
 """Smaller errors are drawn on the left edge: no one can live with less, and the rest gets the room."""
 
@@ -60,7 +66,7 @@ def draw_grasp(points: Points) -> Drawing:
         if reference is not None and reference[GRASP].value:
             _name_converged(axes, reference[GRASP], title, colour, side)
         for backend in points.engines:
-            _mark_both(axes, points, pads, backend, GRASP, colour, side)
+            _mark_both(axes, points, pads, backend, GRASP, colour, side, side if is_narrow() else "left")
     axes.set_xlabel("grasp error [mm/cycle]")
     axes.set_ylabel("run time [ms per simulated s]")
     return drawing
@@ -118,19 +124,27 @@ def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, s
     (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
     size = {"*": 130, "s": 34}[mark]
     axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
-    place: dict[str, Any] = {"xytext": (8 if side == "right" else -8, 2), "ha": "left" if side == "right" else "right"}
-    axes.annotate(text, (x, y), **place, textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
+    axes.annotate(text, (x, y), **SIDES[side], textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
 
 
 def _mark_both(
-    axes: Axes, points: Points, pads: str, backend: str, error: str, colour: str, side: str = "right"
+    axes: Axes,
+    points: Points,
+    pads: str,
+    backend: str,
+    error: str,
+    colour: str,
+    shipped_side: str = "right",
+    better_side: str = "",
 ) -> None:
-    """The shipped setting and the recommended one, each with its error."""
+    """The shipped setting and the recommended one, each with its error on that side, or else where there is room."""
     shipped, better = points.shipped(pads, backend), points.recommended(pads, backend)
     if shipped is not None and shipped[error].value:
-        _mark(axes, shipped, error, "*", write(shipped[error]), colour, side)
+        _mark(axes, shipped, error, "*", write(shipped[error]), colour, shipped_side)
     if better is not None and better[error].value:
-        _mark(axes, better, error, "s", f"{_setting(better)}: {write(better[error])}", colour, side)
+        left, right = axes.get_xlim()
+        roomy = "below" if better[error].value ** 2 > left * right else "right"
+        _mark(axes, better, error, "s", f"{_setting(better)}: {write(better[error])}", colour, better_side or roomy)
 
 
 def _setting(row: Row) -> str:

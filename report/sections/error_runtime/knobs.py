@@ -34,6 +34,7 @@ def model_claims(points: Points) -> list[Claim]:
         _coarse_steps_flatter(points),
         _rest_is_step_error(points),
         _impratio(points),
+        _low_impratio(points),
         _cone_not_left(points),
     ]
 
@@ -223,6 +224,18 @@ def _impratio(points: Points) -> Claim:
             "before": before,
             "times": times,
         },
+    )
+
+
+def _low_impratio(points: Points) -> Claim:
+    """Whether with shipped pads, too, the grasp drifts more with a low impratio than as set."""
+    low = "as-shipped/newton/impratio-1"
+    grasp, before = points.cell(low, GRASP), points.cell(with_shipped_steps("as-shipped", "newton"), GRASP)
+    formula = "grasp error with the low impratio over that as set, less one, shipped pads"
+    more = points.results.value("low_impratio_more", formula, lambda a, b: 100 * (a / b - 1), grasp, before, unit="%")
+    outcome = greater(grasp, before, noise=points.floors["as-shipped"]).having_read(more)
+    return Claim(
+        "low_impratio", outcome, {"before": before, "grasp": grasp, "low": points.cell(low, "impratio"), "more": more}
     )
 
 

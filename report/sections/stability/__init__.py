@@ -55,6 +55,7 @@ def derive(results: Results) -> Section:
         },
         claims=[
             limits.safe(results, critical, default_kd),
+            limits.lifted_stands_more(results),
             limits.steps(results),
             limits.steps_order(results),
             limits.gain_goes(results),
@@ -67,11 +68,13 @@ def derive(results: Results) -> Section:
             extremes.crossover(results, "grip"),
             extremes.friction(results),
             extremes.mass(results),
+            extremes.mass_grip(results),
             extremes.mass_drift(results),
             extremes.mass_sink(results),
             extremes.size(results, depth),
             extremes.overlap(results),
             extremes.gravity(results),
+            extremes.arm_gives_way(results),
             extremes.freed(results),
             extremes.long(results),
             extremes.long_adds_up(results),
@@ -195,7 +198,7 @@ def _others_table(results: Results) -> Table:
         "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
         "depth": [row.penetration_mm for row in rows],
         "hand sinks": [row.hand_sink_mm for row in rows],
-        "friction used": [_friction_used(row) for row in rows],
+        "friction needed": [_friction_needed(row) for row in rows],
         "as expected": [bool(passes) for members in families for passes in passing(members)],
     }
     return by_case(rows, columns)
@@ -205,7 +208,7 @@ def _is_freed(row: Row) -> bool:
     return "freed" in row and row.freed
 
 
-def _friction_used(row: Row) -> Quantity:
+def _friction_needed(row: Row) -> Quantity:
     if _is_freed(row):
         return absent("1", LET_GO)
     if "pad_mu" in row and row.pad_mu.value == 0.0:

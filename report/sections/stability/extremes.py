@@ -1,9 +1,23 @@
 """Claims of section stability about loads, sizes, masses, bad starts, long runs and small buffers."""
 
+from collections.abc import Sequence
+
 from markupsafe import Markup
 
 from experiments.case import AS_SHIPPED
-from report.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, contiguous, decided, increases, within
+from report.claims import (
+    HOLDS,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    contiguous,
+    decided,
+    greater,
+    increases,
+    within,
+)
 from report.deriving.arithmetic import cell_or_absent, extreme, share
 from report.names import cases_html
 from report.quantities import Quantity, Value, absent
@@ -14,6 +28,8 @@ from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, pa
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
+GRIP_LEAST_N = 0.1
+"""Grips that differ by no more than that are the same."""
 MASS_DRIFT_RATIO = 2.0
 SINK_LEAST_MM = 0.1
 """A hand that comes down by no more than that has not come down."""
@@ -82,6 +98,12 @@ def mass(results: Results) -> Claim:
     )
 
 
+def mass_grip(results: Results) -> Claim:
+    grips = [row.grip_force_n for row in _by_mass(results)] or [absent("N", "it was not measured")]
+    same = results.chosen("mass_grip_bound", "the same grip", GRIP_LEAST_N, unit="N")
+    return Claim("mass_grip", increases(grips, noise=same), {"least": grips[0], "most": grips[-1]})
+
+
 def mass_drift(results: Results) -> Claim:
     held = [row for row in _by_mass(results) if is_stable(row)]
     drifts = [row.drift_mm_s for row in held]
@@ -99,11 +121,15 @@ def mass_drift(results: Results) -> Claim:
 
 def mass_sink(results: Results) -> Claim:
     rows = _by_mass(results)
-    sinks = [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows]
+    sinks = _sinks(rows)
     sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
     noise = results.chosen("mass_sink_bound", "no sinking", SINK_LEAST_MM, unit="mm")
     heavy = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
     return Claim("mass_sink", increases(sinks, noise=noise), numbers={"sink": sink, "heavy": heavy})
+
+
+def _sinks(rows: Sequence[Row]) -> list[Quantity]:
+    return [cell_or_absent(row, "hand_sink_mm", "mm") for row in rows]
 
 
 def size(results: Results, bound: Value) -> Claim:
@@ -151,13 +177,6 @@ def overlap(results: Results) -> Claim:
 def gravity(results: Results) -> Claim:
     rows = [row for row in family(results, "gravity") if not row.freed]
     lost = [row for row in rows if not is_stable(row)]
-    extreme(
-        results,
-        "gravity_sink",
-        "sink of the hand where the cube is lost",
-        max,
-        [cell_or_absent(row, "hand_sink_mm", "mm") for row in lost],
-    )
     tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
     return family_claim(
@@ -166,6 +185,23 @@ def gravity(results: Results) -> Claim:
         rows,
         numbers={"tried": tried, "lost": text},
     )
+
+
+def arm_gives_way(results: Results) -> Claim:
+    """Whether the hand sinks farther where gravity takes the cube than with any cube that is held, though friction
+    could carry it."""
+    rows = [*(row for row in family(results, "gravity") if not row.freed), *family(results, "mass")]
+    lost = [row for row in rows if row.family == "gravity" and not is_stable(row)]
+    sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
+    held = [row for row in rows if is_stable(row)]
+    most = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
+    needed = "largest share of the friction that is needed there"
+    load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
+    ample = results.chosen("gravity_load_bound", "friction to spare", 50.0, unit="%")
+    outcome = all_of(greater(sink, most, noise=results.derived["mass_sink_bound"]), at_most(load, ample))
+    if not lost:
+        outcome = Outcome("unknown", "no gravity that was tried takes the cube")
+    return Claim("arm_gives_way", outcome, numbers={"sink": sink, "load": load})
 
 
 def freed(results: Results) -> Claim:
