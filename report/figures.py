@@ -257,8 +257,10 @@ def _texts(artist: Artist) -> Iterator[Text]:
 
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
-    """The text for a narrow figure: none of its lines is longer, in characters, and its own breaks stay."""
-    return "\n".join(textwrap.fill(line, longest) for line in text.split("\n"))
+    """The text for a narrow figure: none of its lines is longer, in characters, its own breaks stay, and a number stays
+    with the word before it."""
+    kept = re.sub(r" (?=\d)", "\u00a0", text)
+    return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
 
 
 @contextmanager

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from report.check import check_site
 from report.check_numbers import TYPED
 from report.deriving.arithmetic import log_slope
-from report.figures import draw_svg, new_figure, write
+from report.figures import draw_svg, fold, new_figure, write
 from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
 from report.noise import Floor, cell_noise, derived_noise
 from report.quantities import Quantity
@@ -230,3 +230,7 @@ def test_the_slope_of_a_power_law_is_its_exponent():
     assert log_slope([1.0, 2.0, 4.0], [8.0, 5.0, 2.0]) == pytest.approx(-1.0, abs=1e-15), (
         "by hand: -2 log 2 over 2 log 2"
     )
+
+
+def test_a_folded_text_keeps_a_number_with_the_word_before_it():
+    assert fold("implicitfast, impratio 50, shipped pads", 23) == "implicitfast,\nimpratio 50, shipped\npads"
