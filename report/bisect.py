@@ -12,6 +12,7 @@ from report.editions import Edition, derive_edition
 from report.noise import NOISE
 from report.page import Templates
 from report.question import Answer, Question
+from report.records.files import locked
 from report.records.measure import measure
 from report.records.project import Project
 from report.records.record import Record
@@ -22,8 +23,15 @@ Point = TypeVar("Point")
 FIRST = re.compile(r"^([0-9a-f]{40}) is the first bad commit", re.MULTILINE)
 UNITS = {"warp-lang": ("warp-lang",), "mujoco-warp and mujoco": ("mujoco-warp", "mujoco")}
 """Packages that are changed together, besides newton itself: the two of MuJoCo come out together."""
-CANNOT_TELL = 125
-"""What ``git bisect run`` takes for a commit that can't be judged."""
+AS_FIRST, AS_LAST, CANNOT_TELL = 0, 3, 125
+"""How ``judge`` ends. What breaks, as an import does, ends with 1, which git would take for an answer."""
+FOR_GIT = (
+    "sh",
+    "-c",
+    f'"$@"; case $? in {AS_FIRST}) ;; {AS_LAST}) exit 1 ;; 130) exit 130 ;; *) exit 125 ;; esac',
+    "sh",
+)
+"""Runs a judge and ends as ``git bisect run`` wants it: 0, 1, or 125 for what can't be told; Ctrl-C ends the search."""
 
 
 class Alike(UsageError):
@@ -151,19 +159,25 @@ def _pinned(versions: Mapping[str, str], packages: Sequence[str]) -> str:
 
 
 def bisect_commits(repository: Path, first: str, last: str, judge: Sequence[str], clone: Path) -> str:
-    """The first commit of a repository that ``judge`` ends with status 1 for, by ``git bisect run`` in a clone.
+    """The first commit of a repository that ``judge`` takes for the last, by ``git bisect run`` in a clone.
 
     Args:
-        judge: A command that ends with 0 where the clone is as ``first``, 1 where it is as ``last``, and 125 where it
-            can't tell.
+        judge: A command that ends with AS_FIRST where the clone is as ``first``, with AS_LAST where it is as ``last``,
+            and in any other way where it can't tell.
     """
     if not clone.exists():
         _git(clone.parent, "clone", "--quiet", str(repository), str(clone))
-    _git(clone, "fetch", "--quiet", "--tags", "origin")
+    with locked(clone):
+        _git(clone, "remote", "set-url", "origin", str(repository))  # it may be left of a search in another one
+        _git(clone, "fetch", "--quiet", "--tags", "origin")
+        known = [_git(repository, "rev-parse", f"{name}^{{commit}}").strip() for name in (last, first)]
+        return _bisect_clone(clone, known, judge)
+
+
+def _bisect_clone(clone: Path, known: Sequence[str], judge: Sequence[str]) -> str:
     _git(clone, "bisect", "reset")
-    known = [_git(repository, "rev-parse", f"{name}^{{commit}}").strip() for name in (last, first)]
     _git(clone, "bisect", "start", *known)
-    said = _git(clone, "bisect", "run", *judge)
+    said = _git(clone, "bisect", "run", *FOR_GIT, *judge)
     found = FIRST.search(said)
     _git(clone, "bisect", "reset")
     if not found:

@@ -12,7 +12,7 @@ from test_stack import checkout, git  # noqa: F401
 
 import build
 from report import ReportError, UsageError, bisect
-from report.bisect import Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
+from report.bisect import AS_LAST, Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
 from report.check import check_site
 from report.editions import editions_of
 from report.history import flip_history, flips, history
@@ -121,12 +121,20 @@ def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
     judge = [
         sys.executable,
         "-c",
-        f"import sys; sys.path[:0] = [{str(clone)!r}]; import newton; sys.exit(newton.x >= 5)",
+        f"import sys; sys.path[:0] = [{str(clone)!r}]; import newton; sys.exit({AS_LAST} * (newton.x >= 5))",
     ]
     for _ in range(2):  # again, as after an interruption
         found = bisect_commits(checkout, "HEAD~6", "main", judge, clone)
         assert found.startswith(commits[3]) and found.endswith("x is 5")
         subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
+
+
+def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):  # noqa: F811
+    for value in range(2, 5):
+        (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
+        git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
+    with pytest.raises(ReportError, match="no first commit was found"):
+        bisect_commits(checkout, "HEAD~3", "main", [sys.executable, "-c", "import nothing_like_it"], tmp_path / "clone")
 
 
 def test_commits_of_one_repository_are_seen_as_such(checkout):  # noqa: F811

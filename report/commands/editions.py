@@ -15,6 +15,7 @@ from report.commands.options import refuse_lacking_ends
 from report.near import near
 from report.records.devices import NO_CUDA, machine_name, measuring_device
 from report.records.environment import environment_of
+from report.records.files import locked
 from report.records.identity import sections
 from report.records.measure import kept_by, measure
 from report.records.project import PROFILES, Project
@@ -115,19 +116,22 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     clone = project.root / ".venv-bisect"
     judging = [sys.executable, str(project.root / "build.py"), "judge", "--newton", str(clone), "--device", device]
     judging += ["--profile", search.project.profile, f"--{'claim' if question.is_claim else 'value'}", question.text]
-    print(bisect_commits(*repository, [*judging, "--first", str(ends[0]), "--last", str(ends[1])], clone))
+    judging += [f"--first={ends[0]}", f"--last={ends[1]}"]  # apart, a negative number looks like an option
+    print(bisect_commits(*repository, judging, clone))
     return 0
 
 
 def judge(project: Project, arguments: argparse.Namespace) -> int:
-    """Say for git bisect whether Newton is as the first end is (0) or as the last (1); 125 where it can't be told."""
-    from report.bisect import CANNOT_TELL, Bisection
+    """Say for git bisect, by the exit status, whether Newton is as the first end is or as the last."""
+    from report.bisect import AS_FIRST, AS_LAST, CANNOT_TELL, Bisection
     from report.page import Templates
 
     question = _question(arguments)
     answer = Bisection(project, question, arguments.device, Templates(project.templates)).answer(arguments.stack)
     ends = (arguments.first, arguments.last) if question.is_claim else (float(arguments.first), float(arguments.last))
-    return CANNOT_TELL if answer is None else int(not question.is_as(answer, *ends))
+    if answer is None:
+        return CANNOT_TELL
+    return AS_FIRST if question.is_as(answer, *ends) else AS_LAST
 
 
 def newest(project: Project, arguments: argparse.Namespace) -> int:
@@ -184,7 +188,8 @@ def retire(project: Project, arguments: argparse.Namespace) -> int:
     if not there:
         raise UsageError(f"NEWTON={arguments.stack.asked} has neither results nor an environment")
     for folder in there:
-        shutil.rmtree(folder)
+        with locked(folder.parent):
+            shutil.rmtree(folder)
         print(f"removed {folder.relative_to(project.root)}/")
     return int(build_site(project.of(project.own_release), arguments.address)[0])
 

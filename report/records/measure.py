@@ -17,7 +17,7 @@ from report import ReportError, UsageError
 from report.records.cluster import Cluster
 from report.records.devices import machine_name, machine_of, needs_gpu, slug
 from report.records.environment import add_cluster, python_of
-from report.records.files import refuse_unwritable
+from report.records.files import locked, refuse_unwritable
 from report.records.identity import sections as all_sections
 from report.records.manifest import Manifest, write_manifest
 from report.records.processes import obey
@@ -162,9 +162,10 @@ def machines_besides(project: Project, machine: str) -> set[str]:
 
 def _note_measured(project: Project, stack: Stack) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
-    there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
-    manifest = project.manifest
-    known = {*there, *(manifest.sections if manifest else ())}
-    day = manifest.date if manifest else release_date(stack)
-    if known:
-        write_manifest(project.results, Manifest(stack.asked, day, tuple(sorted(known))))
+    with locked(project.results.parent):
+        there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
+        manifest = project.manifest
+        known = {*there, *(manifest.sections if manifest else ())}
+        day = manifest.date if manifest else release_date(stack)
+        if known:
+            write_manifest(project.results, Manifest(stack.asked, day, tuple(sorted(known))))
