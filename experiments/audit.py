@@ -79,6 +79,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
     task = getattr(scene, "task", None)
     for frame in tqdm(range(frame_count), desc="audit", unit="frame", delay=3.0):
         before = wp.clone(task.solution) if task and frame % LOOK_FRAME_STEP == 0 else None
+        wp.synchronize()  # the scene may have streams of its own
         scene.step()
         _look(scene, seen)
         if frame % LOOK_FRAME_STEP == 0:
@@ -112,8 +113,8 @@ def _look(scene: AuditedScene, seen: Seen) -> None:
     seen.constraint_peak = max(seen.constraint_peak, int(data.nefc.numpy()[0]))
     seen.limit_peak = max(seen.limit_peak, int(data.nl.numpy()[0]))
     seen.equality_peak = max(seen.equality_peak, int(data.ne.numpy()[0]))
-    seen.tendon_lengths.append(data.ten_length.numpy()[0])
-    seen.sensor_values.append(data.sensordata.numpy()[0])
+    seen.tendon_lengths.append(data.ten_length.numpy()[0].copy())  # on a CPU it is a view
+    seen.sensor_values.append(data.sensordata.numpy()[0].copy())
     seen.actuators_moved.update(int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0]))
 
 

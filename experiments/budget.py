@@ -36,12 +36,13 @@ import numpy as np
 import warp as wp
 
 from experiments import metrics
-from experiments.case import AS_SHIPPED, Case
+from experiments.case import AS_SHIPPED, Case, CaseError
 from experiments.compat import kf_is_read
 from experiments.linting.creep import impedance_at
 from experiments.scene import PAD_SOLIMP, body_index
 from experiments.simulation import Simulation
-from experiments.task import FRAME_RATE
+from experiments.stability_limits import reference_stiffness, solref, step_s
+from experiments.trace import Trace
 
 BISECTION_COUNT = 50
 
@@ -62,10 +63,35 @@ class Motion:
     """What the cube moved less what its velocity says, in single-precision positions."""
     inverse_mass_1_kg: float
     """Sum of the engine's inverse weights of a finger and the cube [1/kg]."""
+    failure: str | None = None
+    """Why the sums say nothing, when they don't."""
 
 
-def measure_motion(case: Case) -> Motion:
-    """Run a case through MuJoCo's C engine with the term put back, and add up what moves its cube."""
+@dataclass(frozen=True)
+class Watched:
+    """A run through MuJoCo's C engine with the term put back, and what each of its frames adds up to."""
+
+    trace: Trace
+    frames: np.ndarray
+    """Shape [frames, Watch.COLUMNS, 3]."""
+    depth_m: float
+    inverse_mass_1_kg: float
+
+    @property
+    def failure(self) -> str | None:
+        """Why nothing can be told from it, when that is so."""
+        if self.trace.failure:
+            return f"in MuJoCo C {self.trace.failure}"
+        return "in MuJoCo C the shake was never reached" if self.trace.phase[-1] != metrics.SHAKE else None
+
+    @property
+    def shaking(self) -> np.ndarray:
+        """Indices of the frames of the shake, from the end of whose first the displacement counts."""
+        return np.flatnonzero(self.trace.phase == metrics.SHAKE)
+
+
+def watched(case: Case) -> Watched:
+    """Run a case through MuJoCo's C engine with the term put back, so that no slide of the cube is in the sums."""
     case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
     simulation = Simulation([case], wp.get_device("cpu"))
     watch = Watch(simulation)
@@ -77,11 +103,18 @@ def measure_motion(case: Case) -> Motion:
         simulation.step()
         frames[frame] = watch.sums
     [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
-    shaking = np.flatnonzero(trace.phase == metrics.SHAKE)[1:]  # the displacement counts from the end of the first
-    bias, damping, load, velocity = frames[shaking].sum(axis=0)
-    moved = metrics.displacement(trace).vector_m[-1]
-    rounding = moved - (velocity - 0.5 * simulation.substep_dt * bias)
-    return Motion(bias, damping, load, watch.depth_m, rounding, watch.inverse_mass_1_kg)
+    return Watched(trace, frames, watch.depth_m, watch.inverse_mass_1_kg)
+
+
+def measure_motion(case: Case) -> Motion:
+    """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
+    run = watched(case)
+    if run.failure:
+        return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)
+    bias, damping, load, velocity = run.frames[run.shaking[1:]].sum(axis=0)
+    moved = metrics.displacement(run.trace).vector_m[-1]
+    rounding = moved - (velocity - 0.5 * step_s(case) * bias)
+    return Motion(bias, damping, load, run.depth_m, rounding, run.inverse_mass_1_kg)
 
 
 class Watch:
@@ -143,44 +176,61 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
     Args:
         motion: Of the same shake in a run through C.
     """
-    h = 1.0 / FRAME_RATE / case.substeps
-    b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, h, motion.inverse_mass_1_kg))
+    h = step_s(case)
+    b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, motion.inverse_mass_1_kg))
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
     runge_kutta = case.integrator == "rk4"
     along = np.array([1.0, 0.0, 1.0])
+    as_watched = replace(case, cone=AS_SHIPPED.cone, impratio=AS_SHIPPED.impratio)
     parts = {
         "term": left_out * motion.bias_m_s / b,
         "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
         "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
-        "creep": -softness(case, motion.depth_m) * motion.load_m_s / b,
+        "creep": -softness(case, as_watched, motion.depth_m) * motion.load_m_s / b,
         "rounding": (not case.compensated) * motion.rounding_m,
     }
     return {name: 1e3 * along * part for name, part in parts.items()}
 
 
-def softness(case: Case, depth_m: float) -> float:
-    """R of the friction rows, of what it is with the impratio and the cone as shipped.
+def softness(case: Case, other: Case, depth_m: float) -> float:
+    """R of a case's friction rows, of what it is in another case with an elliptic cone, which grips as firmly.
 
-    A pyramid's rows are normal and friction rows in one, four a contact, with R = 2 μ² (1 + μ²) / impratio of what an
-    elliptic cone's normal row has (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal force, so that
-    k d(r) r = R f is balanced by a smaller depth r, and there the impedance d is less and R ∝ (1 - d) / d is more.
+    R is in proportion to (1 - d) / (d impratio), and the impedance d to how deep the pads sink in: to the depth r at
+    which the normal rows balance the grip, k d(r) r = R f. Stiffer pads sink in less. A pyramid's rows are normal and
+    friction rows in one, four a contact, with R = 2 μ² (1 + μ²) / impratio of what an elliptic cone's normal row has
+    (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal force, so that these pads sink in less as well.
 
     Args:
-        depth_m: How deep the contacts of an elliptic cone are.
+        depth_m: How deep the contacts of the other case are.
     """
-    found = AS_SHIPPED.impratio / case.impratio
-    if case.cone != "pyramidal":
-        return found
-    solimp = (PAD_SOLIMP[0], case.pad_dmax, *PAD_SOLIMP[2:])
-    of_cone = impedance_at(solimp, depth_m)
-    share = case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
-    shallow_m, deep_m = 0.0, depth_m
+    solimp, of_other = solimp_of(case), impedance_at(solimp_of(other), depth_m)
+    pull_m = pad_stiffness(other) / pad_stiffness(case) * of_other * depth_m / yielding(of_other)
+    if case.cone == "pyramidal":
+        pull_m *= case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
+    rows = 1.0 + case.pad_mu**2 if case.cone == "pyramidal" else 1.0
+    found = yielding(impedance_at(solimp, balanced_depth_m(solimp, pull_m)))
+    return rows * other.impratio / case.impratio * found / yielding(of_other)
+
+
+def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
+    """The depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    shallow_m, deep_m = 0.0, pull_m * yielding(solimp[0]) / solimp[0]  # d is never less than solimp's first
     for _ in range(BISECTION_COUNT):
         middle_m = 0.5 * (shallow_m + deep_m)
         d = impedance_at(solimp, middle_m)
-        is_deep = d * middle_m > share * yielding(d) / yielding(of_cone) * of_cone * depth_m
+        is_deep = d * middle_m > pull_m * yielding(d)
         shallow_m, deep_m = (shallow_m, middle_m) if is_deep else (middle_m, deep_m)
-    return found * (1.0 + case.pad_mu**2) * yielding(impedance_at(solimp, deep_m)) / yielding(of_cone)
+    return deep_m
+
+
+def solimp_of(case: Case) -> tuple[float, ...]:
+    return (PAD_SOLIMP[0], case.pad_dmax, *PAD_SOLIMP[2:])
+
+
+def pad_stiffness(case: Case) -> float:
+    """k of the pads' normal rows [1/s²]."""
+    timeconst_s, dampratio = solref(case.pad_ke, case.pad_kd)
+    return reference_stiffness(timeconst_s, dampratio, 2.0 * step_s(case), case.pad_dmax)
 
 
 def yielding(impedance: float) -> float:
@@ -188,16 +238,26 @@ def yielding(impedance: float) -> float:
     return (1.0 - impedance) / impedance
 
 
-def friction_timeconst_s(case: Case, h: float, inverse_mass_1_kg: float) -> float:
+def contact_timeconst_s(case: Case) -> float:
+    """The timeconst of the pads' contacts, which the engine takes no shorter than two substeps [s].
+
+    Raises:
+        CaseError: The case has it in another way than by ``pad_kd``.
+    """
+    if case.pad_direct or not case.refsafe or case.friction_timeconst_override_s is not None:
+        raise CaseError(f"{case.name} has a timeconst that is not predicted: pad_direct, refsafe or an override")
+    return max(solref(case.pad_ke, case.pad_kd)[0], 2.0 * step_s(case))
+
+
+def friction_timeconst_s(case: Case, inverse_mass_1_kg: float) -> float:
     """The timeconst of the pads' friction rows, which the engine takes no shorter than two substeps [s].
 
     Args:
-        h: Duration of a substep [s].
         inverse_mass_1_kg: As in ``Motion``; for releases in which the friction rows have one of their own, see
             ``compat.KF_RELEASE``.
     """
-    timeconst_s = 2.0 / case.pad_kd
+    of_contacts_s = contact_timeconst_s(case)
     if kf_is_read() and case.contacts == "newton" and case.cone == "elliptic" and case.pad_kf > 0.0:
         share = (1.0 - case.pad_dmax) / case.impratio + case.pad_dmax
-        timeconst_s = 2.0 / (case.pad_kf * inverse_mass_1_kg * share)
-    return max(timeconst_s, 2.0 * h)
+        return max(2.0 / (case.pad_kf * inverse_mass_1_kg * share), 2.0 * step_s(case))
+    return of_contacts_s

@@ -1,5 +1,6 @@
 """The slip's causes taken out one by one and together, beside what each is predicted to move the cube."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import product
 
@@ -24,6 +25,8 @@ TERMS = {
 """What is done about the left-out term; ``full`` also gives it to the normal rows."""
 POSITIONS = {"rounded": {}, "kept": {"compensated": True}}
 CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}
+ALONG = {"x": 0, "z": 2}
+"""Axes of the TCP frame along the pads, by their place."""
 IMPRATIO = 400.0
 SETTINGS = {
     "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),
@@ -102,32 +105,42 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     pads, shake = shake_of(case)
     row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
     parts = predicted_mm(case, motion)
-    for name, part in parts.items():
-        row |= {f"{name_of(name)}_x_mm": float(part[0]), f"{name_of(name)}_z_mm": float(part[2])}
     total = sum(parts.values())
-    row |= {"predicted_x_mm": float(total[0]), "predicted_z_mm": float(total[2])}
-    row["predicted_slip_mm"] = float(np.linalg.norm(total))
-    measured = ("slip_x_mm", "slip_y_mm", "slip_z_mm", "remainder_mm")
+    predicted = {name_of(name): part for name, part in parts.items()} | {"predicted": total}
+    found = in_plane({(name, "mm"): part for name, part in predicted.items()})
+    row |= known(found | {"predicted_slip_mm": float(np.linalg.norm(total))}, motion.failure)
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
-    if reason:
-        return row | absent(measured, reason)
-    slip = 1e3 * metrics.displacement(trace).vector_m[-1]
-    remainder = np.linalg.norm((slip - total)[[0, 2]])
-    return row | dict(zip(measured, map(float, (*slip, remainder)), strict=True))
+    slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
+    row |= known({f"slip_{axis}_mm": float(part) for axis, part in zip("xyz", slip, strict=True)}, reason)
+    remainder = float(np.linalg.norm((slip - total)[list(ALONG.values())]))
+    return row | known({"remainder_mm": remainder}, reason or motion.failure)
+
+
+def known(columns: dict[str, object], reason: str | None) -> dict[str, object]:
+    """The columns, or each without a value where there is a reason for it."""
+    return absent(columns, reason) if reason else columns
 
 
 def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
     """What the parts are predicted from: sums over a run through C, along the pads."""
     pads, amplitude = shake
     row: dict[str, object] = {"case": f"motion-{pads}-{amplitude}", "kind": "motion", "pads": pads, "shake": amplitude}
-    for name, unit, value in (
-        ("left_out", "m_s", motion.bias_m_s),
-        ("damping", "m_s", motion.damping_m_s),
-        ("load", "m_s", motion.load_m_s),
-        ("rounding", "mm", 1e3 * motion.rounding_m),
-    ):
-        row |= {f"{name}_x_{unit}": float(value[0]), f"{name}_z_{unit}": float(value[2])}
-    return row | {"depth_mm": 1e3 * motion.depth_m}
+    sums = {
+        ("left_out", "m_s"): motion.bias_m_s,
+        ("damping", "m_s"): motion.damping_m_s,
+        ("load", "m_s"): motion.load_m_s,
+        ("rounding", "mm"): 1e3 * motion.rounding_m,
+    }
+    return row | known(in_plane(sums) | {"depth_mm": 1e3 * motion.depth_m}, motion.failure)
+
+
+def in_plane(vectors: Mapping[tuple[str, str], np.ndarray]) -> dict[str, object]:
+    """Vectors, by name and unit, as columns for their parts along the pads."""
+    return {
+        f"{name}_{axis}_{unit}": float(vector[place])
+        for (name, unit), vector in vectors.items()
+        for axis, place in ALONG.items()
+    }
 
 
 def name_of(part: str) -> str:

@@ -2,10 +2,12 @@
 
 from dataclasses import replace
 
+import mujoco
 import numpy as np
 import warp as wp
 
 from experiments import metrics
+from experiments.budget import contact_timeconst_s
 from experiments.case import Case
 from experiments.contact_bias_c import velocity_product
 from experiments.measurement import SETUP_FRAME_COUNT, absent
@@ -31,8 +33,7 @@ def predicted_row(case: Case) -> dict[str, object]:
         simulation.step()
         bias[frame] = mean_along_shake_m_s2(simulation)
     trace = _trace(simulation)
-    timeconst_s = max(2.0 / case.pad_kd, 2.0 * simulation.substep_dt)
-    slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * timeconst_s
+    slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * contact_timeconst_s(case)
     row = {"case": f"{case.name}-missing-term", "kind": "missing-term", **_motion(trace)}
     return row | {"predicted_slide_mm": 1e3 * float(slide_m_s.sum() * trace.frame_dt)}
 
@@ -70,10 +71,20 @@ def _motion(trace: Trace) -> dict[str, object]:
 def mean_along_shake_m_s2(simulation: Simulation) -> float:
     """J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
     engine, data = simulation.solver.mj_model, simulation.solver.mj_data
-    cube = simulation.recorder.cube_geom
+    cube, now = simulation.recorder.cube_geom, _at_end_of_step(engine, data)
     found = []
     for contact in data.contact:
         if contact.efc_address >= 0 and data.efc_force[contact.efc_address] > 0.0 and cube in contact.geom:
             sign = 1.0 if contact.geom[1] == cube else -1.0
-            found.append(sign * metrics.MAIN_AXIS @ velocity_product(engine, data, contact)[0])
+            found.append(sign * metrics.MAIN_AXIS @ velocity_product(engine, now, contact)[0])
     return float(np.mean(found)) if found else 0.0
+
+
+def _at_end_of_step(engine: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjData:
+    """The same state with the kinematics that belong to it: after a step ``data`` still has those of its beginning."""
+    now = mujoco.MjData(engine)
+    now.qpos[:], now.qvel[:] = data.qpos, data.qvel
+    mujoco.mj_kinematics(engine, now)
+    mujoco.mj_comPos(engine, now)
+    mujoco.mj_comVel(engine, now)
+    return now

@@ -5,6 +5,7 @@ import warp as wp
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
+from experiments.c_warnings import failure_of
 from experiments.scene import TRACKED_BODIES, Scene
 from experiments.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
 
@@ -32,7 +33,6 @@ def watch_substep(
     constraint_count: wp.array[int],
     constraint_capacity: int,
     iteration_count: wp.array[int],
-    peak_contact_total: wp.array[int],
     peak_constraint: wp.array[int],
     peak_iteration: wp.array[int],
     contact_overflow: wp.array[int],
@@ -40,8 +40,6 @@ def watch_substep(
 ):
     """Keep the peaks, and the first frame in which a buffer was too small. Contacts of all worlds share one buffer."""
     world = wp.tid()
-    if world == 0:
-        peak_contact_total[0] = wp.max(peak_contact_total[0], contact_count[0])
     peak_constraint[world] = wp.max(peak_constraint[world], constraint_count[world])
     peak_iteration[world] = wp.max(peak_iteration[world], iteration_count[world])
     if contact_count[0] > contact_capacity:
@@ -171,12 +169,12 @@ class Recorder:
         self.poses = wp.zeros((frame_count, world_count, len(links)), dtype=wp.transform, device=device)
         self.phases = wp.zeros((frame_count, world_count), dtype=int, device=device)
         self.contacts = wp.zeros((frame_count, world_count, len(FRAME_COLUMNS)), dtype=float, device=device)
-        self.peak_contact_total = wp.zeros(1, dtype=int, device=device)
         self.peak_constraint = wp.zeros(world_count, dtype=int, device=device)
         self.peak_iteration = wp.zeros(world_count, dtype=int, device=device)
         self.contact_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.constraint_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
         self.contact_rows: dict[int, list[ContactRows]] = {world: [] for world in range(world_count)}
+        self.failure_in_c: Failure | None = None
 
     def begin_frame(self) -> None:
         wp.launch(begin_frame, dim=self.cursor.shape, inputs=[self.cursor], outputs=[self.contacts])
@@ -190,8 +188,7 @@ class Recorder:
             watch_substep,
             dim=self.cursor.shape,
             inputs=[self.cursor, *self._contact_count(), data.nefc, data.njmax, data.solver_niter],
-            outputs=[self.peak_contact_total, self.peak_constraint, self.peak_iteration]
-            + [self.contact_overflow, self.constraint_overflow],
+            outputs=[self.peak_constraint, self.peak_iteration, self.contact_overflow, self.constraint_overflow],
         )
 
     def end_frame(self, body_q: wp.array, phase: wp.array) -> None:
@@ -233,14 +230,15 @@ class Recorder:
                 for name, frame in (("contact", contact_overflow[world]), ("constraint", constraint_overflow[world]))
                 if frame != NO_FRAME
             ]
-            overflow = min(overflows, key=lambda failure: failure.frame, default=None)
+            seen = [*overflows, *([self.failure_in_c] if self.failure_in_c else [])]
+            first = min(seen, key=lambda failure: failure.frame, default=None)
             result.append(
                 Trace(
                     frame_dt=frame_dt,
                     phase=phases[:, world],
                     poses=poses[:, world],
                     contacts=contacts[:, world],
-                    failure=first_failure(poses[:, world], overflow),
+                    failure=first_failure(poses[:, world], first),
                     peak_contact_count=int(contacts[:, world, 0].max()),
                     peak_constraint_count=int(peak_constraint[world]),
                     peak_iteration_count=int(peak_iteration[world]),
@@ -268,8 +266,9 @@ class Recorder:
 
     def _watch_c_substep(self) -> None:
         data = self.solver.mj_data
-        for peak, value in ((self.peak_constraint, data.nefc), (self.peak_iteration, data.solver_niter[0])):
+        for peak, value in ((self.peak_constraint, data.nefc), (self.peak_iteration, data.solver_niter.max())):
             peak.numpy()[0] = max(peak.numpy()[0], value)
+        self.failure_in_c = self.failure_in_c or failure_of(data, int(self.cursor.numpy()[0]))
 
     def _record_c_contacts(self) -> None:
         frame = int(self.cursor.numpy()[0])

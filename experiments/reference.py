@@ -9,21 +9,20 @@ import numpy as np
 import warp as wp
 
 from experiments import metrics
+from experiments.c_warnings import failure_of
 from experiments.case import Case
 from experiments.compat import kf_is_read
 from experiments.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation import Simulation
 from experiments.task import FRAME_RATE
 from experiments.timing import WARMUP_COUNT
-from experiments.trace import FRAME_COLUMNS, Failure, Trace
+from experiments.trace import FRAME_COLUMNS, Trace
 
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
 """What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
 SETUP_FRAME_LIMIT = 600
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 """Bodies that a trace of the native loop keeps."""
-BAD_STATE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
-"""Warnings after which MuJoCo has put the state back to the beginning."""
 
 
 @dataclass(frozen=True)
@@ -108,8 +107,7 @@ class NativeShake:
             poses[frame] = self._poses()
             contacts[frame, FRAME_COLUMNS.index("cone_use")] = self._cone_use()
             peak_iteration = max(peak_iteration, int(self.data.solver_niter.max()))
-            if failure is None and any(self.data.warning[kind].number for kind in BAD_STATE):
-                failure = Failure("non-finite", frame, "MuJoCo found its state unusable and reset it")
+            failure = failure or failure_of(self.data, frame)
         return Trace(
             frame_dt=1.0 / FRAME_RATE,
             phase=np.full(frame_count, metrics.SHAKE),

@@ -8,8 +8,6 @@ from experiments.task import FRAME_RATE, SHAKE_RATIO_Z
 from experiments.trace import Trace
 
 GRAVITY = AS_SHIPPED.gravity_m_s2
-FINGER_KE = 400.0
-"""Stiffness of the fingers' position targets [N/m]."""
 PAD_DMAX = AS_SHIPPED.pad_dmax
 
 
@@ -28,17 +26,12 @@ def is_clamped(case: Case) -> bool:
     return case.refsafe and not case.pad_direct and solref(case.pad_ke, case.pad_kd)[0] < 2.0 * step_s(case)
 
 
-def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float) -> float:
+def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX) -> float:
     """k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
 
     k = 1 / (dmax² timeconst² dampratio²): MuJoCo documentation, "Modeling", solver parameters.
     """
-    return 1.0 / (PAD_DMAX * max(timeconst_s, shortest_s) * dampratio) ** 2
-
-
-def explicit_step_s(ke: float, kd: float) -> float:
-    """The step [s] up to which the semi-implicit Euler step of x'' = -ke x - kd x' is stable: dt² ke + 2 dt kd = 4."""
-    return ((kd**2 + 4.0 * ke) ** 0.5 - kd) / ke
+    return 1.0 / (dmax * max(timeconst_s, shortest_s) * dampratio) ** 2
 
 
 def cube_mass_kg(case: Case) -> float:

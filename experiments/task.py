@@ -11,7 +11,6 @@ from experiments.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
-PHASE_NAMES = ("approach", "descend", "grasp", "lift", "shake")
 PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
 """Least time of each phase [s]; the shake has no end."""
 

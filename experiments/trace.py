@@ -97,17 +97,17 @@ class Trace:
         return self.contacts[:, FRAME_COLUMNS.index(name)]
 
 
-def first_failure(poses: np.ndarray, overflow: Failure | None) -> Failure | None:
-    """The earlier of an overflow and the first frame with a pose that is not finite.
+def first_failure(poses: np.ndarray, seen: Failure | None) -> Failure | None:
+    """The earlier of what the recorder saw and the first frame with a pose that is not finite.
 
     Args:
         poses: Shape [frames, bodies, 7].
-        overflow: An overflow that the recorder saw, or None.
+        seen: A failure that the recorder saw, or None.
     """
     bad = ~np.isfinite(poses).all(axis=(1, 2))
     if not bad.any():
-        return overflow
+        return seen
     non_finite = Failure("non-finite", int(bad.argmax()), "a body's pose is not finite")
-    if overflow is not None and overflow.frame <= non_finite.frame:
-        return overflow
+    if seen is not None and seen.frame <= non_finite.frame:
+        return seen
     return non_finite

@@ -146,3 +146,16 @@ def test_noslip_reaches_the_engine(backend):
     else:
         one, other = simulate([plain, treated], device="cpu")
         assert not np.array_equal(one.poses, other.poses)
+
+
+def test_a_state_that_mujoco_resets_is_a_failure():
+    """Reset it is finite again."""
+    simulation = Simulation([replace(AS_SHIPPED, backend="mujoco", frame_count=3)], wp.get_device("cpu"))
+    simulation.step()
+    speeds = simulation.state.joint_qd.numpy()
+    speeds[0] = 1e20
+    simulation.state.joint_qd.assign(speeds)
+    simulation.step()
+    [trace] = simulation.recorder.traces(simulation.frame_dt, 2, wall_s=0.0)
+    assert np.isfinite(trace.poses).all()
+    assert trace.failure.kind == "non-finite" and trace.failure.frame == 1 and "reset" in str(trace.failure)

@@ -15,7 +15,6 @@ from experiments.stability_families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe,
 from experiments.stability_limits import (
     demand_m_s2,
     exit_bound_m_s,
-    explicit_step_s,
     friction_load,
     is_clamped,
     solref,
@@ -41,19 +40,6 @@ def test_the_clamp_takes_timeconsts_below_two_steps():
     assert not is_clamped(replace(BASE, pad_kd=959.0))
     assert not is_clamped(replace(BASE, pad_kd=961.0, refsafe=False))
     assert not is_clamped(replace(BASE, pad_kd=961.0, pad_direct=True))
-
-
-def test_explicit_bound():
-    # Critical damping: r² + 4 r = 4 with r = dt / timeconst = √8 - 2.
-    assert explicit_step_s(1.0, 2.0) == pytest.approx(8.0**0.5 - 2.0)
-
-
-@pytest.mark.parametrize("factor", [0.99, 1.01])
-def test_explicit_bound_is_that_of_the_step_it_speaks_of(factor):
-    ke, kd = 1e4, 50.0
-    step = factor * explicit_step_s(ke, kd)
-    matrix = np.array([[1.0 - step**2 * ke, step - step**2 * kd], [-step * ke, 1.0 - step * kd]])
-    assert (np.abs(np.linalg.eigvals(matrix)).max() < 1.0) == (factor < 1.0)
 
 
 def test_friction_limit():
