@@ -140,6 +140,17 @@ def test_words_that_depend_on_a_flag_do_so_when_retold(editions, templates):
     assert tried == {"is_opposed", "small_ones_fail"}
 
 
+@pytest.mark.parametrize("name", ["mujoco_contacts_as_before", "pyramid_as_before"])
+def test_that_the_fix_is_needed_elsewhere_takes_other_contacts_and_the_other_cone(editions, name):
+    chapters = editions["1.8.0"].chapters
+    upgrade = chapters["upgrade"]
+    claims = [replace(claim, outcome=FAILS) if claim.name == name else claim for claim in upgrade.section.claims]
+    changed = replace(upgrade, section=replace(upgrade.section, claims=claims))
+    for each, outcome in ((upgrade, HOLDS), (changed, FAILS)):
+        (elsewhere,) = [c for c in story_of({**chapters, "upgrade": each}).claims if c.name == "elsewhere"]
+        assert elsewhere.outcome == outcome
+
+
 def mistuned(edition, templates, **chapters):
     """What the front page says of the scene's tuning, with other chapters of these names."""
     (claim,) = [c for c in front_of({**edition.chapters, **chapters}).claims if c.name == "is_mistuned"]
