@@ -50,11 +50,6 @@ class Outcome:
             return "the opposite" if self.is_opposite else "not shown"
         return {"unknown": "cannot tell"}.get(self.name, self.name)
 
-    @property
-    def answer(self) -> str:
-        """What it says to what a claim asks, of which no answer is better than another."""
-        return {"holds": "true", "fails": "not true"}.get(self.name, "cannot be told")
-
 
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")

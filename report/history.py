@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from markupsafe import Markup
-
 from report.chapters import Chapters, Releases
 from report.deriving.releases import Turn, turns
 from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
@@ -75,19 +73,6 @@ class Flip:
     def said(self) -> dict[str, str]:
         """What each edition says to it, by label; those whose answer can't be compared are not there."""
         return {release: claim.outcome.said for names, claim in self.turn.said for release in names}
-
-    @property
-    def question(self) -> Markup:
-        """What it asks."""
-        return Markup(str(self.turn.said[0][1].said("asks")).rstrip(","))
-
-    @property
-    def told(self) -> list[tuple[str, Sequence[str]]]:
-        """The answers to that, each with the neighbouring editions that give it; not every question has a yes or no."""
-        if self.question.startswith("whether"):
-            return [(claim.outcome.answer, names) for names, claim in self.turn.said]
-        words = {"holds": "one answer", "fails": "another"}
-        return [(words.get(claim.outcome.name, claim.outcome.answer), names) for names, claim in self.turn.said]
 
 
 def flips(releases: Releases, shown: str) -> list[Flip]:

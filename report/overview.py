@@ -25,7 +25,7 @@ REFERENCE = "stiff-pads"
 """Cases that begin so are what others are compared with, as shipped pads are; what a section tries is beside them."""
 HARDLY, LITTLE = 0.01, 0.1
 """Chosen: a section none of whose runs changes the slip by more than these shares of it is one that does hardly
-anything, or little."""
+anything, or little. Section reproduction has them as values, in percent."""
 LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
@@ -85,6 +85,7 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
     if not lines:
         return None
     noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
+    bounds = chapters["reproduction"].derived if "reproduction" in chapters else {}
     return Figure(
         draw=lambda: _draw(lines, baseline, noise),
         sources=[row.slip_mm for line in lines for row in line.rows],
@@ -92,6 +93,8 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
             "baseline": baseline.slip_mm,
             "noise": noise,
             "has_noise": bool(noise and noise.value),
+            "little": bounds.get("little_effect"),
+            "hardly": bounds.get("hardly_any_effect"),
             "runs": str(sum(len(line.rows) for line in lines)),
             "sections": str(len(lines)),
             "idle": ", ".join(line.label for line in lines if line.does_little),

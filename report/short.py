@@ -10,7 +10,7 @@ from report.chapters import Chapter, Chapters, Releases
 from report.claims import Claim
 
 CLAIM = re.compile('<span class="claim" data-claim="([^"]*)"')
-MARK = Markup('<span class="badge" title="Newton {}: {} in short runs, {} in full ones">{} in full runs</span> ')
+MARK = Markup('<span class="badge" title="Newton {} in full runs: {}">{} in full runs</span> ')
 
 
 def marked(quick: Releases, full: Releases) -> dict[str, dict[str, Chapter]]:
@@ -24,19 +24,22 @@ def marked(quick: Releases, full: Releases) -> dict[str, dict[str, Chapter]]:
         others = (each for each in differing if each != release and release not in full)
         known = [(release, "otherwise"), *((each, "perhaps otherwise") for each in others)]
         marks = {
-            name: MARK.format(place, *answers, word)
+            name: MARK.format(place, said, word)
             for place, word in reversed(known)
-            for name, answers in differing.get(place, {}).items()
+            for name, said in differing.get(place, {}).items()
         }
         found[release] = {name: _with_marks(chapter, marks) for name, chapter in chapters.items()}
     return found
 
 
-def _differing(quick: Chapters, full: Chapters) -> dict[str, tuple[str, str]]:
-    """What short and full runs answer to each claim, by ``section.claim``, where that is not the same."""
-    pairs = {name: (claim, _claims(full)[name]) for name, claim in _claims(quick).items() if name in _claims(full)}
-    answers = {name: (short.outcome.answer, long.outcome.answer) for name, (short, long) in pairs.items()}
-    return {name: both for name, both in answers.items() if both[0] != both[1]}
+def _differing(quick: Chapters, full: Chapters) -> dict[str, str]:
+    """What full runs say to each claim, by ``section.claim``, that has another outcome in short ones."""
+    short, long = _claims(quick), _claims(full)
+    return {
+        name: claim.text
+        for name, claim in long.items()
+        if name in short and short[name].outcome.name != claim.outcome.name
+    }
 
 
 def _claims(chapters: Chapters) -> dict[str, Claim]:

@@ -95,7 +95,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list
         for flip in flips(before.chapters, edition.chapters) if before else ():
             chapter = edition.chapters[flip.section]
             name = f"{flip.section}.{flip.before.name}"
-            title = f"Newton {release}: {name}, {flip.before.outcome.answer} → {flip.after.outcome.answer}"
+            title = f"Newton {release}: {name}, {flip.before.outcome.said} → {flip.after.outcome.said}"
             where = f"{place}{chapter.page.file}#{flip.section}"
             found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
         before = edition

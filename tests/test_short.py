@@ -20,7 +20,7 @@ def test_a_claim_that_full_runs_answer_otherwise_is_marked(toy):
     quick = of_profile(toy, "quick")
     quick.measure(NO_HELP)
     quick.build()
-    mark = 'title="Newton 1.4.0: not true in short runs, true in full ones">'
+    mark = 'title="Newton 1.4.0 in full runs: It helps 20 times.">'
     assert f'{mark}{OTHERWISE} class="claim" data-claim="toy.helps"' in quick.page
     assert check_site(toy.project.site) == []
     quick.measure(ROWS)

@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from dataclasses import replace
+from itertools import product
 
 import pytest
 
@@ -16,8 +17,10 @@ from report.pages import FRONT
 from report.sections.reproduction import SCENE
 from report.story.found import Found
 from report.story.front import front_of
-from report.story.story import story_of
+from report.story.story import TOLD, story_of
 
+WHOLE = ["1.4.0", "1.8.0"]
+"""Releases that were measured whole."""
 MOST_WORDS = 2500
 TAGS = re.compile(r"<[^>]*>")
 SAYING = re.compile(r"\{#.*?#\}|\{%.*?%\}|\{\{.*?\}\}|<[^>]*>|\(#\w+\)", re.DOTALL)
@@ -72,7 +75,7 @@ def test_the_story_says_every_number_once(editions, templates):
 
 def test_what_was_measured_whole_is_told(editions, templates):
     told = [release for release, edition in editions.items() if story_text(edition, templates).printed]
-    assert told == ["1.4.0", "1.8.0"]
+    assert told == WHOLE
 
 
 @pytest.mark.parametrize(("make", "page"), [(front_of, "front"), (story_of, "story")])
@@ -101,6 +104,74 @@ def test_a_drift_the_other_way_is_a_motion_as_well(editions, templates):
     for release, said in {"1.4.0": "It takes the shake", "1.8.0": "Not all of the motion takes the shake"}.items():
         text = TAGS.sub("", html_of(story_text(editions[release], templates)))
         assert said in text and "the other way" in text
+
+
+def in_both(edition, templates):
+    """The story's claims that retell a section's, each beside that one."""
+    words = templates.text("story.md.j2").words
+    for claim in story_of(edition.chapters).claims:
+        if claim.name in TOLD:
+            section, name = TOLD[claim.name]
+            yield Found(edition.chapters).claim(section, name), replace(claim, wording=words["claim", claim.name])
+
+
+def test_what_a_section_calls_not_shown_its_retelling_does(editions, templates):
+    pairs = [pair for release in WHOLE for pair in in_both(editions[release], templates)]
+    careful = [(told, again) for told, again in pairs if "not shown" in told.said("fails")]
+    assert len(careful) > 10
+    assert [again.name for _, again in careful if "not shown" not in again.said("fails")] == []
+    opposite = [again for told, again in pairs if told.said("opposite")]
+    assert opposite and all(again.said("opposite") for again in opposite)
+
+
+def depends(claim, part, flag):
+    """Whether what it says there is another thing where a flag is the other way."""
+    return claim.said(part) != claim.wording(part, {**claim.numbers, flag: not claim.numbers[flag]})
+
+
+def test_words_that_depend_on_a_flag_do_so_when_retold(editions, templates):
+    tried = set()
+    for told, again in (pair for release in WHOLE for pair in in_both(editions[release], templates)):
+        flags = [name for name, number in told.numbers.items() if isinstance(number, bool)]
+        for flag, part in product(flags, ("holds", "fails")):
+            if depends(told, part, flag):
+                tried.add(flag)
+                assert depends(again, part, flag), f"{again.name} {part} {flag}"
+    assert tried == {"is_opposed", "small_ones_fail"}
+
+
+@pytest.mark.parametrize("name", ["mujoco_contacts_as_before", "pyramid_as_before"])
+def test_that_the_fix_is_needed_elsewhere_takes_other_contacts_and_the_other_cone(editions, name):
+    chapters = editions["1.8.0"].chapters
+    upgrade = chapters["upgrade"]
+    claims = [replace(claim, outcome=FAILS) if claim.name == name else claim for claim in upgrade.section.claims]
+    changed = replace(upgrade, section=replace(upgrade.section, claims=claims))
+    for each, outcome in ((upgrade, HOLDS), (changed, FAILS)):
+        (elsewhere,) = [c for c in story_of({**chapters, "upgrade": each}).claims if c.name == "elsewhere"]
+        assert elsewhere.outcome == outcome
+
+
+def mistuned(edition, templates, **chapters):
+    """What the front page says of the scene's tuning, with other chapters of these names."""
+    (claim,) = [c for c in front_of({**edition.chapters, **chapters}).claims if c.name == "is_mistuned"]
+    return replace(claim, wording=templates.text("front.md.j2").words["claim", claim.name])
+
+
+def test_pads_that_gain_less_than_a_remedy_are_not_called_no_better(editions, templates):
+    edition = editions["1.8.0"]
+    assert "stiffer pads do not make the slip 10 times less" in mistuned(edition, templates).text
+    noise = edition.chapters["noise"]
+    large = replace(noise.results.derived["slip_floor"], value=1.0)
+    loud = replace(noise, results=replace(noise.results, derived={**noise.results.derived, "slip_floor": large}))
+    assert "stiffer pads are not shown to be better" in mistuned(edition, templates, noise=loud).text
+
+
+def test_what_the_lint_does_not_name_says_nothing_of_the_pads(editions, templates):
+    edition = editions["1.4.0"]
+    lint = edition.chapters["lint"]
+    claims = [replace(claim, outcome=FAILS) for claim in lint.section.claims]
+    claim = mistuned(edition, templates, lint=replace(lint, section=replace(lint.section, claims=claims)))
+    assert claim.outcome == FAILS and claim.text.startswith("The lint does not say")
 
 
 def test_front_and_story_agree_on_where_stiff_pads_help(editions, templates):

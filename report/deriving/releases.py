@@ -155,12 +155,15 @@ class TurnList:
     turns: Sequence[Turn]
     shown: Sequence[str]
     """Sections of the page's release, to link to."""
+    level: int = 4
+    """Of the headings."""
 
     def __html__(self) -> Markup:
         # One link to a section is enough for whoever goes from link to link.
         first = {turn.section: turn for turn in reversed(self.turns)}
         groups = Markup("\n").join(
-            Markup("<h4>{}</h4>\n<dl>\n{}\n</dl>").format(
+            Markup("<h{0}>{1}</h{0}>\n<dl>\n{2}\n</dl>").format(
+                self.level,
                 page.label,
                 Markup("\n").join(
                     Markup("<dt>{}</dt>\n{}").format(
@@ -173,12 +176,12 @@ class TurnList:
             for page in PAGES
             if (turns := [turn for turn in self.turns if turn.page == page])
         )
-        return Markup('<figure class="turns">\n{}\n</figure>').format(groups)
+        return Markup('<figure class="turns">\n{}\n</figure>').format(groups or Markup("<p>None.</p>"))
 
     def _heading(self, turn: Turn, *, is_link: bool) -> Markup:
         is_linked = is_link and turn.section in self.shown
         place = Markup('<a href="#{}">{}</a>').format(turn.section, turn.label) if is_linked else escape(turn.label)
-        return Markup("{}: {}").format(place, turn.said[0][1].said("asks"))
+        return Markup("{}: {}").format(place, turn.said[0][1].said("asks").rstrip(","))
 
 
 def _answer(names: Sequence[str], claim: Claim) -> Markup:

@@ -22,6 +22,7 @@ from report.deriving.arithmetic import (
 )
 from report.figures import INK, new_figure
 from report.names import cases_html, name_of
+from report.overview import HARDLY, LITTLE
 from report.parts import Figure, Section, Table
 from report.results import Results, Row, Series
 
@@ -90,6 +91,8 @@ def _scene(results: Results, shipped: Row) -> None:
     amplitude = shipped.shake_amplitude_m
     results.value("amplitude", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
     results.value("frequency", "as a whole number", round, shipped.shake_frequency_hz, unit="Hz")
+    results.chosen("little_effect", "a change in slip, of it, that is little", 100 * LITTLE, unit="%")
+    results.chosen("hardly_any_effect", "a change in slip, of it, that is hardly any", 100 * HARDLY, unit="%")
     formula = "size of the change in slip with stiff pads, of the slip as shipped"
     departure(results, "stiff_share", formula, results.row["stiff-pads"].slip_mm, shipped.slip_mm)
 

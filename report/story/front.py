@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from report.chapters import Chapters
-from report.claims import HOLDS, Claim, all_of
+from report.claims import HOLDS, Claim, all_of, greater
 from report.overview import overview
 from report.parts import Figure, Section
 from report.story.figures import draw_still
@@ -67,12 +67,25 @@ def _should_work(found: Found) -> Claim:
 
 
 def _is_mistuned(found: Found) -> Claim:
-    """Stiff pads would help, and the cube's own material has no effect."""
-    cases = {"slip": "as-shipped", "stiff": "stiff-pads"}
-    slips = {name: found.cell("reproduction", case, "slip_mm", "mm") for name, case in cases.items()}
-    material = found.retold("is_mistuned", "lint", "names_the_material", slips)
+    """The cube's own material has no effect, which the lint has to say first, and stiff pads would help."""
+    slip, stiff = (found.cell("reproduction", case, "slip_mm", "mm") for case in ("as-shipped", "stiff-pads"))
+    material = found.retold("is_mistuned", "lint", "names_the_material")
     held = found.retold("held", "reproduction", "stiff_pads_hold")
-    return replace(material, outcome=all_of(held.outcome, material.outcome))
+    better = greater(slip, stiff, noise=found.value("noise", "slip_floor", "mm"))
+    is_named = material.outcome == HOLDS
+    outcome = all_of(material.outcome, held.outcome) if is_named else material.outcome
+    numbers = {
+        "slip": slip,
+        "stiff": stiff,
+        "bound": found.value("reproduction", "stiff_gain_bound"),
+        "is_named": is_named,
+        "is_better": better == HOLDS,
+    }
+    return replace(
+        material,
+        outcome=replace(outcome, reads=outcome.reads | better.reads),
+        numbers={**material.numbers, **numbers},
+    )
 
 
 def _costs_no_speed(found: Found) -> Claim:

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 import pandas as pd
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from report.chapters import Releases
-from report.deriving.releases import Headline, Turn, cell
+from report.deriving.releases import Headline, TurnList, cell
 from report.format import unit_label
-from report.history import Flip, Point, flips, points
+from report.history import Point, flips, points
 from report.noise import NOISE
 from report.parts import Section, Table
 from report.quantities import Quantity, absent
@@ -25,9 +25,8 @@ DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-
 
 def history_of(releases: Releases, shown: str) -> Section:
     """The tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
-    return Section(
-        tables={"numbers": _numbers(releases), "flips": _flips(flips(releases, shown), list(releases[shown]))}
-    )
+    turns = [flip.turn for flip in flips(releases, shown)]
+    return Section(tables={"numbers": _numbers(releases), "flips": TurnList(turns, list(releases[shown]), level=3)})
 
 
 def _numbers(releases: Releases) -> Table:
@@ -80,31 +79,3 @@ def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
     return "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
-
-
-def _flips(found: Sequence[Flip], shown: Sequence[str]) -> Markup:
-    """The claims that flip: each is a question with the answers of all editions.
-
-    Args:
-        found: In the order of the page.
-        shown: Sections of the page's edition, to link to.
-    """
-    before = [""] + [flip.turn.section for flip in found]
-    told = Markup("\n").join(
-        Markup("<dt>{}: {}</dt>\n<dd>{}</dd>").format(
-            # One link to a section is enough for whoever goes from link to link.
-            _section(flip.turn, is_linked=flip.turn.section != section and flip.turn.section in shown),
-            flip.question,
-            _answers(flip),
-        )
-        for section, flip in zip(before, found, strict=False)
-    )
-    return Markup('<figure class="turns">\n<dl>\n{}\n</dl>\n</figure>').format(told or Markup("<dt>none</dt>"))
-
-
-def _section(turn: Turn, *, is_linked: bool) -> Markup:
-    return Markup('<a href="#{}">{}</a>').format(turn.section, turn.label) if is_linked else escape(turn.label)
-
-
-def _answers(flip: Flip) -> Markup:
-    return Markup("; ").join(Markup("<b>{}</b> in {}").format(said, ", ".join(names)) for said, names in flip.told)

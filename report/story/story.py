@@ -54,7 +54,6 @@ TOLD = {
     "own_timeconst": ("upgrade", "friction_timeconst_is_new"),
     "leans": ("stability", "leans_on_clamp"),
     "taken_away": ("upgrade", "taking_it_away_brings_it_back"),
-    "elsewhere": ("upgrade", "mujoco_contacts_as_before"),
     "creeps": ("hold", "creep_goes_on"),
     "rounding": ("hold", "creep_is_rounding"),
     "not_rigid": ("error_runtime", "pads_decide"),
@@ -65,6 +64,8 @@ ASKED = (
     ("contacts", "slide_falls_less_than_displacement"),
     ("error_runtime", "impratio"),
     ("stability", "safe_settings"),
+    ("upgrade", "mujoco_contacts_as_before"),
+    ("upgrade", "pyramid_as_before"),
 )
 """Others that have to be there."""
 OF_A_SLIP = {"law", "ke_alone", "clamp"}
@@ -81,7 +82,7 @@ def story_of(chapters: Chapters) -> Section:
     unsaid = OF_A_HOLD if found.does_slip else OF_A_SLIP
     told = {name: place for name, place in TOLD.items() if name not in unsaid}
     claims = [found.retold(name, *place) for name, place in told.items()]
-    own = [_cube_moves(found), _safe(found), gain(found), _impratio(found)]
+    own = [_cube_moves(found), _safe(found), gain(found), _impratio(found), _elsewhere(found)]
     own += [] if found.does_slip else [substeps(found), remedy_elsewhere(found)]
     return Section(
         tables={"suspects": _suspect_table(found)},
@@ -102,6 +103,16 @@ def _safe(found: Found) -> Claim:
 def _impratio(found: Found) -> Claim:
     kept = found.value("reproduction", "impratio")
     return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
+
+
+def _elsewhere(found: Found) -> Claim:
+    """With other contacts and another cone the slip is as before, and one that can be seen."""
+    mujoco = found.retold("elsewhere", "upgrade", "mujoco_contacts_as_before")
+    pyramid = found.retold("pyramid", "upgrade", "pyramid_as_before")
+    slips = {"found": mujoco.numbers["found"], "pyramid": pyramid.numbers["after"]}
+    bound = found.value("reproduction", "slip_bound", "mm")
+    seen = (at_least(slip, bound) for slip in slips.values())
+    return replace(mujoco, outcome=all_of(mujoco.outcome, pyramid.outcome, *seen), numbers=slips)
 
 
 def _cube_moves(found: Found) -> Claim:
