@@ -111,8 +111,8 @@ class Contacts:
 
 
 def contacts_of(shapes: Shapes, named: bool = True) -> Contacts:
-    """The pairs of the first world, shared shapes included, that no filter keeps apart; combined as ``contact_params`` of
-    Newton's MuJoCo kernels does.
+    """The pairs of the first world, shared shapes included, that no filter keeps apart; combined as ``contact_params``
+    of Newton's MuJoCo kernels does.
 
     Args:
         named: Whether pairs that MJCF names are taken as named there.
