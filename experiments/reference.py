@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 
 from experiments import metrics
+from experiments.c_warnings import BAD_STATE
 from experiments.case import Case
 from experiments.compat import kf_is_read
 from experiments.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
@@ -22,8 +23,6 @@ ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
 SETUP_FRAME_LIMIT = 600
 BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 """Bodies that a trace of the native loop keeps."""
-BAD_STATE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
-"""Warnings after which MuJoCo has put the state back to the beginning."""
 
 
 @dataclass(frozen=True)
