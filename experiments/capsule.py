@@ -4,10 +4,12 @@ from dataclasses import replace
 
 from tqdm import tqdm
 
+from experiments.c_warnings import RunFailed
 from experiments.compat import warp_has_noslip
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.capsule import SECONDS, Pinch, columns, run
 
+CREEPS = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")
 NEEDS_GPU = False
 """Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
 VARIANTS = (
@@ -36,8 +38,10 @@ def measure(conditions: Conditions) -> Measurement:
         row |= {"impratio": case.impratio, "noslip_iterations": case.noslip_iterations, "condim": case.condim}
         row |= {"timeconst_s": case.timeconst_s, "half_length_m": case.half_length_m}
         if case.engine != "c" and case.noslip_iterations and not warp_has_noslip():
-            names = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")
-            rows.append(row | absent(names, "MuJoCo Warp here has no noslip"))
+            rows.append(row | absent(CREEPS, "MuJoCo Warp here has no noslip"))
             continue
-        rows.append(row | columns(case, run(case, SECONDS[conditions.profile], conditions.device)))
+        try:
+            rows.append(row | columns(case, run(case, SECONDS[conditions.profile], conditions.device)))
+        except RunFailed as failed:
+            rows.append(row | absent(CREEPS, str(failed)))
     return Measurement(rows)

@@ -19,7 +19,8 @@ from tqdm import tqdm
 
 from assets.fix import contact_bias
 from experiments import contact_bias_c
-from experiments.measurement import Conditions, Measurement
+from experiments.c_warnings import RunFailed, refuse_warned
+from experiments.measurement import Conditions, Measurement, absent
 
 WAYS = {
     "plain": None,
@@ -32,6 +33,7 @@ SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 10.0, 0.05, 0.5, 9.81
 HEIGHT_M = 0.1
 TURN_RAD_S, PLACE_M = 2.0, 0.2
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 6.0, "quick": 4.0}}
+COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s", "end_radius_mm")}
 CAUGHT_S = 2.0
 """By then a body that was put down at rest turns with the table; its growth is measured after it."""
 SAMPLE_S = 0.1
@@ -113,17 +115,18 @@ MOTIONS = [
 def measure(conditions: Conditions) -> Measurement:
     """A row for each motion, way and engine: where the body is at the end, or how it walks on the table."""
     runs = [(motion, way) for motion in MOTIONS for way in WAYS]
-    paths = {
-        "warp": run_in_warp([(*run, seconds_of(run[0], conditions)) for run in runs], wp.get_device(conditions.device)),
-        "c": [run_in_c(motion, WAYS[way], seconds_of(motion, conditions)) for motion, way in runs],
-    }
+    device = wp.get_device(conditions.device)
+    in_warp = run_in_warp([(*run, seconds_of(run[0], conditions)) for run in runs], device)
     rows = []
-    for index, (motion, way) in enumerate(runs):
+    for (motion, way), path in zip(runs, in_warp, strict=True):
         for engine in ENGINES:
-            path = paths[engine][index]
             row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}", "motion": motion.name, "body": motion.body}
             row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
-            rows.append(row | (plane_columns(path) if motion.place == "plane" else table_columns(path)))
+            try:
+                found = path if engine == "warp" else run_in_c(motion, WAYS[way], seconds_of(motion, conditions))
+                rows.append(row | (plane_columns(found) if motion.place == "plane" else table_columns(found)))
+            except RunFailed as failed:
+                rows.append(row | absent(COLUMNS[motion.place], str(failed)))
     return Measurement(rows)
 
 
@@ -154,7 +157,11 @@ def started(motion: Motion) -> tuple[mujoco.MjModel, mujoco.MjData]:
 
 
 def run_in_c(motion: Motion, remedy: dict | None, seconds: float) -> np.ndarray:
-    """Position of the body every SAMPLE_S [m], shape [samples, 3]."""
+    """Position of the body every SAMPLE_S [m], shape [samples, 3].
+
+    Raises:
+        RunFailed: Of the engine.
+    """
     model, data = started(motion)
     mujoco.set_mjcb_control(None if remedy is None else partial(contact_bias_c.subtract_bias, **remedy))
     try:
@@ -162,6 +169,7 @@ def run_in_c(motion: Motion, remedy: dict | None, seconds: float) -> np.ndarray:
         for _ in range(round(seconds / SAMPLE_S)):
             for _ in range(round(SAMPLE_S / model.opt.timestep)):
                 mujoco.mj_step(model, data)
+            refuse_warned(data)
             path.append(data.qpos[model.nq - 7 : model.nq - 4].copy())
     finally:
         mujoco.set_mjcb_control(None)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from experiments.c_warnings import RunFailed
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.pick import END_S, HOLD_S, OBJECTS, Held, Pick, Picked, hold, shake
 
@@ -18,6 +19,8 @@ SETTINGS: dict[str, dict[str, Any]] = {
     "elliptic": {"cone": "elliptic", "impratio": 10.0},
     "short": {"timeconst_s": 0.004},
 }
+COUNTS, DROPS = ("lifted_count", "held_count"), ("first_drop_s", "median_drop_s", "last_drop_s")
+HELD = ("creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s", "normal_force_n", "margin_mm", "forecast_drop_s")
 STEPS_S = {"2ms": 0.002, "10ms": 0.01}
 
 
@@ -34,15 +37,28 @@ def cases() -> list[Pick]:
 
 def measure(conditions: Conditions) -> Measurement:
     """A row for each case, and one for each setting with the grasp held still."""
-    seeds, rows = range(SEED_COUNT[conditions.profile]), []
-    end_s = END_S[conditions.profile]
-    for case in tqdm(cases(), desc="pick", unit="case", delay=3.0):
-        rows.append(described(case) | shake_columns(shake(case, seeds, end_s, conditions.device)))
+    rows = [shaken(case, conditions) for case in tqdm(cases(), desc="pick", unit="case", delay=3.0)]
     for kind in OBJECTS:
-        for name, setting in SETTINGS.items():
-            case = Pick(f"{kind}-{name}-held", object=kind, **setting)
-            rows.append(described(case) | hold_columns(hold(case)))
+        rows += [held_still(Pick(f"{kind}-{name}-held", object=kind, **setting)) for name, setting in SETTINGS.items()]
     return Measurement(rows)
+
+
+def shaken(case: Pick, conditions: Conditions) -> dict[str, object]:
+    """The row of a case."""
+    seeds = range(SEED_COUNT[conditions.profile])
+    row = described(case) | {"seed_count": len(seeds)}
+    try:
+        return row | shake_columns(shake(case, seeds, END_S[conditions.profile], conditions.device))
+    except RunFailed as failed:
+        return row | absent((*COUNTS, *DROPS), str(failed))
+
+
+def held_still(case: Pick) -> dict[str, object]:
+    """The row of a grasp held still."""
+    try:
+        return described(case) | hold_columns(hold(case))
+    except RunFailed as failed:
+        return described(case) | absent(HELD, str(failed))
 
 
 def described(case: Pick) -> dict[str, object]:
@@ -55,15 +71,10 @@ def described(case: Pick) -> dict[str, object]:
 def shake_columns(picked: Picked) -> dict[str, object]:
     """How many shakes the grasp stood, and when it dropped the object in the others."""
     dropped = picked.drop_s[~np.isnan(picked.drop_s)]
-    row: dict[str, object] = {
-        "seed_count": len(picked.drop_s),
-        "lifted_count": int(picked.lifted.sum()),
-        "held_count": len(picked.drop_s) - len(dropped),
-    }
-    names = ("first_drop_s", "median_drop_s", "last_drop_s")
+    row = dict(zip(COUNTS, (int(picked.lifted.sum()), len(picked.drop_s) - len(dropped)), strict=True))
     if not len(dropped):
-        return row | absent(names, "it was never dropped")
-    return row | dict(zip(names, map(float, (dropped.min(), np.median(dropped), dropped.max())), strict=True))
+        return row | absent(DROPS, "it was never dropped")
+    return row | dict(zip(DROPS, map(float, (dropped.min(), np.median(dropped), dropped.max())), strict=True))
 
 
 def hold_columns(held: Held) -> dict[str, float]:

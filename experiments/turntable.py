@@ -23,8 +23,10 @@ from tqdm import tqdm
 
 from assets.fix import contact_bias
 from experiments import contact_bias_c
+from experiments.c_warnings import RunFailed, refuse_warned
 from experiments.compat import warp_has_noslip
 from experiments.measurement import Conditions, Measurement, absent
+from experiments.scenes.engines import Contacts, contacts_in_c, contacts_in_warp
 
 TURN_RAD_S = 2.0
 RADIUS_M = 0.2
@@ -33,6 +35,7 @@ SECONDS = {"full": 6.0, "quick": 3.0}
 SETTLE_S = 1.0
 """Before this the box sinks into its contacts; the growth is measured after it."""
 SAMPLE_S = 0.1
+GROWTHS = ("growth_per_s", "predicted_growth_per_s")
 MJCF = f"""
 <mujoco>
   <option timestep="0.002" cone="elliptic" integrator="implicitfast"/>
@@ -81,21 +84,8 @@ class Run:
 
     radius_m: np.ndarray
     """Distance of the box from the axis every SAMPLE_S."""
-    loaded_count: int
-    """Contacts that carry force at the end."""
-    softness_1_kg: float
-    """R / n of their friction rows, or what it is where they are not alike [1/kg]."""
-
-    @classmethod
-    def of(cls, model, radius_m, rows, friction, force, stiffness) -> "Run":
-        """From the rows' addresses, the contacts' friction and the rows' force and D, which is 1 / R."""
-        loaded = [index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0]
-        if model.opt.cone == mujoco.mjtCone.mjCONE_ELLIPTIC:
-            stiff = [stiffness[rows[index] + 1] for index in loaded]
-        else:
-            # Opposite edges pull with mu (f - f') and see mu times the sliding.
-            stiff = [2.0 * friction[index][0] ** 2 * stiffness[rows[index]] for index in loaded]
-        return cls(np.array(radius_m), len(loaded), float(1.0 / np.sum(stiff)))
+    contacts: Contacts
+    """At the end."""
 
 
 RK4 = {"integrator": int(mujoco.mjtIntegrator.mjINT_RK4)}
@@ -127,10 +117,14 @@ def measure(conditions: Conditions) -> Measurement:
         row = {"case": case.name, "backend": case.engine, "contact_bias": case.contact_bias, **case.options}
         row |= {"bias_centred": case.bias_centred, "timeconst_s": case.timeconst_s}
         if case.engine == "warp" and "noslip_iterations" in case.options and not warp_has_noslip():
-            rows.append(row | absent(("growth_per_s", "predicted_growth_per_s"), "MuJoCo Warp here has no noslip"))
+            rows.append(row | absent(GROWTHS, "MuJoCo Warp here has no noslip"))
             continue
         seconds = SECONDS[conditions.profile]
-        run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+        try:
+            run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+        except RunFailed as failed:
+            rows.append(row | absent(GROWTHS, str(failed)))
+            continue
         rows.append(row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)})
     return Measurement(rows)
 
@@ -142,7 +136,7 @@ def growth_columns(run: Run) -> dict[str, float]:
     growth = np.polyfit(time_s[settled], np.log(run.radius_m[settled]), 1)[0]
     start, end = run.radius_m[settled][[0, -1]]
     return {
-        "loaded_contact_count": run.loaded_count,
+        "loaded_contact_count": run.contacts.count,
         "growth_per_s": float(growth),
         "start_radius_mm": 1e3 * float(start),
         "end_radius_mm": 1e3 * float(end),
@@ -158,6 +152,11 @@ def start_state(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def run_in_c(case: Turntable, seconds: float) -> Run:
+    """The box in MuJoCo's C engine.
+
+    Raises:
+        RunFailed: Of the engine.
+    """
     model = case.model()
     data = start_state(model)
     control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
@@ -167,11 +166,11 @@ def run_in_c(case: Turntable, seconds: float) -> Run:
         for _ in range(round(seconds / SAMPLE_S)):
             for _ in range(round(SAMPLE_S / model.opt.timestep)):
                 mujoco.mj_step(model, data)
+            refuse_warned(data)
             radius.append(np.hypot(*data.qpos[1:3]))
     finally:
         mujoco.set_mjcb_control(None)
-    rows = np.asarray(data.contact.efc_address).reshape(-1)
-    return Run.of(model, radius, rows, data.contact.friction, data.efc_force, data.efc_D)
+    return Run(np.array(radius), contacts_in_c(model, data))
 
 
 def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
@@ -188,8 +187,7 @@ def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
         for _ in range(round(seconds / SAMPLE_S)):
             wp.capture_launch(capture.graph)
             radius.append(np.hypot(*d.qpos.numpy()[0, 1:3].astype(float)))
-        rows = d.contact.efc_address.numpy()[: int(d.nacon.numpy()[0]), 0]
-        return Run.of(model, radius, rows, d.contact.friction.numpy(), d.efc.force.numpy()[0], d.efc.D.numpy()[0])
+        return Run(np.array(radius), contacts_in_warp(model, d))
 
 
 @dataclass(frozen=True)
@@ -205,7 +203,7 @@ def predicted_growth_per_s(case: Turntable, run: Run) -> float:
     model = case.model()
     h = model.opt.timestep
     b = contact_bias_c.damping(model, model.geom_solref[0], model.geom_solimp[0])
-    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.softness_1_kg
+    creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.contacts.softness_1_kg
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
     step = 0.0 if case.options.get("integrator") == RK4["integrator"] else 0.5 * h
     return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))

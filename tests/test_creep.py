@@ -95,9 +95,26 @@ def test_the_creep_under_an_acceleration_that_the_rows_leave_out_is_the_engines(
 
 
 @pytest.mark.parametrize("depth_m", [0.0, 2e-4, 4e-4, 8e-4, 2e-3])
-def test_the_impedance_is_the_engines(depth_m):
-    solimp = (0.8, 0.95, 0.001, 0.4, 3.0)
+@pytest.mark.parametrize("solimp", [(0.8, 0.95, 0.001, 0.4, 3.0), (0.0, 1.0, 0.001, 1.0, 0.5)])
+def test_the_impedance_is_the_engines(solimp, depth_m):
     model, data = scene((0.02, 1.0), solimp)
     data.qpos[3] = -depth_m - 1e-9  # so that there is a contact at all
     mujoco.mj_forward(model, data)
     assert data.efc_KBIP[0, 2] == pytest.approx(impedance_at(solimp, depth_m), abs=1e-5)
+
+
+@pytest.mark.parametrize("dmax", [0.0, 1.0])
+def test_the_creep_with_a_dmax_that_the_engine_does_not_take_is_the_engines(dmax):
+    solref, solimp = (0.02, 1.0), (dmax, dmax, 0.001, 0.5, 2.0)
+    model, data = scene(solref, solimp)
+    data.qpos[3] = -1e-4
+    mujoco.mj_forward(model, data)
+    weight = model.body_invweight0[:, 0].sum()
+    predicted = predicted_creep(solref, dmax, inverse_mass_1_kg=weight)
+    assert predicted.response_s == pytest.approx(1.0 / data.efc_KBIP[0, 1])
+    assert predicted.yield_m_s_n == pytest.approx(1.0 / data.efc_D[1] / data.efc_KBIP[0, 1])
+
+
+def test_without_damping_nothing_brakes():
+    predicted = predicted_creep((-1000.0, -0.0), 0.95, load_n=1.0, inverse_mass_1_kg=1.0)
+    assert predicted.response_s == predicted.load_mm_s == math.inf

@@ -8,6 +8,7 @@ import pytest
 
 from experiments import cure, metrics, turntable
 from experiments.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
+from experiments.c_warnings import RunFailed
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
 from experiments.compat import kf_is_read
 from experiments.simulation import simulate
@@ -125,3 +126,9 @@ def test_the_box_on_the_turntable_goes_as_the_law_says(name):
     run = turntable.run_in_c(case, 3.0)
     growth = turntable.growth_columns(run)["growth_per_s"]
     assert growth == pytest.approx(turntable.predicted_growth_per_s(case, run), rel=0.005)
+
+
+def test_a_turntable_that_blows_up_has_no_growth(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
+    with pytest.raises(RunFailed, match="reset"):
+        turntable.run_in_c(turntable.Turntable("", "c", options={"gravity": [0.0, 0.0, -1e12]}), 0.1)

@@ -10,7 +10,7 @@ import pytest
 from experiments import firm_grasp
 from experiments.scenes import hand
 from experiments.scenes.engines import Contacts, InC
-from experiments.scenes.hand import Grasp, Look, Swung, failure_of, rate_s, swing
+from experiments.scenes.hand import Grasp, Look, Swung, rate_s, swing
 
 PLAIN = Grasp("")
 TOUCHED = Contacts(count=10, normal_n=100.0, softness_1_kg=0.005, damping_per_s=0.0, depth_m=0.0)
@@ -75,12 +75,6 @@ def test_the_law_s_rate():
     assert rate_s(replace(PLAIN, contact_bias=True), 0.008, TOUCHED) == pytest.approx(load)
     assert rate_s(replace(PLAIN, timeconst_s=0.02), 0.008, TOUCHED) > 0.0095 - 0.004
     assert math.isnan(rate_s(PLAIN, 0.008, replace(TOUCHED, count=0)))
-
-
-def test_why_a_capsule_is_not_held():
-    assert failure_of(np.array([0.5 * hand.LOST_M, 0.0, 0.0])) is None
-    assert failure_of(np.array([0.0, 1.1 * hand.LOST_M, 0.0])) == "dropped"
-    assert failure_of(np.array([0.0, np.nan, np.inf])) == "not finite"
 
 
 def run_to(limit_ms: float):

@@ -24,6 +24,7 @@ from experiments.linting.contacts import (
     contacts_of,
 )
 from experiments.linting.findings import Buffer, columns, grouped, lines
+from experiments.linting.prediction import Load, predictions
 from experiments.linting.rules import Engine, lint
 from experiments.measurement import Conditions
 from experiments.simulation import Simulation
@@ -207,6 +208,15 @@ def test_a_kf_that_asks_for_less_than_two_substeps_is_clamped():
         assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
     else:
         assert (rule, shapes, used) == ("kf", PAIR[:1], None)
+
+
+@pytest.mark.parametrize("kf", [0.0, 50.0])
+def test_a_kf_of_0_that_is_read_takes_the_friction_and_the_creep(kf):
+    model = two_boxes({"kf": kf}, {}, geom_priority=(1, 0))
+    engine = Engine(DT, contacts="newton", cone="elliptic")
+    gone = kf == 0.0 and kf_is_read()
+    assert [finding.parameter for finding in lint(model, engine) if "friction away" in finding.message] == ["mu"] * gone
+    assert len(predictions(model, engine, Load(load_n=1.0))) == 1 - gone
 
 
 def test_what_no_row_of_a_contact_reads():

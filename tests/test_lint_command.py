@@ -1,6 +1,7 @@
 """The lint as a program: what it reads, prints, and ends with."""
 
 import json
+import math
 import os
 import re
 import shutil
@@ -73,6 +74,20 @@ def test_a_clean_scene(scene, capsys):
     assert "timeconst 0.02 s; 9.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2
 
 
+@pytest.mark.parametrize("skin", ['solimp="0 0.95 0.001"', 'solimp="0 0 0.001"', 'solimp="1 1 0.001"'])
+def test_an_impedance_that_the_engine_does_not_take_is_no_fault(skin, scene, capsys):
+    target = scene(f'{skin} priority="1"')
+    assert main([target, "--load", "1", "--json"]) == 0
+    [creep] = json.loads(capsys.readouterr().out)["creep"]
+    assert 0.0 < creep["dmax"] < 1.0 and creep["timeconst_s"] == pytest.approx(0.02)
+    assert 0.0 < creep["load_deep_mm_s"] <= creep["load_shallow_mm_s"] < math.inf
+
+
+def test_a_pair_without_damping_has_no_creep_that_could_be_told(scene, capsys):
+    main([scene('solref="-1000 0" priority="1"'), "--load", "1", "--json"])
+    assert json.loads(capsys.readouterr().out)["creep"] == []
+
+
 def test_findings_end_with_one(scene, capsys):
     assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
     assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
@@ -143,6 +158,19 @@ def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
     assert (refused.returncode, refused.stderr.count("\n")) == (2, 1) and "newton-lint --help" in refused.stderr
     found = subprocess.run(call[:3], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert (found.returncode, found.stderr) == (0, "") and "nothing found" in found.stdout
+
+
+def half_made() -> newton.Model:
+    """A model that says it has a shape, and has none."""
+    model = newton.Model(device="cpu")
+    model.shape_count = 1
+    return model
+
+
+def test_a_fault_of_the_lint_is_no_finding(capsys):
+    assert main([f"{__name__}:half_made"]) == 3
+    out, err = capsys.readouterr()
+    assert out == "" and "Traceback" in err
 
 
 def test_a_function_and_a_robot_are_targets(tmp_path, capsys):

@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 
 from experiments import forecast, least_friction, pick
+from experiments.c_warnings import RunFailed
+from experiments.compat import warp_has_noslip
+from experiments.measurement import Conditions
 from experiments.scenes import capsule, panda
-from experiments.scenes.engines import InC, ThroughNewton
-from experiments.scenes.least_friction import Setting, Start, coulomb_factor, drop_m, warm_up
+from experiments.scenes.engines import ENGINES, InC, ThroughNewton
+from experiments.scenes.least_friction import LEAST, Setting, Start, coulomb_factor, drop_m, least_factors, warm_up
 from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
 from experiments.scenes.slope import creep_mm_s
 
@@ -38,6 +41,45 @@ def test_newton_sets_the_capsule_up_as_it_is_authored_but_for_the_pads_inverse_m
     assert newton.opt.impratio == pytest.approx(plain.opt.impratio)
     assert plain.body_invweight0[1, 0] == pytest.approx(1.0 / capsule.PAD_MASS_KG)
     assert newton.body_invweight0[1, 0] == pytest.approx(1.0 / capsule.PAD_MASS_KG / 3.0)
+
+
+def test_newton_runs_no_noslip_that_the_file_asks_for_and_so_the_law_has_a_creep():
+    if not warp_has_noslip():
+        pytest.skip("the section measures no such run")
+    case = replace(RECIPE, engine="newton", noslip_iterations=10)
+    row = capsule.columns(case, capsule.run(case, 0.1, "cpu"))
+    assert row["steady_creep_mm_s"] == pytest.approx(row["predicted_creep_mm_s"], rel=0.01)
+
+
+def test_with_noslip_the_law_has_no_creep():
+    case = replace(RECIPE, noslip_iterations=10)
+    assert capsule.columns(case, capsule.run(case, 0.1, "cpu"))["predicted_creep_mm_s"] == 0.0
+
+
+def test_the_model_through_newton_has_the_step_that_it_runs_with():
+    """b of its contacts is clamped to two of them."""
+    mjcf = replace(RECIPE, timeconst_s=0.004).mjcf().replace('timestep="0.002"', 'timestep="0.003"')
+    engines = [ENGINES[name](mjcf, 1, "cpu") for name in ("c", "newton")]
+    for engine in engines:
+        engine.command(np.array([[0.003, -0.003]]))
+        for _ in range(20):
+            engine.advance()
+    there, through_newton = (engine.contacts().damping_per_s for engine in engines)
+    assert through_newton == pytest.approx(there) and there == pytest.approx(2.0 / 0.95 / 0.006)
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_a_run_that_blows_up_fails(name, tmp_path, monkeypatch):
+    """MuJoCo's C engine would go on from the beginning."""
+    monkeypatch.chdir(tmp_path)  # where it keeps a log of it
+    engine = ENGINES[name](RECIPE.mjcf(), 1, "cpu")
+    engine.advance()
+    if name == "c":
+        engine.worlds[0].qvel[0] = math.inf
+    else:
+        engine.data.qvel.fill_(math.inf)
+    with pytest.raises(RunFailed):
+        engine.advance()
 
 
 def test_the_box_creeps_down_the_slope_as_predicted():
@@ -75,10 +117,17 @@ def test_a_ball_held_still_creeps_as_predicted():
 
 def test_shakes_are_counted():
     row = pick.shake_columns(Picked(np.array([True, True, False]), np.array([5.0, np.nan, 4.0])))
-    assert (row["seed_count"], row["lifted_count"], row["held_count"]) == (3, 2, 1)
+    assert (row["lifted_count"], row["held_count"]) == (2, 1)
     assert (row["first_drop_s"], row["median_drop_s"], row["last_drop_s"]) == (4.0, 4.5, 5.0)
     row = pick.shake_columns(Picked(np.array([True]), np.array([np.nan])))
     assert row["median_drop_s"] is None and row["median_drop_s_reason"]
+
+
+def test_a_shake_that_blows_up_has_no_counts_and_a_reason(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
+    row = pick.shaken(Pick("", timestep_s=0.01, integrator="RK4"), Conditions("cpu", quick=True))
+    assert row["held_count"] is row["lifted_count"] is row["median_drop_s"] is None
+    assert "reset" in row["held_count_reason"]
 
 
 def test_every_grasp_is_a_case_of_its_own():
@@ -105,5 +154,17 @@ def test_less_friction_than_coulomb_asks_for_drops_the_cube_and_more_holds_it():
     assert start.force_n == pytest.approx(6.96, abs=0.05)
     assert drop_m(start, 0.9 * least, 1.0) > 0.005
     assert drop_m(start, 1.1 * least, 1.0) < 0.001
-    assert least_friction.found(None)["least_factor"] is None
-    assert math.isclose(least_friction.found(1.2)["least_factor"], 1.2)
+
+
+def test_the_least_friction_that_holds_is_told_where_the_search_has_two_ends():
+    assert least_friction.found(1.19, 1.2) == {"least_factor": 1.2}
+    nothing, everything = least_friction.found(32.0, math.inf), least_friction.found(0.0, 0.5)
+    assert nothing["least_factor"] is None and "do not hold" in nothing["least_factor_reason"]
+    assert everything["least_factor"] is None and "the least that was tried" in everything["least_factor_reason"]
+
+
+def test_a_cube_that_is_held_with_any_friction_has_no_least_one():
+    """As one that nothing pulls at."""
+    start = warm_up(Setting("", "elliptic", 1.0, "implicitfast"))
+    start.engine.model.opt.gravity[:] = 0.0
+    assert least_factors(start, 0.1) == (0.0, LEAST)

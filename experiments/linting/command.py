@@ -8,6 +8,7 @@ import contextlib
 import json
 import os
 import sys
+import traceback
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -24,7 +25,7 @@ from experiments.linting.rules import Engine, findings_of, read
 from experiments.linting.target import Target, TargetError, read_target
 
 SCHEMA = 1
-CLEAN, FOUND, UNFIT = 0, 1, 2
+CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
 """Exit status."""
 COLLIDES = int(newton.ShapeFlags.COLLIDE_SHAPES)
 INSTALLED = "newton-lint"
@@ -53,6 +54,14 @@ class Report:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     given = _parser().parse_args(arguments)
+    try:
+        return _linted(given)
+    except Exception:  # a fault of the lint itself, which Python would end with the status of a finding
+        traceback.print_exc()
+        return BROKEN
+
+
+def _linted(given: argparse.Namespace) -> int:
     wp.config.log_level = wp.LOG_WARNING
     with _muted_standard_error():
         wp.init()

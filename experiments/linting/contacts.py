@@ -110,19 +110,19 @@ class Contacts:
             return np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
 
 
-def contacts_of(shapes: Shapes, world: int = 0, named: bool = True) -> Contacts:
-    """The pairs of one world, shared shapes included, that no filter keeps apart; combined as ``contact_params`` of
-    Newton's MuJoCo kernels does.
+def contacts_of(shapes: Shapes, named: bool = True) -> Contacts:
+    """The pairs of the first world, shared shapes included, that no filter keeps apart; combined as ``contact_params``
+    of Newton's MuJoCo kernels does.
 
     Args:
         named: Whether pairs that MJCF names are taken as named there.
     """
-    explicit, parameters = _explicit_pairs(shapes, world, named)
+    explicit, parameters = _explicit_pairs(shapes, named)
     pairs = np.zeros((0, 2), dtype=int)
     found = shapes.model.shape_contact_pairs
     if found is not None and len(found):
         pairs = found.numpy().reshape(-1, 2).astype(int)
-        pairs = pairs[_in_world(shapes.world[pairs], world).all(axis=1)]
+        pairs = pairs[_in_first_world(shapes.world[pairs]).all(axis=1)]
         if len(explicit):
             pairs = pairs[~np.isin(_key(pairs, shapes), _key(explicit, shapes))]
     swap = shapes.priority[pairs[:, 0]] < shapes.priority[pairs[:, 1]]
@@ -155,14 +155,14 @@ def contacts_of(shapes: Shapes, world: int = 0, named: bool = True) -> Contacts:
 PAIR_DEFAULTS = {"pair_solref": DEFAULT_SOLREF, "pair_solimp": SOLIMP, "pair_condim": CONDIM, "pair_friction": (1.0,)}
 
 
-def _explicit_pairs(shapes: Shapes, world: int, named: bool) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def _explicit_pairs(shapes: Shapes, named: bool) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Shapes of the pairs that MJCF names, and their parameters, by the names of the solver's custom attributes."""
     attributes = getattr(shapes.model, "mujoco", None)
     arrays = {name: getattr(attributes, name, None) for name in ("pair_geom1", "pair_geom2", "pair_world")}
     if not named or any(array is None or not len(array) for array in arrays.values()):
         return np.zeros((0, 2), dtype=int), {name: np.array([value])[:0] for name, value in PAIR_DEFAULTS.items()}
     pairs = np.stack([arrays["pair_geom1"].numpy(), arrays["pair_geom2"].numpy()], axis=1).astype(int)
-    there = (pairs >= 0).all(axis=1) & _in_world(arrays["pair_world"].numpy(), world)
+    there = (pairs >= 0).all(axis=1) & _in_first_world(arrays["pair_world"].numpy())
     found = {}
     for name, default in PAIR_DEFAULTS.items():
         array = getattr(attributes, name, None)
@@ -170,8 +170,9 @@ def _explicit_pairs(shapes: Shapes, world: int, named: bool) -> tuple[np.ndarray
     return pairs[there], {name: values[there] for name, values in found.items()}
 
 
-def _in_world(worlds: np.ndarray, world: int) -> np.ndarray:
-    return (worlds == world) | (worlds == -1)
+def _in_first_world(worlds: np.ndarray) -> np.ndarray:
+    """Whether it is the first one's, or all worlds share it."""
+    return (worlds == 0) | (worlds == -1)
 
 
 def _key(pairs: np.ndarray, shapes: Shapes) -> np.ndarray:

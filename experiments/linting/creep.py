@@ -10,8 +10,11 @@ A row of a pyramid has (1 + μ²) w in place of w. A force that the contact carr
 a load f and no part of a.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+
+import mujoco
 
 M = 1e3
 """mm in a metre."""
@@ -58,13 +61,13 @@ def predicted_creep(
         acceleration_m_s2: Steady acceleration along the contact that its rows leave out [m/s²].
         load_n: Tangential force on one contact point [N]: a load that n points share is a n-th on each.
         inverse_mass_1_kg: Sum of the translational body_invweight0 of both bodies [1/kg]: of a free one 1 / mass.
-        impedance: d at the contact's depth; None: dmax.
+        impedance: d at the contact's depth; None: dmax. As dmax it counts as the engine takes it.
         impratio: Of the engine; ``math.inf`` for a noslip pass that converges, which leaves R out.
         cone: ``elliptic`` or ``pyramidal``.
         mu: Sliding friction, which only a pyramid's R reads.
     """
     response_s = response(solref, dmax, timestep_s)
-    d = dmax if impedance is None else impedance
+    d = clamped(dmax if impedance is None else impedance)
     regularization = (1.0 - d) / d * inverse_mass_1_kg / impratio
     if cone == "pyramidal":
         regularization *= 1.0 + mu**2
@@ -77,16 +80,24 @@ def predicted_creep(
 
 
 def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:
-    """1 / b of a row [s]; see ``predicted_creep``."""
+    """1 / b of a row [s], infinite where it has no damping; see ``predicted_creep``."""
     first, second = solref
-    if first <= 0.0:
-        return dmax / -second
-    return 0.5 * dmax * max(first, 2.0 * timestep_s)
+    if second == 0.0:
+        return math.inf
+    if second < 0.0:
+        return clamped(dmax) / -second
+    return 0.5 * clamped(dmax) * max(first, 2.0 * timestep_s)
+
+
+def clamped(impedance: float) -> float:
+    """An impedance, or solimp's midpoint, as the engine takes it: between 0 and 1, and never either of them."""
+    return min(max(impedance, mujoco.mjMINIMP), mujoco.mjMAXIMP)
 
 
 def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
     """d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
     dmin, dmax, width, midpoint, power = solimp
+    dmin, dmax, midpoint, power = clamped(dmin), clamped(dmax), clamped(midpoint), max(power, 1.0)
     x = min(abs(depth_m) / width, 1.0) if width > 0.0 else 1.0
     if power == 1.0 or x in (0.0, 1.0):
         y = x

@@ -7,7 +7,7 @@ import newton
 import numpy as np
 
 from experiments.compat import make_solver
-from experiments.linting.creep import Creep, predicted_creep
+from experiments.linting.creep import Creep, clamped, predicted_creep
 from experiments.linting.findings import named
 from experiments.linting.rules import Engine, Scene, kf_unread, read
 
@@ -30,20 +30,22 @@ class Prediction:
     timeconst_s: float
     """Of the friction rows, as the engine takes it."""
     dmax: float
+    """As the engine takes it."""
     deep: Creep
     """Of contacts as deep as solimp's width, or deeper."""
     shallow: Creep
     """Of contacts that hardly touch, which yield most."""
 
 
-def predictions(model: newton.Model, engine: Engine, load: Load, world: int = 0) -> list[Prediction]:
+def predictions(model: newton.Model, engine: Engine, load: Load) -> list[Prediction]:
     """Of all pairs that have friction, those alike together, in the order of the model.
 
-    A pair whose solref depends on the bodies' masses, as that of shapes in force space, is left out.
+    Left out are pairs whose solref depends on the bodies' masses, as that of shapes in force space, and those without
+    damping, which nothing brakes.
     """
     if not model.shape_count:
         return []
-    scene = read(model, engine, world)
+    scene = read(model, engine)
     contacts, has_kf = scene.contacts, not kf_unread(scene.engine)
     weight = np.zeros(len(contacts.first))
     if load.load_n or has_kf:
@@ -51,7 +53,7 @@ def predictions(model: newton.Model, engine: Engine, load: Load, world: int = 0)
         weight = shapes[contacts.first] + shapes[contacts.second]
     solref = _friction_solref(scene, weight) if has_kf else contacts.solref
     told = np.column_stack([solref, contacts.solimp[:, :2], contacts.mu, weight])
-    held = np.flatnonzero((contacts.condim > 1) & np.isfinite(told).all(axis=1))
+    held = np.flatnonzero(scene.has_friction & (solref[:, 1] != 0.0) & np.isfinite(told).all(axis=1))
     if not len(held):
         return []
     _, first, which = np.unique(told[held], axis=0, return_index=True, return_inverse=True)
@@ -75,17 +77,16 @@ def inverse_weights(model: newton.Model) -> np.ndarray:
 
 def _friction_solref(scene: Scene, weight: np.ndarray) -> np.ndarray:
     """Of friction rows that kf gives a timeconst of their own; see ``compat.KF_RELEASE``."""
-    shapes, contacts = scene.shapes, scene.contacts
-    kf = contacts.mix * shapes.kf[contacts.first] + (1.0 - contacts.mix) * shapes.kf[contacts.second]
-    dmax = contacts.solimp[:, 1]
+    dmax = scene.contacts.solimp[:, 1]
     with np.errstate(divide="ignore", invalid="ignore"):
-        own = 2.0 / (kf * weight * ((1.0 - dmax) / scene.engine.impratio + dmax))
-    has_own = (kf > 0.0) & np.isfinite(own)
-    return np.where(has_own[:, None], np.stack([own, np.ones(len(own))], axis=1), contacts.solref)
+        own = 2.0 / (scene.kf * weight * ((1.0 - dmax) / scene.engine.impratio + dmax))
+    has_own = (scene.kf > 0.0) & np.isfinite(own)
+    return np.where(has_own[:, None], np.stack([own, np.ones(len(own))], axis=1), scene.contacts.solref)
 
 
 def _prediction(engine: Engine, load: Load, told: Sequence[float], pairs: Sequence[tuple[str, str]]) -> Prediction:
     *solref, dmin, dmax, mu, weight = told
+    dmin, dmax = clamped(dmin), clamped(dmax)
     step = engine.substep_dt if engine.refsafe else 0.0
     deep, shallow = (
         predicted_creep(

@@ -65,6 +65,18 @@ class Scene:
         shapes = np.concatenate([contacts.first[plain], contacts.second[level]])
         return shapes, np.concatenate([np.flatnonzero(plain), np.flatnonzero(level)])
 
+    @cached_property
+    def kf(self) -> np.ndarray:
+        """Of each pair."""
+        contacts, kf = self.contacts, self.shapes.kf
+        return contacts.mix * kf[contacts.first] + (1.0 - contacts.mix) * kf[contacts.second]
+
+    @cached_property
+    def has_friction(self) -> np.ndarray:
+        """Whether a pair's contacts have friction rows: none with a condim of 1, nor with a kf of 0 that is read."""
+        rows = self.contacts.condim > 1
+        return rows if kf_unread(self.engine) else rows & (self.kf != 0.0)
+
 
 @dataclass(frozen=True)
 class Hits:
@@ -83,17 +95,16 @@ class Hits:
     """The message of the hit at an index."""
 
 
-def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = (), world: int = 0) -> list[Finding]:
+def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = ()) -> list[Finding]:
     """Everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
 
     Args:
         model: Any finalized model, with or without the solver's custom attributes, or without shapes.
         engine: What the solver is given besides.
         buffers: Buffers with what a run was measured to need of them.
-        world: World whose shapes are read, with those that all worlds share.
     """
     missized = [finding for buffer in buffers for finding in _missized(buffer)]
-    return (findings_of(read(model, engine, world)) if model.shape_count else []) + missized
+    return (findings_of(read(model, engine)) if model.shape_count else []) + missized
 
 
 def findings_of(scene: Scene) -> list[Finding]:
@@ -103,14 +114,14 @@ def findings_of(scene: Scene) -> list[Finding]:
     return [finding for rule in rules for hits in rule(scene) for finding in _findings(hits, names)]
 
 
-def read(model: newton.Model, engine: Engine, world: int = 0) -> Scene:
+def read(model: newton.Model, engine: Engine) -> Scene:
     """What the rules read of a model that has shapes."""
     shapes = Shapes(model)
     told = {
         "cone": engine.cone or CONES[int(shapes.option("cone", 0))],
         "impratio": shapes.option("impratio", 1.0) if engine.impratio is None else engine.impratio,
     }
-    return Scene(shapes, contacts_of(shapes, world, named=engine.contacts == "mujoco"), replace(engine, **told))
+    return Scene(shapes, contacts_of(shapes, named=engine.contacts == "mujoco"), replace(engine, **told))
 
 
 def priority(scene: Scene) -> Iterator[Hits]:
@@ -205,7 +216,7 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 
 def friction_gain(scene: Scene) -> Iterator[Hits]:
-    """kf that was authored, and is not read, or asks for a friction timeconst below two substeps.
+    """kf that was authored, and is not read, or takes the friction away, or asks for a timeconst below two substeps.
 
     Clamped is said of pairs of which both bodies move freely or not at all: another one's weight is not in the model.
     """
@@ -217,9 +228,11 @@ def friction_gain(scene: Scene) -> Iterator[Hits]:
         unread = _each(shape[authored[shape]])
         yield _hits("kf", "kf", unread, None, shapes.kf[unread], np.nan, f"{NOT_READ} {reason}")
         return
+    first, second, kf = contacts.first, contacts.second, scene.kf
+    lost = np.flatnonzero((contacts.condim > 1) & (contacts.mu > 0.0) & ~scene.has_friction)
+    message = "is not read: kf is 0, which takes the friction away"
+    yield _hits("kf", "mu", first[lost], second[lost], contacts.mu[lost], np.nan, message)
     inverse = shapes.inverse_mass()
-    first, second = contacts.first, contacts.second
-    kf = contacts.mix * shapes.kf[first] + (1.0 - contacts.mix) * shapes.kf[second]
     dmax = contacts.solimp[:, 1]
     weight = (inverse[first] + inverse[second]) * ((1.0 - dmax) / engine.impratio + dmax)
     with np.errstate(divide="ignore", invalid="ignore"):

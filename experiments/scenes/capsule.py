@@ -88,6 +88,8 @@ class Sinking:
     """At the end."""
     inverse_masses_1_kg: Sequence[float]
     """``body_invweight0`` of pad and capsule [1/kg]."""
+    noslip: bool
+    """Whether the engine ran the noslip pass, which what the way there made of the MJCF need not have."""
 
 
 def run(case: Pinch, seconds: float, device: str) -> Sinking:
@@ -105,7 +107,13 @@ def run(case: Pinch, seconds: float, device: str) -> Sinking:
         height.append(position[0, 2])
         speed.append(-velocity[0, 2])
     mean = (height[0] - height[-1]) / (pair_s * len(speed))
-    return Sinking(np.array(speed), float(mean), engine.contacts(), engine.model.body_invweight0[[1, -1], 0].tolist())
+    return Sinking(
+        np.array(speed),
+        float(mean),
+        engine.contacts(),
+        engine.model.body_invweight0[[1, -1], 0].tolist(),
+        bool(engine.model.opt.noslip_iterations),
+    )
 
 
 def columns(case: Pinch, sinking: Sinking) -> dict[str, float]:
@@ -114,7 +122,7 @@ def columns(case: Pinch, sinking: Sinking) -> dict[str, float]:
     Once with R of the contacts that the run ends with, and once from what is authored and how deep they are.
     """
     weight_n = MASS_KG * GRAVITY_M_S2
-    law = 0.0 if case.noslip_iterations else sinking.contacts.creep_m_s(weight_n)
+    law = 0.0 if sinking.noslip else sinking.contacts.creep_m_s(weight_n)
     pad, capsule = sinking.inverse_masses_1_kg
     forecast = predicted_creep(
         (case.timeconst_s, 1.0),
@@ -122,7 +130,7 @@ def columns(case: Pinch, sinking: Sinking) -> dict[str, float]:
         load_n=weight_n / sinking.contacts.count,
         inverse_mass_1_kg=pad + capsule,
         impedance=impedance_at(SOLIMP, sinking.contacts.depth_m),
-        impratio=math.inf if case.noslip_iterations else case.impratio,
+        impratio=math.inf if sinking.noslip else case.impratio,
         cone=case.cone,
         mu=FRICTION[0],
     )

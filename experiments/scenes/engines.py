@@ -16,6 +16,7 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 
 from experiments import contact_bias_c
+from experiments.c_warnings import RunFailed, refuse_warned
 from experiments.compat import make_solver
 
 STEPS = 2
@@ -71,7 +72,11 @@ class Engine(Protocol):
         """Set the actuators' controls, shape [world, actuator]."""
 
     def advance(self) -> None:
-        """Run two steps."""
+        """Run two steps.
+
+        Raises:
+            RunFailed: What a world shows is no measurement any more.
+        """
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
         """Position [m] and velocity [m/s] of the free body, shape [world, 3] each."""
@@ -103,6 +108,7 @@ class InC:
     def advance(self) -> None:
         for data in self.worlds:
             mujoco.mj_step(self.model, data, nstep=STEPS)
+            refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
         position, velocity = self.free
@@ -112,11 +118,7 @@ class InC:
         )
 
     def contacts(self, world: int = 0) -> Contacts:
-        data = self.worlds[world]
-        found = data.contact
-        rows = np.asarray(found.efc_address).reshape(-1)
-        friction, solref, solimp = found.friction, found.solref, found.solimp
-        return Contacts.of(self.model, rows, friction, solref, solimp, found.dist, data.efc_force, data.efc_D)
+        return contacts_in_c(self.model, self.worlds[world])
 
 
 class InWarp:
@@ -148,6 +150,8 @@ class InWarp:
                 self.graph = capture.graph
             else:
                 wp.capture_launch(self.graph)
+        if not np.isfinite(self.data.qpos.numpy()).all():
+            raise RunFailed("not finite")
 
     def _steps(self) -> None:
         for _ in range(STEPS):
@@ -161,13 +165,7 @@ class InWarp:
         )
 
     def contacts(self, world: int = 0) -> Contacts:
-        data, found = self.data, self.data.contact
-        count = int(data.nacon.numpy()[0])
-        mine = found.worldid.numpy()[:count] == world
-        kept = (found.efc_address, found.friction, found.solref, found.solimp, found.dist)
-        rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in kept)
-        force, stiffness = data.efc.force.numpy()[world], data.efc.D.numpy()[world]
-        return Contacts.of(self.model, rows[:, 0], friction, solref, solimp, dist, force, stiffness)
+        return contacts_in_warp(self.model, self.data, world)
 
 
 class ThroughNewton(InWarp):
@@ -189,6 +187,7 @@ class ThroughNewton(InWarp):
         self.control: Any = newton_model.control()  # which has what the solver's attributes add to it
         self.time_step = float(self.model.opt.timestep)
         self.model = self.solver.mj_model
+        self.model.opt.timestep = self.time_step  # Newton sets it where it steps in C alone
         self.engine, self.data = self.solver.mjw_model, self.solver.mjw_data
 
     def command(self, control: np.ndarray) -> None:
@@ -205,6 +204,22 @@ class ThroughNewton(InWarp):
 
 ENGINES: Mapping[str, Callable[[str, int, str], Engine]] = {"c": InC, "warp": InWarp, "newton": ThroughNewton}
 """By the name that a case says."""
+
+
+def contacts_in_c(model: mujoco.MjModel, data: mujoco.MjData) -> Contacts:
+    found = data.contact
+    rows = np.asarray(found.efc_address).reshape(-1)
+    return Contacts.of(model, rows, found.friction, found.solref, found.solimp, found.dist, data.efc_force, data.efc_D)
+
+
+def contacts_in_warp(model: mujoco.MjModel, data: mjw.Data, world: int = 0) -> Contacts:
+    found = data.contact
+    count = int(data.nacon.numpy()[0])
+    mine = found.worldid.numpy()[:count] == world
+    kept = (found.efc_address, found.friction, found.solref, found.solimp, found.dist)
+    rows, friction, solref, solimp, dist = (array.numpy()[:count][mine] for array in kept)
+    force, stiffness = data.efc.force.numpy()[world], data.efc.D.numpy()[world]
+    return Contacts.of(model, rows[:, 0], friction, solref, solimp, dist, force, stiffness)
 
 
 def _in_newton(model: mujoco.MjModel) -> np.ndarray:

@@ -20,6 +20,7 @@ import mujoco
 import numpy as np
 
 from experiments import contact_bias_c
+from experiments.c_warnings import RunFailed
 from experiments.linting.creep import response
 from experiments.scenes.engines import ENGINES, STEPS, Contacts, InC, InWarp
 
@@ -208,22 +209,19 @@ def swing(grasp: Grasp, timestep_s: float, seconds: float, device: str) -> Swung
         if pair == begin:
             start, contacts, turning_per_s = look, engine.contacts(), 0.0
         engine.command(command((pair + 0.5) * pair_s)[None])
-        engine.advance()
+        try:
+            engine.advance()
+        except RunFailed as failed:
+            failure = str(failed)
+            break
         look = Look.at(engine)
         turning_per_s += pair_s * look.rate_rad_s**2
-        failure = failure_of(look.place_m - start.place_m)
-        if failure:
+        if np.linalg.norm(look.place_m - start.place_m) > LOST_M:
+            failure = "dropped"
             break
     slip_m = float(np.linalg.norm(look.place_m - start.place_m))
     law_slip_m = start.radius_m * math.expm1(rate_s(grasp, timestep_s, contacts) * turning_per_s)
     return Swung(failure, slip_m, law_slip_m, start.radius_m, contacts)
-
-
-def failure_of(moved_m: np.ndarray) -> str | None:
-    """Why a capsule that has moved so far in the hand is not held; None where it is."""
-    if not np.isfinite(moved_m).all():
-        return "not finite"
-    return "dropped" if np.linalg.norm(moved_m) > LOST_M else None
 
 
 def rate_s(grasp: Grasp, timestep_s: float, contacts: Contacts) -> float:

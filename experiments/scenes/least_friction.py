@@ -10,6 +10,7 @@ can stop that motion if Σ μ Nᵢ |vᵢ| ≥ m g, and it holds the cube if it c
 place of |vᵢ|.
 """
 
+import math
 from dataclasses import dataclass
 
 import mujoco
@@ -67,7 +68,11 @@ class Start:
 
 
 def warm_up(setting: Setting) -> Start:
-    """Pick the cube up."""
+    """Pick the cube up.
+
+    Raises:
+        RunFailed: Of the engine, here as in all that follows.
+    """
     engine = InC(setting.mjcf())
     model, [world] = engine.model, engine.worlds
     forces, speeds, pair_s = [], [], STEPS * TIMESTEP_S
@@ -132,12 +137,17 @@ def drop_m(start: Start, factor: float, seconds: float) -> float:
     return float(height - lowest)
 
 
-def least_factor(start: Start, seconds: float) -> float | None:
-    """The least multiple that holds, to ``TOLERANCE``; None where the largest that is tried does not."""
+def least_factors(start: Start, seconds: float) -> tuple[float, float]:
+    """A multiple that does not hold and the least one that does, ``TOLERANCE`` apart.
+
+    0 and the least one that is tried where that holds; the largest and infinity where that does not.
+    """
     low, high = LEAST, MOST
     if drop_m(start, high, seconds) > DROP_M:
-        return None
+        return high, math.inf
+    if drop_m(start, low, seconds) <= DROP_M:
+        return 0.0, low
     while high / low > 1.0 + TOLERANCE:
         middle = float(np.sqrt(low * high))
         low, high = (low, middle) if drop_m(start, middle, seconds) <= DROP_M else (middle, high)
-    return high
+    return low, high

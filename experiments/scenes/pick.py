@@ -72,24 +72,30 @@ class Picked:
 
 
 def shake(case: Pick, seeds: Sequence[int], end_s: float, device: str) -> Picked:
-    """Pick the object up and shake it, once with each seed, until the end or until all have dropped it."""
+    """Pick the object up and shake it, once with each seed, until the end or until all have dropped it.
+
+    Raises:
+        RunFailed: Of an engine in one of the shakes.
+    """
     engine = _engine(case, len(seeds), device)
     randoms = [np.random.default_rng(seed) for seed in seeds]
-    begin_s, pair_s = panda.PHASES_S[-1], STEPS * case.timestep_s
+    pair_s = STEPS * case.timestep_s
+    begin = round(panda.PHASES_S[-1] / pair_s)
     drop_s = np.full(len(seeds), np.nan)
     lifted: np.ndarray = np.zeros(len(seeds), dtype=bool)
     control = np.tile(panda.command(0.0), (len(seeds), 1))
     for pair in range(1, round(end_s / pair_s) + 1):
         time_s = pair * pair_s
-        if time_s < begin_s:
+        if pair < begin:
             control[:] = panda.command(time_s)
         else:
             control[:, :7] = panda.LIFTED + np.array([random.normal(0.0, SPREAD_RAD, 7) for random in randoms])
         engine.command(control)
         engine.advance()
-        if time_s >= begin_s:
-            low = engine.body()[0][:, 2] < LOST_M
-            lifted = lifted | ~low
+        if pair >= begin:
+            low = ~(engine.body()[0][:, 2] >= LOST_M)
+            if pair == begin:
+                lifted = ~low
             drop_s[low & np.isnan(drop_s)] = time_s
             if not np.isnan(drop_s).any():
                 break
