@@ -8,6 +8,7 @@ import numpy as np
 from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.measurement import Conditions, Measurement, summarize
+from experiments.timing import wall_time
 
 FRAME_COUNT = 660
 POINTS = ((3, 0.5), (3, 1.0), (3, 2.0), (3, 3.0), (1, 1.0), (6, 1.0), (10, 1.0))
@@ -66,7 +67,7 @@ def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[s
     """All cells of the map as one batch: a row with the wall time, and a table of the results."""
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
-    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), "wall_s": traces[0].wall_s}
+    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), **wall_time(traces)}
     for side in SIDES:
         mine = [row for row in summaries if row["case"].startswith(f"{side}-map")]
         key = side.replace("-", "_")
@@ -77,5 +78,5 @@ def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[s
 
 def measure_alone(conditions: Conditions, cell: Case) -> dict:
     """One of the map's cells in a simulation of its own, for the wall time."""
-    [trace] = conditions.simulate([cell], title=f"{cell.name} alone")
-    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(trace.phase), "wall_s": trace.wall_s}
+    traces = conditions.simulate([cell], title=f"{cell.name} alone")
+    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(traces[0].phase), **wall_time(traces)}
