@@ -13,6 +13,7 @@ from experiments.audit import audit, audit_rows
 from experiments.batch import Batch, Plan
 from experiments.beside import gather, processes, start
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
+from experiments.failing import is_out_of_memory
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, batches, run_batch, simulate
@@ -212,7 +213,9 @@ def time_cases(
                     simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
                 simulation.vary(case)
                 found[case.name] = frame_columns(simulation, pilot, repeat_count)
-            except RuntimeError as error:
+            except (RuntimeError, MemoryError) as error:
+                if not is_out_of_memory(error):
+                    raise
                 found[case.name] = absent(TIMED, " ".join(str(error).split())[:120])
     return found
 

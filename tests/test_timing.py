@@ -17,6 +17,8 @@ QUICK = Conditions("cpu", quick=True)
 SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)
 OVERFLOW = "not timed: the constraint buffer overflowed"
 NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
+DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
+NOT_COMPILED = Exception("CPU kernel build failed with error code -1")
 
 
 @pytest.fixture(scope="module")
@@ -89,3 +91,20 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
             super().__init__(cases, device)
 
     return Refusing
+
+
+def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, pilot):
+    monkeypatch.setattr(leave_out, "Simulation", refusing(NO_MEMORY))
+    assert time_cases([AS_SHIPPED], 1, pilot, 2)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
+    monkeypatch.setattr(leave_out, "Simulation", refusing(DEVICE_FAULT))
+    with pytest.raises(RuntimeError, match="CUDA error 719"):
+        time_cases([AS_SHIPPED], 1, pilot, 2)
+
+
+def test_only_what_a_release_cannot_compile_is_a_fact_about_it(monkeypatch):
+    monkeypatch.setattr(repeatable, "engine_has_it", lambda: True)
+    monkeypatch.setattr(repeatable, "Deterministic", refusing(NOT_COMPILED))
+    assert repeatable.measure_likeness(QUICK, "all")["slip_mm_reason"] == str(NOT_COMPILED)
+    monkeypatch.setattr(repeatable, "Deterministic", refusing(DEVICE_FAULT))
+    with pytest.raises(RuntimeError, match="CUDA error 719"):
+        repeatable.measure_likeness(QUICK, "all")
