@@ -54,7 +54,7 @@ def main() -> int:
         return 130
     except OSError as error:
         _drop_output()
-        print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
+        print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
         return 1
     except ReportError as error:
         if said := " ".join(str(error).split()):  # whoever failed may have said it

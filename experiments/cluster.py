@@ -179,7 +179,7 @@ class Workers:
     def wait(self) -> Iterator[tuple[Task, Done | Lost | Failed]]:
         """What has ended within a moment."""
         pending = [*self._running, *self._introducing]
-        with contextlib.suppress(TimeoutError):
+        with contextlib.suppress(distributed.TimeoutError):  # the built-in one only from Python 3.11 on
             if pending:
                 distributed.wait(pending, timeout=POLL_S, return_when="FIRST_COMPLETED")
             else:

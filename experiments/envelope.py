@@ -1,5 +1,6 @@
 """How hard can one shake? Amplitude and frequency, before and after the fix, as a few cases and as a map."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.measurement import Conditions, Measurement, summarize
+from experiments.timing import wall_time
 
 FRAME_COUNT = 660
 POINTS = ((3, 0.5), (3, 1.0), (3, 2.0), (3, 3.0), (1, 1.0), (6, 1.0), (10, 1.0))
@@ -17,20 +19,16 @@ FREQUENCIES_HZ = (0.25, 5.0)
 """Range of the map, spaced evenly on a log scale."""
 ALONE_COUNT = {"full": 8, "quick": 2}
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+COLUMNS = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
 
 
-def at(side: str, name: str, amplitude_m: float, frequency_hz: float) -> Case:
-    return replace(
-        SIDES[side],
-        name=f"{side}-{name}",
-        shake_amplitude_m=amplitude_m,
-        shake_frequency_hz=frequency_hz,
-        frame_count=FRAME_COUNT,
-    )
+def shaken(case: Case, name: str, amplitude_m: float, frequency_hz: float) -> Case:
+    shake = {"shake_amplitude_m": amplitude_m, "shake_frequency_hz": frequency_hz}
+    return replace(case, name=name, frame_count=FRAME_COUNT, **shake)
 
 
 def measure(conditions: Conditions) -> Plan:
-    cells = map_cells(MAP_SIZE[conditions.profile])
+    cells = map_cells(SIDES, MAP_SIZE[conditions.profile])
     chosen = np.linspace(0, len(cells) - 1, ALONE_COUNT[conditions.profile]).round().astype(int)
     points, (row, table), *alone = yield [
         Batch("points", measure_points, (conditions,)),
@@ -40,14 +38,27 @@ def measure(conditions: Conditions) -> Plan:
     return Measurement([*points, row, *alone], {"map": table})
 
 
-def map_cells(size: int) -> list[Case]:
+def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
+    """All cells of a map, one side after the other; ``size`` amplitudes by as many frequencies."""
     grid = [(a, f) for a in np.geomspace(*AMPLITUDES_M, size) for f in np.geomspace(*FREQUENCIES_HZ, size)]
-    return [at(side, f"map-{index}", float(a), float(f)) for side in SIDES for index, (a, f) in enumerate(grid)]
+    return [
+        shaken(case, f"{side}-map-{index}", float(a), float(f))
+        for side, case in sides.items()
+        for index, (a, f) in enumerate(grid)
+    ]
+
+
+def map_table(sides: Mapping[str, Case], summaries: Sequence[dict]) -> dict[str, np.ndarray]:
+    """The results of all cells of a map."""
+    table = {"side": np.repeat(list(sides), len(summaries) // len(sides))}
+    return table | {name: np.array([row[name] for row in summaries]) for name in COLUMNS}
 
 
 def measure_points(conditions: Conditions) -> list[dict]:
     """A row for each of the points."""
-    points = [at(side, f"{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side in SIDES for cm, hz in POINTS]
+    points = [
+        shaken(case, f"{side}-{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side, case in SIDES.items() for cm, hz in POINTS
+    ]
     traces = conditions.simulate(points, title="envelope")
     return [summarize(case, trace) for case, trace in zip(points, traces, strict=True)]
 
@@ -56,19 +67,16 @@ def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[s
     """All cells of the map as one batch: a row with the wall time, and a table of the results."""
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
-    columns = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
-    table: dict[str, np.ndarray] = {"side": np.repeat(list(SIDES), len(cells) // len(SIDES))}
-    table |= {name: np.array([row[name] for row in summaries]) for name in columns}
-    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), "wall_s": traces[0].wall_s}
+    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), **wall_time(traces)}
     for side in SIDES:
         mine = [row for row in summaries if row["case"].startswith(f"{side}-map")]
         key = side.replace("-", "_")
         row[f"dropped_{key}_count"] = sum(bool(row["dropped"]) for row in mine)
         row[f"failed_{key}_count"] = sum(row["failure"] is not None for row in mine)
-    return row, table
+    return row, map_table(SIDES, summaries)
 
 
 def measure_alone(conditions: Conditions, cell: Case) -> dict:
     """One of the map's cells in a simulation of its own, for the wall time."""
-    [trace] = conditions.simulate([cell], title=f"{cell.name} alone")
-    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(trace.phase), "wall_s": trace.wall_s}
+    traces = conditions.simulate([cell], title=f"{cell.name} alone")
+    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(traces[0].phase), **wall_time(traces)}

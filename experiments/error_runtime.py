@@ -16,7 +16,15 @@ from experiments.measurement import Conditions, Measurement, absent
 from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, run
 from experiments.task import FRAME_RATE
-from experiments.timing import WARMUP_COUNT, elapsed_ms, frame_ms, put_in_state_of, spread
+from experiments.timing import (
+    WARMUP_COUNT,
+    batch_invalid_reason,
+    elapsed_ms,
+    frame_ms,
+    invalid_reason,
+    put_in_state_of,
+    spread,
+)
 from experiments.trace import Trace
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
@@ -153,17 +161,6 @@ def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, obj
     }
 
 
-def invalid_reason(case: Case, trace: Trace) -> str | None:
-    """Why the time of a run does not count; None when it does."""
-    if trace.failure:
-        return str(trace.failure)
-    if metrics.is_dropped(trace):
-        return "the cube left the grasp"
-    if trace.peak_iteration_count >= case.iterations:
-        return f"the solver used all of its {case.iterations} iterations"
-    return None
-
-
 def errors(trace: Trace, reference: Trace) -> dict[str, object]:
     """Grasp error and numerical error of a run."""
     grasp = metrics.cycle_drift_mm(metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz)
@@ -188,8 +185,7 @@ def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[st
     simulation = Simulation([case] * world_count, device)
     put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
     times = spread("ms_per_s", FRAME_RATE * frame_ms(simulation, REPEAT_COUNT))
-    traces = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
-    reason = next(filter(None, (invalid_reason(case, trace) for trace in traces)), None)
+    reason = batch_invalid_reason(simulation)
     row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)
     return row | (times if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
 

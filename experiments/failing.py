@@ -22,7 +22,8 @@ def reason_of(error: Exception) -> str:
     if NOT_COMPILED.search(said):  # Warp has printed what the compiler says
         return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})"
     if isinstance(error, OSError):
-        return f"{error.filename or 'a file'}: {error.strerror}"
+        said = error.strerror or said  # one that was raised with words alone has no other reason
+        said = f"{error.filename}: {said}" if error.filename else said
     return said or type(error).__name__
 
 

@@ -13,11 +13,19 @@ from experiments.audit import audit, audit_rows
 from experiments.batch import Batch, Plan
 from experiments.beside import gather, processes, start
 from experiments.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
+from experiments.failing import is_out_of_memory
 from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation import Simulation, batches, run_batch, simulate
 from experiments.stages import stage_rows
-from experiments.timing import buffer_bytes_per_world, frame_ms, in_the_shake, put_in_state_of, spread
+from experiments.timing import (
+    batch_invalid_reason,
+    buffer_bytes_per_world,
+    frame_ms,
+    in_the_shake,
+    put_in_state_of,
+    spread,
+)
 from experiments.trace import Trace
 
 WITHOUT = {
@@ -189,7 +197,8 @@ def time_cases(
     cases: Sequence[Case], world_count: int, pilot: Simulation, repeat_count: int
 ) -> dict[str, dict[str, object]]:
     """Time frames of the shake in ``world_count`` worlds, by case; every number None, with the reason, if memory runs
-    out. What differs only in how it is run is run by one simulation, one case after the other.
+    out or the frames do not count. What differs only in how it is run is run by one simulation, one case after the
+    other.
     """
     groups: dict[Case, list[Case]] = {}
     for case in cases:
@@ -203,12 +212,19 @@ def time_cases(
                 if simulation is None:
                     simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
                 simulation.vary(case)
-                put_in_state_of(simulation, pilot)
-                times = frame_ms(simulation, repeat_count)
-            except RuntimeError as error:
-                reason = " ".join(str(error).split())[:120]
-                found[case.name] = absent(TIMED, reason)
-                continue
-            memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
-            found[case.name] = spread("frame_ms", times) | {"buffer_bytes_per_world": memory}
+                found[case.name] = frame_columns(simulation, pilot, repeat_count)
+            except (RuntimeError, MemoryError) as error:
+                if not is_out_of_memory(error):
+                    raise
+                found[case.name] = absent(TIMED, " ".join(str(error).split())[:120])
     return found
+
+
+def frame_columns(simulation: Simulation, pilot: Simulation, repeat_count: int) -> dict[str, object]:
+    """Time of a frame in the state of the pilot, and memory."""
+    put_in_state_of(simulation, pilot)
+    times = frame_ms(simulation, repeat_count)
+    if reason := batch_invalid_reason(simulation):
+        return absent(TIMED, f"not timed: {reason}")
+    memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
+    return spread("frame_ms", times) | {"buffer_bytes_per_world": memory}

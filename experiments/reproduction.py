@@ -5,6 +5,7 @@ from dataclasses import replace
 from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS
 from experiments.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.timing import wall_time
 
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
@@ -42,6 +43,7 @@ def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
     for graph in (True,) if conditions.is_cuda else (True, False):
         for size in (1, BATCH_SIZE[kind]):
             name = f"batch-{size}" if graph else f"batch-{size}-launched"
-            trace = conditions.simulate([replace(case, name=name, graph=graph)] * size, title=name)[0]
-            rows.append({"case": name, "world_count": size, "frame_count": len(trace.phase), "wall_s": trace.wall_s})
+            traces = conditions.simulate([replace(case, name=name, graph=graph)] * size, title=name)
+            row = {"case": name, "world_count": size, "frame_count": len(traces[0].phase)}
+            rows.append(row | wall_time(traces))
     return rows

@@ -9,10 +9,20 @@ from experiments.batch import Batch, Plan
 from experiments.case import FIXED
 from experiments.measurement import Conditions, Measurement, absent
 from experiments.simulation import Simulation
-from experiments.timing import buffer_bytes_per_world, engine_ms, frame_ms, in_the_shake, put_in_state_of, spread
+from experiments.timing import (
+    batch_invalid_reason,
+    buffer_bytes_per_world,
+    engine_ms,
+    frame_ms,
+    in_the_shake,
+    put_in_state_of,
+    spread,
+)
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 REPEAT_COUNT = 40
+FRAMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "world_substeps_per_s")
+STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -48,7 +58,9 @@ def time_worlds(pilot: Simulation, world_count: int, device: wp.Device) -> dict[
         row |= absent(["bytes_per_world"], "warp counts memory on CUDA devices only")
     else:
         row["bytes_per_world"] = (after - before) // world_count
-    return row | engine_columns(simulation)
+    row |= engine_columns(simulation)
+    reason = batch_invalid_reason(simulation)
+    return row | absent((*FRAMES, *STEPS), f"not timed: {reason}") if reason else row
 
 
 def engine_columns(simulation: Simulation) -> dict[str, object]:

@@ -163,7 +163,7 @@ def main() -> int:
         print("stopped; nothing was written", file=sys.stderr)
         return 130
     except OSError as error:
-        print(f"{error.filename or 'the output cannot be written'}: {error.strerror}", file=sys.stderr)
+        print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
         return 1
 
 

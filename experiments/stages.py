@@ -10,8 +10,8 @@ import warp as wp
 
 from experiments.simulation import Simulation
 
-ELEMENTS = {"sensor": "nsensor", "ten": "ntendon", "flex": "nflex", "cam": "ncam", "eq": "neq", "limit": "njnt"}
-"""What of the model a stage or a constraint kernel is for, by what its name contains."""
+ELEMENTS = {"sensor": "nsensor", "ten": "ntendon", "flex": "nflex", "eq": "neq", "limit": "njnt"}
+"""What of the model a stage or a constraint kernel is for, by what its function's name contains."""
 CONSTRAINTS = "make_constraint"
 """The function that makes the rows of all kinds of constraints: here each kernel is a stage."""
 
@@ -28,11 +28,17 @@ def stage_rows(simulation: Simulation, kind: str) -> list[dict[str, object]]:
     model = simulation.solver.mj_model
     rows = []
     for stage, count in sorted(launches.items()):
-        field = next((field for name, field in ELEMENTS.items() if name in stage), None)
+        field = element_of(stage)
         row = {"case": f"stage-{kind}-{stage}", "stage": stage, "stage_device": kind, "kernel_count": count}
         row |= {"kernel_share": count / total, "of": field, "element_count": field and int(getattr(model, field))}
         rows.append(row if field else row | {"element_count_reason": "the stage is for no one kind of element"})
     return rows
+
+
+def element_of(stage: str) -> str | None:
+    """What of the model a stage is for; None where that is no one kind of element. Its module says nothing of it."""
+    function = stage.rpartition(".")[2]
+    return next((field for name, field in ELEMENTS.items() if name in function), None)
 
 
 def count_launches(simulation: Simulation) -> Counter:

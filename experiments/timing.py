@@ -1,7 +1,8 @@
-"""Timing of frames in the middle of the shake, without first simulating the way there in every world."""
+"""Timing of frames in the middle of the shake, without first simulating the way there in every world, and of whole
+runs; and whether a time counts."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import newton
@@ -9,13 +10,23 @@ import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
+from experiments import metrics
 from experiments.case import Case
-from experiments.measurement import SETUP_FRAME_COUNT
+from experiments.measurement import SETUP_FRAME_COUNT, absent
+from experiments.recorder import NO_FRAME
 from experiments.simulation import Simulation, captured
+from experiments.trace import Trace
 
 TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
 STATE_ARRAYS = "joint_q joint_qd".split()
 ENGINE_ARRAYS = "qpos qvel qacc_warmstart".split()
+WATCHED_ARRAYS = {
+    "peak_constraint": 0,
+    "peak_iteration": 0,
+    "contact_overflow": NO_FRAME,
+    "constraint_overflow": NO_FRAME,
+}
+"""What the recorder adds up over all frames, and what it starts from."""
 SHAKE_FRAME_COUNT = 30
 """Frames of shake before the frames that are timed."""
 WARMUP_COUNT = 3
@@ -30,7 +41,10 @@ def in_the_shake(case: Case, device: wp.Device) -> Simulation:
 
 
 def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
-    """Put every world of ``target`` into the state of one world of ``source``, task and solver included."""
+    """Put every world of ``target`` into the state of one world of ``source``, task and solver included.
+
+    What was watched before does not count: one simulation may run several cases, one after the other.
+    """
     pairs = [(getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS]
     pairs += [(getattr(target.state, name), getattr(source.state, name)) for name in STATE_ARRAYS]
     pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
@@ -38,6 +52,8 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
     for to, of in pairs:
         one = of.numpy().reshape(source.world_count, -1)[world : world + 1]
         to.assign(np.repeat(one, target.world_count, axis=0).reshape(to.numpy().shape))
+    for name, start in WATCHED_ARRAYS.items():
+        getattr(target.recorder, name).fill_(start)
     newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)
     wp.synchronize()
 
@@ -56,6 +72,35 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
     run()
     wp.synchronize_device(device)
     return 1e3 * (time.perf_counter() - start)
+
+
+def invalid_reason(case: Case, trace: Trace) -> str | None:
+    """Why the time of frames of the shake does not count; None when it does. What overflows, stops early or is not
+    finite does not take the time that the case takes."""
+    if trace.failure:
+        return trace.failure.detail
+    if metrics.is_dropped(trace):
+        return "the cube left the grasp"
+    if trace.peak_iteration_count >= case.iterations:
+        return f"the solver used all of its {case.iterations} iterations"
+    return None
+
+
+def batch_invalid_reason(simulation: Simulation) -> str | None:
+    """The same of the frames that a simulation has run, in any of its worlds."""
+    traces = simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s=0.0)
+    return next(filter(None, (invalid_reason(simulation.case, trace) for trace in traces)), None)
+
+
+def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
+    """Wall time of a batch of whole runs as a column; None, with the reason, where it is not that of all its worlds.
+
+    A cube that is dropped is what a hard shake may make of it, and its time counts.
+    """
+    reason = next((str(trace.failure) for trace in traces if trace.failure), None)
+    if traces[0].world_count != len(traces):
+        reason = "the memory is too small for all worlds at once"
+    return absent(["wall_s"], f"not timed: {reason}") if reason else {"wall_s": traces[0].wall_s}
 
 
 def spread(name: str, values: np.ndarray) -> dict[str, float | int]:

@@ -8,7 +8,7 @@ import pytest
 from experiments import cure_bodies, cure_envelope, cure_limits, drift_law, stiffness, turntable_solvers
 from experiments.case import AS_SHIPPED, STIFF_PADS
 from experiments.cure import BEST
-from experiments.envelope import MAP_SIZE
+from experiments.envelope import MAP_SIZE, map_cells
 
 H = 1.0 / 960.0
 SLOPES = {"left_out": 0.06, "damping": -0.001, "load": -0.002}
@@ -43,7 +43,7 @@ def test_limits_try_each_run_in_each_way_once(profile):
 
 
 def test_the_map_with_the_cure_is_that_of_the_envelope():
-    cells = cure_envelope.cases(MAP_SIZE["quick"])
+    cells = map_cells(cure_envelope.SIDES, MAP_SIZE["quick"])
     places = [(case.shake_amplitude_m, case.shake_frequency_hz) for case in cells]
     half = len(cells) // 2
     assert places[:half] == places[half:] and len(set(places)) == half == MAP_SIZE["quick"] ** 2

@@ -3,6 +3,8 @@
 import subprocess
 import sys
 
+import pytest
+
 from experiments.failing import is_expected, reason_of
 from report.commands.editions import aside
 from report.records.project import Project
@@ -12,6 +14,19 @@ from report.upgrade import DECIDING, base_of, unmeasured
 def test_what_does_not_compile_is_said_in_one_line():
     error = RuntimeError("CPU kernel build failed with error code -1")
     assert reason_of(error).startswith("its kernels can't be compiled by Warp ") and is_expected(error)
+
+
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [
+        (OSError("no mesh was found"), "no mesh was found"),
+        (FileNotFoundError(2, "No such file or directory", "a.urdf"), "a.urdf: No such file or directory"),
+        (OSError(28, "No space left on device"), "No space left on device"),
+        (OSError(), "OSError"),
+    ],
+)
+def test_what_the_system_says_is_the_reason_and_names_a_file_only_where_it_has_one(error, reason):
+    assert reason_of(error) == reason
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program(capfd):

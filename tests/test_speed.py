@@ -14,7 +14,7 @@ from experiments.beside import gather, processes, start
 from experiments.case import AS_SHIPPED, LEAN, RUN_TIME_FIELDS, CaseError
 from experiments.kernels import Module, modules_of
 from experiments.simulation import Simulation, batches, run_batch, simulate
-from experiments.stages import count_launches, stage_rows
+from experiments.stages import count_launches, element_of, stage_rows
 from experiments.timing import in_the_shake, put_in_state_of
 
 FRAME_COUNT = 20
@@ -88,6 +88,13 @@ def test_rows_of_stages_add_up(pilot):
     assert sum(row["kernel_share"] for row in rows) == pytest.approx(1.0)
     assert len({row["case"] for row in rows}) == len(rows)
     assert all(row["element_count"] is not None or row["element_count_reason"] for row in rows)
+
+
+def test_a_stage_is_for_what_its_function_names(pilot):
+    found = {row["stage"]: row["of"] for row in stage_rows(pilot, "cpu") if row["of"]}
+    assert found["sensor.sensor_acc"] == "nsensor" and found["constraint.limit_slide_hinge"] == "njnt"
+    assert element_of("sensor.energy_pos") is None, "energy is measured in the module of the sensors"
+    assert element_of("smooth.camlight") is None, "of cameras and of lights"
 
 
 def test_buffers_from_the_device_are_those_from_the_host(monkeypatch):

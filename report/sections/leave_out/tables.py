@@ -95,13 +95,15 @@ def cost_figure(variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) 
         Markup("{} on the {}, {}: {}").format(
             name_of(variant.case), DEVICES[device], worlds_name(worlds), variant.at(worlds).frame_ms
         )
-        for device, worlds in dict.fromkeys((panels[0], panels[-1]))
+        for device, worlds in dict.fromkeys((*panels[:1], *panels[-1:]))
         for variant in variants
         if variant.device == device and variant.case in (REFERENCE, ALL) and variant.at(worlds)
     )
     return Figure(
         draw=lambda: _draw_cost(variants, panels),
-        sources=[row.frame_ms for variant in variants for row in variant.rows],
+        sources=[
+            row.frame_ms for variant in variants for row in variant.rows if (variant.device, row.worlds.value) in panels
+        ],
         numbers={"times": times},
     )
 

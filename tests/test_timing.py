@@ -1,0 +1,110 @@
+"""A time counts only where the run did what its case says: on the real scene, made to fail."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import warp as wp
+
+from experiments import envelope, leave_out, repeatable, reproduction, scaling, simulation
+from experiments.case import AS_SHIPPED, FIXED, Case
+from experiments.leave_out import time_cases
+from experiments.measurement import Conditions
+from experiments.simulation import Simulation
+from experiments.timing import batch_invalid_reason, in_the_shake, put_in_state_of
+
+QUICK = Conditions("cpu", quick=True)
+SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)
+OVERFLOW = "not timed: the constraint buffer overflowed"
+NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
+DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
+NOT_COMPILED = Exception("CPU kernel build failed with error code -1")
+
+
+@pytest.fixture(scope="module")
+def pilot() -> Simulation:
+    return in_the_shake(AS_SHIPPED, wp.get_device("cpu"))
+
+
+def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(pilot):
+    two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, pilot.device)
+    put_in_state_of(two, pilot)
+    two.step()
+    assert batch_invalid_reason(two) is None
+    two.solver.mjw_data.qvel.numpy()[1, -1] = np.nan
+    two.step()
+    assert batch_invalid_reason(two) == "a body's pose is not finite"
+    two.recorder.constraint_overflow.numpy()[0] = 0
+    put_in_state_of(two, pilot)
+    two.step()
+    assert batch_invalid_reason(two) is None
+
+
+def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(pilot):
+    found = time_cases([AS_SHIPPED, SMALL], 2, pilot, repeat_count=2)
+    assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
+    assert [found["small"][name] for name in leave_out.TIMED] == [None] * len(leave_out.TIMED)
+    assert found["small"]["frame_ms_reason"] == OVERFLOW
+
+
+def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch):
+    pilot = in_the_shake(FIXED, wp.get_device("cpu"))
+    assert scaling.time_worlds(pilot, 1, pilot.device)["frame_ms"] > 0.0
+    monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
+    row = scaling.time_worlds(pilot, 1, pilot.device)
+    assert [row[name] for name in (*scaling.FRAMES, *scaling.STEPS)] == [None] * 7
+    assert row["world_substeps_per_s_reason"] == OVERFLOW
+
+
+def test_a_way_to_repeat_that_overflows_has_no_time(monkeypatch):
+    monkeypatch.setattr(repeatable, "AS_SHIPPED", SMALL)
+    row = repeatable.time_row(QUICK, "plain", 1)
+    assert row["frame_ms"] is None and row["frame_ms_reason"] == OVERFLOW
+
+
+def test_a_cell_of_the_map_that_overflows_has_no_time():
+    cell = replace(SMALL, frame_count=2)
+    assert envelope.measure_alone(QUICK, replace(cell, constraint_max=None))["wall_s"] > 0.0
+    assert envelope.measure_alone(QUICK, cell)["wall_s_reason"] == f"{OVERFLOW} in frame 0"
+
+
+def test_halves_of_a_batch_are_not_timed_as_the_batch(monkeypatch):
+    """Whatever more than one world is asked for, the device says what Warp says when it has no more memory."""
+    monkeypatch.setattr(simulation, "Simulation", refusing(NO_MEMORY, most=1))
+    monkeypatch.setattr(reproduction, "QUICK_FRAME_COUNT", 2)
+    monkeypatch.setitem(reproduction.BATCH_SIZE, "cpu", 2)
+    rows = reproduction.batch_rows(QUICK)
+    assert [row["wall_s"] is None for row in rows] == [False, True, False, True]
+    cells = [replace(cell, frame_count=2) for cell in envelope.map_cells(envelope.SIDES, 1)]
+    row, _ = envelope.measure_map(QUICK, cells)
+    assert row["wall_s"] is None
+    assert row["wall_s_reason"] == "not timed: the memory is too small for all worlds at once"
+
+
+def refusing(error: Exception, most: int = 0) -> type[Simulation]:
+    """A simulation that has no more than so many worlds."""
+
+    class Refusing(Simulation):
+        def __init__(self, cases: list[Case], device: wp.Device, **ways):
+            if len(cases) > most:
+                raise error
+            super().__init__(cases, device)
+
+    return Refusing
+
+
+def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, pilot):
+    monkeypatch.setattr(leave_out, "Simulation", refusing(NO_MEMORY))
+    assert time_cases([AS_SHIPPED], 1, pilot, 2)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
+    monkeypatch.setattr(leave_out, "Simulation", refusing(DEVICE_FAULT))
+    with pytest.raises(RuntimeError, match="CUDA error 719"):
+        time_cases([AS_SHIPPED], 1, pilot, 2)
+
+
+def test_only_what_a_release_cannot_compile_is_a_fact_about_it(monkeypatch):
+    monkeypatch.setattr(repeatable, "engine_has_it", lambda: True)
+    monkeypatch.setattr(repeatable, "Deterministic", refusing(NOT_COMPILED))
+    assert repeatable.measure_likeness(QUICK, "all")["slip_mm_reason"] == str(NOT_COMPILED)
+    monkeypatch.setattr(repeatable, "Deterministic", refusing(DEVICE_FAULT))
+    with pytest.raises(RuntimeError, match="CUDA error 719"):
+        repeatable.measure_likeness(QUICK, "all")
