@@ -8,9 +8,9 @@ import warp as wp
 
 from experiments.batch import Batch, Plan
 from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case
-from experiments.measurement import Conditions, Measurement, summarize
+from experiments.measurement import Conditions, Measurement, absent, summarize
 from experiments.simulation import Simulation
-from experiments.timing import spread
+from experiments.timing import invalid_reason, spread
 
 CASES = (
     replace(UNTRIMMED, name="as-shipped-untrimmed"),
@@ -41,9 +41,11 @@ def measure_case(conditions: Conditions, case: Case) -> dict[str, object]:
     times = np.array([frame_ms(simulation) for _ in range(frame_count // CHUNK_FRAME_COUNT)])
     wall_s = 1e-3 * CHUNK_FRAME_COUNT * float(times.sum())
     [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s)
-    row = summarize(case, trace) | spread("frame_ms", times)
-    median = row["frame_ms"]
-    return row | {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median}
+    found: dict[str, object] = {**spread("frame_ms", times)}
+    median = float(np.median(times))
+    found |= {"frames_per_s": 1e3 / median, "realtime_factor": 1e3 * simulation.frame_dt / median}
+    reason = invalid_reason(case, trace)
+    return summarize(case, trace) | (absent(found, f"not timed: {reason}") if reason else found)
 
 
 def frame_ms(simulation: Simulation) -> float:
