@@ -6,7 +6,7 @@ from itertools import product
 import pandas as pd
 
 from report.claims import Claim, at_least
-from report.deriving.arithmetic import extreme, ratio
+from report.deriving.arithmetic import cell_count, extreme, ratio
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
@@ -46,7 +46,7 @@ def closed_count(results: Results, name: str, runs: Sequence[Row], least: Value,
 
 
 def run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
-    return results.value(name, "runs that keep the cube", lambda *slips: len(slips), *(row.slip_mm for row in runs))
+    return cell_count(results, name, "runs that keep the cube", [row.slip_mm for row in runs])
 
 
 def parts_of(results: Results, way: Way) -> dict[str, Value]:

@@ -7,12 +7,12 @@ import pandas as pd
 
 from report.claims import HOLDS, Claim, Outcome, all_of, at_most
 from report.deriving.arithmetic import extreme
+from report.deriving.timing import CURE_WORLDS
 from report.names import worlds_name
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
-WORLD_COUNTS = (1, 4096, 16384)
 GRASP_MM = 80.0
 """Farther from where it was, a cube is out of the grasp."""
 
@@ -94,7 +94,7 @@ def cost_table(results: Results) -> Table:
     """Of the ways that were timed."""
     ways = [way for way in WAYS if way.timed]
     times: dict[str, Sequence] = {
-        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in WORLD_COUNTS
+        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in CURE_WORLDS
     }
     return _by_way(ways, times)
 
@@ -145,7 +145,7 @@ def _fits(results: Results, way: Way, bound: Value, far: Value) -> Outcome:
     none = results.chosen(f"use_lost_{WAYS.index(way)}", "it breaks nothing", 0)
     found = [at_most(way.row(results, "10cm").slip_mm, far)]
     cost = results.others.get("cure_cost")
-    for count in WORLD_COUNTS if cost and way.timed else ():
+    for count in CURE_WORLDS if cost and way.timed else ():
         extra = cost.derived.get(f"{way.timed}_extra_{count}")
         found += [at_most(extra, bound)] if extra and extra.value is not None else []
     lost = _lost(results, way)

@@ -14,7 +14,7 @@ from report.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
 from report.sections.stability.classes import CLASSES, is_stable
-from report.sections.stability.families import family
+from report.sections.stability.families import count, family
 from report.sections.stability.figures import (
     draw_loads,
     draw_long,
@@ -111,14 +111,14 @@ def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) 
         draw,
         [*critical, *default_kd] if critical and default_kd else [],
         ends=Markup(", ").join(
-            Markup("{} {}").format(count, name) for count, name in zip(ends, CLASSES, strict=True) if count.value
+            Markup("{} {}").format(end, name) for end, name in zip(ends, CLASSES, strict=True) if end.value
         ),
     )
 
 
 def _ending_count(results: Results, name: str, rows: Sequence[Row]) -> Value:
-    steps = [row.step_ms for row in rows if row["class"] == name]
-    return results.value(f"maps_{name}_count", f"cells of both maps that are {name}", lambda *cell: len(cell), *steps)
+    mine = [row for row in rows if row["class"] == name]
+    return count(results, f"maps_{name}_count", f"cells of both maps that are {name}", mine)
 
 
 def _loads(results: Results) -> Figure:
