@@ -21,7 +21,7 @@ PARTS = {
 }
 """Columns of the parts, and what they are called."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
-SHAKES = {"held": "held still", "3cm": "3 cm", "10cm": "10 cm"}
+SHAKES = {"held": "held still", "3cm": "30 mm", "10cm": "100 mm"}
 
 
 def kept_runs(results: Results) -> list[Row]:
@@ -72,12 +72,13 @@ def _along(results: Results, way: Way, row: Row, name: str, column: str) -> Valu
     )
 
 
-def budget_table(results: Results, parts: Mapping[str, Mapping[str, Value]]) -> Table:
+def budget_table(results: Results, parts: Mapping[str, Mapping[str, Value]], amplitude: Value) -> Table:
     columns = {label: [parts[way.name][name] for way in WAYS] for name, label in PARTS.items()}
     columns["sum"] = [parts[way.name]["sum"] for way in WAYS]
     columns["measured"] = [parts[way.name]["slip"] for way in WAYS]
     columns["remainder"] = [way.row(results, "3cm").remainder_mm for way in WAYS]
-    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
+    index = pd.Index([way.name for way in WAYS], name="what is done")
+    return Table(pd.DataFrame(columns, index=index), {"amplitude": amplitude})
 
 
 def closing_table(results: Results, least: Value, most: Value) -> Table:
