@@ -4,7 +4,7 @@ A case keeps its code name in the data, and in the title of what stands for it o
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from markupsafe import Markup
 
@@ -170,6 +170,10 @@ ENGINES = {
 COMPILED = tuple((re.compile(f"[-/]?(?:{pattern})"), words) for pattern, words in PARTS)
 
 
+NAMED_COUNT = 6
+"""Cases that a sentence names at most."""
+
+
 def name_of(case: str) -> str:
     """What a case is called; a case that no rule knows keeps its own name, with spaces."""
     if case in WHOLE:
@@ -213,6 +217,12 @@ def worlds_name(count: int) -> str:
 def case_html(case: str) -> Markup:
     """The name of a case, its code name in the title."""
     return Markup('<span class="case" title="{}">{}</span>').format(case, name_of(case))
+
+
+def some_html(names: Sequence[Markup]) -> Markup:
+    """As many of these as a sentence can hold, and that there are others."""
+    text = Markup("; ").join(names[:NAMED_COUNT])
+    return text + " and others" if len(names) > NAMED_COUNT else text
 
 
 def cases_html(cases: Iterable[str]) -> Markup:

@@ -76,6 +76,11 @@ def extreme(
     return results.value(name, formula, choose, *there, unit=unit)
 
 
+def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
+    """How many cells there are, as a value that points to them."""
+    return results.value(name, formula, lambda *found: len(found), *cells)
+
+
 def noise_floor(results: Results, name: str) -> Quantity:
     """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])

@@ -11,6 +11,9 @@ from report.format import format_number
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 
+CURE_WORLDS = (1, 4096, 16384)
+"""How many worlds at once the remedies of the cure are timed with."""
+
 
 def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     """A cell of a row that is not measured on every machine: ``what`` says which one, where it isn't there."""

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import departure, difference, extreme, ratio, share
+from report.deriving.arithmetic import cell_count, departure, difference, extreme, ratio, share
 from report.figures import INK, SERIES, is_narrow, new_figure
 from report.names import case_html, name_of
 from report.parts import Figure, Section, Table
@@ -67,7 +67,7 @@ def _as_published(results: Results, rows: Mapping[str, Row], published: Mapping[
     largest = extreme(results, "published_off", "largest of the departures from what was published", max, found)
     bound = results.chosen("published_bound", "the same rate", 5.0, unit="%")
     numbers = {
-        "count": results.value("published_count", "rates that were published", lambda *rates: len(rates), *found),
+        "count": cell_count(results, "published_count", "rates that were published", found),
         "recipe": rows["recipe-c"].creep_mm_s,
         "published": published["recipe"],
         "largest": largest,
@@ -85,7 +85,7 @@ def _follows_law(results: Results, rows: Mapping[str, Row]) -> Claim:
     ]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, found)
     bound = results.chosen("law_bound", "the same rate", 1.0, unit="%")
-    count = results.value("law_count", "runs for which the law gives a rate", lambda *rates: len(rates), *found)
+    count = cell_count(results, "law_count", "runs for which the law gives a rate", found)
     numbers = {"count": count, "largest": largest, "rate": rows["within-pads-c"].steady_creep_mm_s}
     return Claim("follows_law", at_most(largest, bound), numbers | {"law": rows["within-pads-c"].predicted_creep_mm_s})
 

@@ -6,7 +6,7 @@ from itertools import product
 import pandas as pd
 
 from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import extreme, size_share
+from report.deriving.arithmetic import cell_count, extreme, size_share
 from report.parts import Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -72,7 +72,7 @@ def _free_motion_stays(results: Results, runs: Runs) -> Claim:
         for name, found, engine in _of(runs, *FREE)
     ]
     largest = extreme(results, "moved_most", "largest of these", max, shares)
-    count = results.value("free_count", "runs on the plane", lambda *found: len(found), *shares)
+    count = cell_count(results, "free_count", "runs on the plane", shares)
     bound = results.chosen("moved_bound", "the same motion", 1.0, unit="%")
     return Claim("free_motion_stays", at_most(largest, bound), numbers={"largest": largest, "count": count})
 
@@ -90,7 +90,7 @@ def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
         for name, found, engine in _of(runs, *TABLE)
     ]
     largest = extreme(results, "left_most", "largest of these", max, left)
-    count = results.value("table_count", "runs on the table", lambda *found: len(found), *left)
+    count = cell_count(results, "table_count", "runs on the table", left)
     bound = results.chosen("left_bound", "most of it is gone", 20.0, unit="%")
     return Claim("stands_on_any_feet", at_most(largest, bound), numbers={"largest": largest, "count": count})
 

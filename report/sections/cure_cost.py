@@ -7,7 +7,7 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_least, at_most
-from report.deriving.timing import cell
+from report.deriving.timing import CURE_WORLDS, cell
 from report.figures import INK, SERIES, new_figure
 from report.format import format_number
 from report.names import case_html, name_of, worlds_name
@@ -19,7 +19,6 @@ order = 144
 page = "cure"
 label = "what the cure costs"
 
-WORLD_COUNTS = (1, 4096, 16384)
 CASES = ("as-shipped", "term", "kept", "best", "term-rk4")
 CHEAP = ("term", "kept", "best")
 """Those that fit into one figure."""
@@ -31,9 +30,9 @@ Rows = Mapping[tuple[str, int], Row]
 
 def derive(results: Results) -> Section:
     rows = {(row.case, row.worlds.value): row for row in results.rows}
-    counts = [count for count in WORLD_COUNTS if any(worlds == count for _, worlds in rows)]
-    times = {(case, count): _time(results, rows.get((case, count)), count) for case in CASES for count in WORLD_COUNTS}
-    extra = {(case, count): _extra(results, times, case, count) for case in CASES[1:] for count in WORLD_COUNTS}
+    counts = [count for count in CURE_WORLDS if any(worlds == count for _, worlds in rows)]
+    times = {(case, count): _time(results, rows.get((case, count)), count) for case in CASES for count in CURE_WORLDS}
+    extra = {(case, count): _extra(results, times, case, count) for case in CASES[1:] for count in CURE_WORLDS}
     costs = Figure(
         draw=lambda: _draw(counts, extra),
         sources=[times[case, count] for case in CHEAP for count in counts],
@@ -64,7 +63,7 @@ def _extra(results: Results, times: Times, case: str, count: int) -> Value:
 def _worst(results: Results, case: str, extra: Times) -> Value:
     name = f"{case}_worst"
     if name not in results.derived:
-        cells = [extra[case, count] for count in WORLD_COUNTS]
+        cells = [extra[case, count] for count in CURE_WORLDS]
         results.value(name, "largest of these, over the numbers of worlds", max, *cells, unit="%")
     return results.derived[name]
 
@@ -78,8 +77,8 @@ def _term_is_cheap(results: Results, rows: Rows, extra: Times) -> Claim:
 
 def _by_count(case: str, rows: Rows, extra: Times) -> dict[str, Any]:
     """What a case costs with each number of worlds, these numbers, and whether the cost is beyond the noise."""
-    one, some, many = (extra[case, count] for count in WORLD_COUNTS)
-    some_worlds, many_worlds = (_worlds(rows, case, count) for count in WORLD_COUNTS[1:])
+    one, some, many = (extra[case, count] for count in CURE_WORLDS)
+    some_worlds, many_worlds = (_worlds(rows, case, count) for count in CURE_WORLDS[1:])
     numbers = {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
     seen = {f"{name}_seen": _is_seen(numbers[name]) for name in ("one", "some", "many")}
     return numbers | seen
@@ -106,13 +105,13 @@ def _rk4(results: Results, extra: Times) -> Claim:
         "rk4_least",
         "time of a frame with the term and RK4 over that as shipped, least of all numbers of worlds",
         lambda *found: min(1 + share / 100 for share in found),
-        *(extra["term-rk4", count] for count in WORLD_COUNTS),
+        *(extra["term-rk4", count] for count in CURE_WORLDS),
     )
     most = results.value(
         "rk4_most",
         "the same, most of all numbers of worlds",
         lambda *found: max(1 + share / 100 for share in found),
-        *(extra["term-rk4", count] for count in WORLD_COUNTS),
+        *(extra["term-rk4", count] for count in CURE_WORLDS),
     )
     bound = results.chosen("rk4_bound", "a price to think about", 2.0)
     return Claim("rk4_is_dear", at_least(least, bound), numbers={"least": least, "most": most})

@@ -7,7 +7,7 @@ from statistics import median
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, at_most
-from report.deriving.arithmetic import by_case, extreme
+from report.deriving.arithmetic import by_case, cell_count, extreme
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -112,7 +112,7 @@ def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> 
         bound,
         *offs,
     )
-    count = results.value(f"count_{kind}", f"runs that keep the cube, {KINDS[kind]}", lambda *found: len(found), *offs)
+    count = cell_count(results, f"count_{kind}", f"runs that keep the cube, {KINDS[kind]}", offs)
     largest = extreme(results, f"largest_{kind}", f"largest departure from the law, {KINDS[kind]}", max, offs)
     return {"inside": inside, "count": count, "largest": largest, "bound": bound}
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
 from report.claims import Claim, Outcome, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, resolved
+from report.deriving.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved
 from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value
@@ -101,15 +101,9 @@ def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains
     there = [gain for gain in gains.values() if gain.value is not None]
     least = extreme(results, "gain_least", "least of the points' ratios", min, there)
     most = extreme(results, "gain_most", "largest of the points' ratios", max, there)
-    held = results.value(
-        "gain_count", "points where the cube is held before and after", lambda *gain: len(gain), *there
-    )
-    count = results.value(
-        "point_count",
-        "points of the table",
-        lambda *rows: len(rows),
-        *(shipped.frame_count for shipped, _ in points.values()),
-    )
+    held = cell_count(results, "gain_count", "points where the cube is held before and after", there)
+    shipped = [before.frame_count for before, _ in points.values()]
+    count = cell_count(results, "point_count", "points of the table", shipped)
     bound = results.chosen("gain_bound", *SETTLES)
     return Claim(
         "gain_everywhere",
@@ -185,7 +179,7 @@ def _batch_is_fast(results: Results, row: Row) -> Claim:
     one = results.value(
         "alone_wall_s", "mean wall time of one world alone", lambda *wall: float(np.mean(wall)), *alone, unit="s"
     )
-    timed = results.value("alone_count", "worlds that were timed alone", lambda *wall: len(wall), *alone)
+    timed = cell_count(results, "alone_count", "worlds that were timed alone", alone)
     gain = results.value(
         "batch_gain",
         "worlds × mean wall time of one alone, over the wall time of the batch",

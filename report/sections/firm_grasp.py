@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import departure, extreme, ratio, share
+from report.deriving.arithmetic import cell_count, departure, extreme, ratio, share
 from report.figures import INK, SERIES, is_narrow, new_figure, tick_at
 from report.names import case_html
 from report.parts import Figure, Section, Table
@@ -85,7 +85,7 @@ def _lost_by_creep(results: Results, found: Mapping[str, Row]) -> Claim:
     ]
     largest = extreme(results, "step_off", "largest of the departures from the law's largest step", max, off)
     bound = results.chosen("step_bound", "near enough to choose a step by", 20.0, unit="%")
-    count = results.value("creeping_count", "settings with such a step", lambda *found: len(found), *off)
+    count = cell_count(results, "creeping_count", "settings with such a step", off)
     plain = found["implicitfast"]
     numbers = {"largest": plain.largest_step_ms, "law": plain.predicted_largest_step_ms, "count": count, "off": largest}
     return Claim("lost_by_creep", at_most(largest, bound), numbers)
@@ -98,7 +98,7 @@ def _slip_by_law(results: Results, runs: Mapping[str, Sequence[Row]]) -> Claim:
     off = [departure(results, f"{row.case}_off", formula, row.slip_mm, row.predicted_slip_mm) for row in held]
     largest = extreme(results, "slip_off", "largest of the departures from the law's slip", max, off)
     bound = results.chosen("slip_bound", "the same slip", 10.0, unit="%")
-    count = results.value("held_count", "runs that hold", lambda *found: len(found), *off)
+    count = cell_count(results, "held_count", "runs that hold", off)
     plain = results.row["8ms-implicitfast"]
     numbers = {"count": count, "largest": largest, "slip": plain.slip_mm, "law": plain.predicted_slip_mm}
     return Claim("slip_by_law", at_most(largest, bound), numbers)

@@ -2,8 +2,9 @@
 
 import pandas as pd
 
+from experiments.case import STIFF_PADS
 from report.claims import Claim, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, other_cell, other_value, ratio
+from report.deriving.arithmetic import SETTLES, departure, other_cell, other_value, ratio
 from report.downloads import fix_files
 from report.parts import Download, Section, Table
 from report.quantities import Value
@@ -23,25 +24,17 @@ def derive(results: Results) -> Section:
     shipped, fixed = results.row["as-shipped"], results.row["fixed"]
     gain = _gain(results, "gain", shipped, fixed)
     bound = results.chosen("gain_bound", *SETTLES)
-    _stiffest(results)
     return Section(
         tables={"runs": _table(results)},
         claims=[
             _recommended(shipped, fixed, gain, bound),
+            _patch_rounds_up(results),
             _test_tells(shipped, fixed),
             _same_on_mujoco_c(results, bound),
             _same_as_report(results),
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],
     )
-
-
-def _stiffest(results: Results) -> None:
-    """ke and kd beyond which the engine, whose shortest timeconst is two steps, makes no contact harder."""
-    step = other_value(results, "stiffness", "substep", unit="s")
-    results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
-    kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
-    results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", lambda kd: kd**2 / 4, kd)
 
 
 def test_passed(row: Row) -> bool:
@@ -56,6 +49,28 @@ def _recommended(shipped: Row, fixed: Row, gain: Value, bound: Value) -> Claim:
         all_of(at_least(gain, bound), passes),
         numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
     )
+
+
+def _patch_rounds_up(results: Results) -> Claim:
+    """The patch's ke and kd against those beyond which the engine, whose shortest timeconst is two steps, makes no
+    contact harder."""
+    step = other_value(results, "stiffness", "substep", unit="s")
+    results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
+    least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
+    least_ke = results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", _critical_ke, least_kd)
+    kd = results.value("patch_kd", "given: kd of the stiff pads, which the patch sets", lambda: STIFF_PADS.pad_kd)
+    ke = results.value("patch_ke", "given: ke of the stiff pads, which the patch sets", lambda: STIFF_PADS.pad_ke)
+    bound = results.chosen("rounding_bound", "rounded", 10.0, unit="%")
+    off = [
+        departure(results, "patch_kd_off", "how far the patch's kd is from that", kd, least_kd),
+        departure(results, "patch_ke_off", "how far the patch's ke is from that", ke, least_ke),
+    ]
+    outcome = all_of(at_least(kd, least_kd), at_least(ke, least_ke), *(at_most(each, bound) for each in off))
+    return Claim("patch_rounds_up", outcome, numbers={"kd": kd, "ke": ke, "bound": bound})
+
+
+def _critical_ke(kd: float) -> float:
+    return kd**2 / 4
 
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:

@@ -157,7 +157,16 @@ def _held_is_faster_when_stiff(results: Results, stiff: Row) -> Claim:
         for name, moved in (("held", stiff.slip_mm), ("shaken", slip))
     )
     numbers = {"held": held, "shaken": shaken, "duration": stiff.shake_duration_s, "shorter": shorter}
-    outcome = greater(held, shaken, noise=noise_floor(results, "drift_floor"))
+    noise = results.value(
+        "stiff_rate_noise",
+        "how far apart identical runs slip, over the shorter time",
+        lambda floor, *seconds: floor / min(seconds),
+        noise_floor(results, "slip_floor"),
+        *times.values(),
+        unit="mm/s",
+        is_noise=True,
+    )
+    outcome = greater(held, shaken, noise=noise)
     return Claim("held_is_faster_when_stiff", outcome, numbers)
 
 

@@ -6,7 +6,7 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import Claim, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import departure, extreme
+from report.deriving.arithmetic import cell_count, departure, extreme
 from report.figures import INK, SERIES, is_narrow, new_figure, tick_125
 from report.names import case_html, name_of
 from report.parts import Figure, Section, Table
@@ -57,7 +57,7 @@ def _as_published(results: Results) -> Claim:
     slips = [run.slip_mm for run in runs]
     least = results.value("least_slip", "least slip with a published friction", min, *slips, unit="mm")
     lost = results.chosen("slipped_bound", "published: this counts as slipped", 5.0, unit="mm")
-    count = results.value("tried_count", "published frictions that were tried", lambda *found: len(found), *slips)
+    count = cell_count(results, "tried_count", "published frictions that were tried", slips)
     force = results.row["published-euler"].grip_force_n
     published = results.value("published_force", "published, and not measured here", lambda: 6.96, unit="N")
     off = departure(

@@ -9,7 +9,7 @@ import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import NEAR_NOISE, Claim, all_of, at_most, within
-from report.deriving.arithmetic import share, spread
+from report.deriving.arithmetic import cell_count, share, spread
 from report.figures import INK, SERIES, new_figure
 from report.names import name_of
 from report.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
@@ -172,7 +172,7 @@ def _batch_or_alone(
 
 def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], spreads: dict[str, Value]) -> Table:
     columns = {
-        "runs": [_count(results, group) for group in groups],
+        "runs": [cell_count(results, f"{group.name}_count", "number of runs", group.slips) for group in groups],
         "mean slip": [mean[group.name] for group in groups],
         "slip spread": [spreads[group.name] for group in groups],
         "mean drift": [_mean(results, f"{group.name}_drift_mean", group.drifts, "mm/s") for group in groups],
@@ -180,10 +180,6 @@ def _table(results: Results, groups: Sequence[Group], mean: dict[str, Value], sp
     }
     index = pd.Index([group.label for group in groups], name="case")
     return Table(pd.DataFrame(columns, index=index))
-
-
-def _count(results: Results, group: Group) -> Value:
-    return results.value(f"{group.name}_count", "number of runs", lambda *slip: len(slip), *group.slips)
 
 
 def _draw_runs(groups: Sequence[Group]) -> Drawing:

@@ -9,6 +9,7 @@ import pandas as pd
 
 from report.chapters import Releases
 from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
+from report.deriving.arithmetic import cell_count
 from report.parts import Section, Table
 from report.quantities import Quantity, absent
 from report.results import Results, Row
@@ -71,7 +72,7 @@ def _many_are_linted(results: Results, linted: Sequence[Row]) -> Claim:
 
 def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row], found: Sequence[Row]) -> Claim:
     counts = [row.finding_count for row in solved]
-    every = results.value("solved", "examples that MuJoCo solves", lambda *found: len(found), *counts)
+    every = cell_count(results, "solved", "examples that MuJoCo solves", counts)
     some = results.value(
         "found",
         "of those, how many have a finding",

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure as Drawing
 
 from report import ROOT
 from report.claims import FAILS, Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import departure, extreme, size_share
+from report.deriving.arithmetic import cell_count, departure, extreme, size_share
 from report.figures import INK, SERIES, is_narrow, new_figure
 from report.names import case_html, name_of
 from report.parts import Download, Figure, Section, Table
@@ -79,7 +79,7 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     slow = [case for case in there if case not in fast]
     formula = "largest difference from the law, of the runs for which it gives less than the resolution"
     rest = _largest_gap(results, "law_gap", formula, [(measured[case], law[case]) for case in slow])
-    count = results.value("fast_count", "runs for which it gives more", lambda *found: len(found), *shares)
+    count = cell_count(results, "fast_count", "runs for which it gives more", shares)
     bound = results.chosen("law_bound", "the same growth", 0.5, unit="%")
     numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "count": count}
     return Claim(

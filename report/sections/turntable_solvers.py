@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import pandas as pd
 
 from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import extreme, ratio
+from report.deriving.arithmetic import cell_count, extreme, ratio
 from report.parts import Section, Table
 from report.quantities import Value, absent
 from report.results import Results, Row
@@ -56,7 +56,7 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
     }
     mine = kept.get("mujoco") or absent("1", "MuJoCo Warp was not run")
     largest = extreme(results, "others_kept", "largest of the others", max, [kept[s] for s in kept if s != "mujoco"])
-    count = results.value("other_count", "others", lambda *found: len(found), *(kept[s] for s in kept if s != "mujoco"))
+    count = cell_count(results, "other_count", "others", [kept[s] for s in kept if s != "mujoco"])
     most = results.chosen("kept_most", "about half", 0.6)
     least = results.chosen("kept_least", "about as much", 0.9)
     lost = absent("%/s", "MuJoCo Warp does not hold the box, or was not run")

@@ -6,7 +6,7 @@ from itertools import product
 import pandas as pd
 
 from report.claims import Claim, at_least
-from report.deriving.arithmetic import extreme, ratio
+from report.deriving.arithmetic import cell_count, extreme, ratio
 from report.parts import Table
 from report.quantities import Value
 from report.results import Results, Row
@@ -21,7 +21,7 @@ PARTS = {
 }
 """Columns of the parts, and what they are called."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
-SHAKES = {"held": "held still", "3cm": "3 cm", "10cm": "10 cm"}
+SHAKES = {"held": "held still", "3cm": "30 mm", "10cm": "100 mm"}
 
 
 def kept_runs(results: Results) -> list[Row]:
@@ -46,7 +46,7 @@ def closed_count(results: Results, name: str, runs: Sequence[Row], least: Value,
 
 
 def run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
-    return results.value(name, "runs that keep the cube", lambda *slips: len(slips), *(row.slip_mm for row in runs))
+    return cell_count(results, name, "runs that keep the cube", [row.slip_mm for row in runs])
 
 
 def parts_of(results: Results, way: Way) -> dict[str, Value]:
@@ -72,12 +72,13 @@ def _along(results: Results, way: Way, row: Row, name: str, column: str) -> Valu
     )
 
 
-def budget_table(results: Results, parts: Mapping[str, Mapping[str, Value]]) -> Table:
+def budget_table(results: Results, parts: Mapping[str, Mapping[str, Value]], amplitude: Value) -> Table:
     columns = {label: [parts[way.name][name] for way in WAYS] for name, label in PARTS.items()}
     columns["sum"] = [parts[way.name]["sum"] for way in WAYS]
     columns["measured"] = [parts[way.name]["slip"] for way in WAYS]
     columns["remainder"] = [way.row(results, "3cm").remainder_mm for way in WAYS]
-    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in WAYS], name="what is done")))
+    index = pd.Index([way.name for way in WAYS], name="what is done")
+    return Table(pd.DataFrame(columns, index=index), {"amplitude": amplitude})
 
 
 def closing_table(results: Results, least: Value, most: Value) -> Table:

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import pandas as pd
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_most
-from report.deriving.arithmetic import extreme
+from report.claims import HOLDS, Claim, Outcome, all_of, at_most, greater, within
+from report.deriving.arithmetic import difference, noise_floor
+from report.deriving.timing import CURE_WORLDS
 from report.names import worlds_name
 from report.parts import Table
 from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 
-WORLD_COUNTS = (1, 4096, 16384)
 GRASP_MM = 80.0
 """Farther from where it was, a cube is out of the grasp."""
 
@@ -77,8 +77,8 @@ def use_table(results: Results) -> Table:
     """What to use: for each way its slips, and what it breaks or may break."""
     ways = [*WAYS, *([KF_OFF] if KF_OFF.case("3cm") in results.row else [])]
     columns: dict[str, Sequence] = {
-        "slip, 3 cm": [_slip(way.row(results, "3cm")) for way in ways],
-        "slip, 10 cm": [_slip(way.row(results, "10cm")) for way in ways],
+        "slip, 30 mm": [_slip(way.row(results, "3cm")) for way in ways],
+        "slip, 100 mm": [_slip(way.row(results, "10cm")) for way in ways],
         "held still": [_slip(way.row(results, "held")) for way in ways],
         "lost at the limits": [_lost(results, way) for way in ways],
         "may break": [way.may_break for way in ways],
@@ -94,7 +94,7 @@ def cost_table(results: Results) -> Table:
     """Of the ways that were timed."""
     ways = [way for way in WAYS if way.timed]
     times: dict[str, Sequence] = {
-        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in WORLD_COUNTS
+        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in CURE_WORLDS
     }
     return _by_way(ways, times)
 
@@ -118,34 +118,42 @@ def _lost(results: Results, way: Way) -> Quantity:
     return found or absent("1", "it was not tried there")
 
 
-def far_mm(results: Results) -> Value:
-    """How far the widest of the shakes goes."""
-    metres = BEST.row(results, "10cm").shake_amplitude_m
-    return results.value("far_amplitude", "in whole mm", lambda amplitude: round(1e3 * amplitude), metres, unit="mm")
+def amplitude_mm(results: Results, shake: str) -> Value:
+    """How far a shake goes."""
+    metres = BEST.row(results, shake).shake_amplitude_m
+    return results.value(f"amplitude_{shake}", "in whole mm", lambda metres: round(1e3 * metres), metres, unit="mm")
 
 
-def what_to_use(results: Results, amplitude: Value) -> Claim:
+def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
     """All remedies together, if they are what the rule finds: the least slip of all ways that hold the cube at 10 cm as
-    well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried."""
+    well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried.
+
+    Of ways that slip alike, as far as can be told, they are the one to use.
+    """
     bound = results.chosen("use_bound", "next to no time of a frame", 3.0, unit="%")
-    far = results.chosen("use_far", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
-    fit = {way: _fits(results, way, bound, far) for way in WAYS}
-    slips = [way.row(results, "3cm").slip_mm for way, outcome in fit.items() if outcome == HOLDS]
-    least = extreme(results, "use_least", "least slip at 3 cm of the ways that the rule leaves", min, slips)
-    best = BEST.row(results, "3cm").slip_mm
-    chosen = next((way for way in WAYS if way.row(results, "3cm").slip_mm.value == least.value), BEST)
-    outcome = all_of(at_most(best, least), *(outcome for outcome in fit.values() if outcome.name == "unknown"))
-    numbers = {"way": chosen.name, "slip": chosen.row(results, "3cm").slip_mm, "best": best, "bound": bound}
-    numbers |= {"far": chosen.row(results, "10cm").slip_mm, "held": chosen.row(results, "held").slip_mm}
-    numbers |= {"shipped": WAYS[0].row(results, "3cm").slip_mm, "amplitude": amplitude}
+    fit = {way: _fits(results, way, bound, grasp) for way in WAYS}
+    slips = {way: way.row(results, "3cm").slip_mm for way in WAYS}
+    left = {way: slips[way].value for way in WAYS if fit[way] == HOLDS and slips[way].value is not None}
+    least = min(left, key=lambda way: left[way], default=BEST)
+    formula = "slip at 3 cm with all remedies, less the least of the ways that the rule leaves"
+    more = difference(results, "use_more", formula, slips[BEST], slips[least])
+    noise = noise_floor(results, "slip_floor")
+    unknown = [outcome for outcome in fit.values() if outcome.name == "unknown"]
+    gains = greater(slips[WAYS[0]], slips[BEST], noise=noise)
+    outcome = all_of(fit[BEST], fit[least], within(more, noise), gains, *unknown)
+    if not left and not unknown:
+        outcome = Outcome("unknown", "no way does all that is asked")
+    way = BEST if outcome == HOLDS else least
+    numbers = {"way": way.name, "slip": slips[way], "best": slips[BEST], "bound": bound}
+    numbers |= {"far": way.row(results, "10cm").slip_mm, "shipped": slips[WAYS[0]], "amplitude": amplitude}
     return Claim("what_to_use", outcome, numbers=numbers)
 
 
-def _fits(results: Results, way: Way, bound: Value, far: Value) -> Outcome:
+def _fits(results: Results, way: Way, bound: Value, grasp: Value) -> Outcome:
     none = results.chosen(f"use_lost_{WAYS.index(way)}", "it breaks nothing", 0)
-    found = [at_most(way.row(results, "10cm").slip_mm, far)]
+    found = [at_most(way.row(results, "10cm").slip_mm, grasp)]
     cost = results.others.get("cure_cost")
-    for count in WORLD_COUNTS if cost and way.timed else ():
+    for count in CURE_WORLDS if cost and way.timed else ():
         extra = cost.derived.get(f"{way.timed}_extra_{count}")
         found += [at_most(extra, bound)] if extra and extra.value is not None else []
     lost = _lost(results, way)

@@ -14,7 +14,7 @@ from report.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
 from report.sections.stability.classes import CLASSES, is_stable
-from report.sections.stability.families import family
+from report.sections.stability.families import count, family
 from report.sections.stability.figures import (
     draw_loads,
     draw_long,
@@ -23,7 +23,7 @@ from report.sections.stability.figures import (
     draw_sizes,
     draw_steps,
 )
-from report.sections.stability.passing import DEPTH_LARGEST, passing
+from report.sections.stability.passing import DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, passing
 
 order = 145
 page = "limits"
@@ -34,6 +34,8 @@ LET_GO = "the fingers let the cube go"
 
 def derive(results: Results) -> Section:
     critical, default_kd = family(results, "ke-critical"), family(results, "ke-kd-100")
+    near = results.chosen("near_factor", "alike", NEAR_FACTOR)
+    margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
     searched = family(results, "largest-step")
     plain = sorted((row for row in searched if row.of == "ke-kd-100"), key=lambda row: row.pad_ke.value)
@@ -47,7 +49,7 @@ def derive(results: Results) -> Section:
         },
         figures={
             "maps": _maps(results, critical, default_kd),
-            "steps": _figure(lambda: draw_steps(family(results, "steps")), family(results, "steps")),
+            "steps": _figure(lambda: draw_steps(family(results, "steps")), family(results, "steps"), near=near),
             "plateau": _figure(lambda: draw_plateau(critical), critical),
             "loads": _loads(results),
             "sizes": _figure(lambda: draw_sizes(family(results, "size"), depth.value), family(results, "size")),
@@ -56,16 +58,16 @@ def derive(results: Results) -> Section:
         claims=[
             limits.safe(results, critical, default_kd),
             limits.lifted_stands_more(results),
-            limits.steps(results),
+            limits.steps(results, near),
             limits.steps_order(results),
             limits.gain_goes(results),
-            limits.plateau(results, critical),
-            limits.boundary(results, default_kd),
+            limits.plateau(results, critical, near),
+            limits.boundary(results, default_kd, near),
             limits.clamp(results),
             limits.leans_on_clamp(results),
             limits.largest_step(results, [found for _, found in predicted.values()]),
-            extremes.crossover(results, "shake"),
-            extremes.crossover(results, "grip"),
+            extremes.crossover(results, "shake", margin),
+            extremes.crossover(results, "grip", margin),
             extremes.friction(results),
             extremes.mass(results),
             extremes.mass_grip(results),
@@ -85,7 +87,7 @@ def derive(results: Results) -> Section:
     )
 
 
-def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup) -> Figure:
+def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup | Value) -> Figure:
     sources = [row.step_ms for row in rows] or [absent("s", "it was not measured")]
     return Figure(draw=draw, sources=sources, numbers=numbers)
 
@@ -111,14 +113,14 @@ def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) 
         draw,
         [*critical, *default_kd] if critical and default_kd else [],
         ends=Markup(", ").join(
-            Markup("{} {}").format(count, name) for count, name in zip(ends, CLASSES, strict=True) if count.value
+            Markup("{} {}").format(end, name) for end, name in zip(ends, CLASSES, strict=True) if end.value
         ),
     )
 
 
 def _ending_count(results: Results, name: str, rows: Sequence[Row]) -> Value:
-    steps = [row.step_ms for row in rows if row["class"] == name]
-    return results.value(f"maps_{name}_count", f"cells of both maps that are {name}", lambda *cell: len(cell), *steps)
+    mine = [row for row in rows if row["class"] == name]
+    return count(results, f"maps_{name}_count", f"cells of both maps that are {name}", mine)
 
 
 def _loads(results: Results) -> Figure:

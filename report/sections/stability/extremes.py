@@ -35,7 +35,7 @@ SINK_LEAST_MM = 0.1
 """A hand that comes down by no more than that has not come down."""
 
 
-def crossover(results: Results, name: str) -> Claim:
+def crossover(results: Results, name: str, margin: Value) -> Claim:
     rows = [row for row in family(results, name) if row.load.value is not None]
     kept = extreme(results, f"{name}_kept", "largest load that holds", max, [r.load for r in rows if is_stable(r)])
     lost = extreme(
@@ -51,7 +51,7 @@ def crossover(results: Results, name: str) -> Claim:
         f"{name}_crossover",
         family(results, name),
         also=decided(True, kept, lost),
-        numbers=over | {"mu": mu},
+        numbers=over | {"mu": mu, "margin": margin},
     )
 
 

@@ -5,13 +5,11 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 
 from report.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
-from report.names import case_html
+from report.deriving.arithmetic import cell_count
+from report.names import case_html, some_html
 from report.quantities import Quantity, Value
 from report.results import Results, Row
 from report.sections.stability.passing import judged_by, passing
-
-NAMED_COUNT = 6
-"""Cases that a sentence names at most."""
 
 
 def family(results: Results, name: str) -> list[Row]:
@@ -20,7 +18,7 @@ def family(results: Results, name: str) -> list[Row]:
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
     """How many rows there are, as a value that points to them."""
-    return results.value(name, formula, lambda *steps: len(steps), *(row.step_ms for row in rows))
+    return cell_count(results, name, formula, [row.step_ms for row in rows])
 
 
 def family_claim(
@@ -33,7 +31,7 @@ def family_claim(
 ) -> Claim:
     """Whether all rows of a family pass, of those of which something is asked, and something else holds ``also``.
 
-    Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass.
+    Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass and how they ended.
     """
     verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
     asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
@@ -42,16 +40,10 @@ def family_claim(
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
         "failed_count": failed_count,
-        "failed": named(failed),
+        "failed": some_html([Markup("{} {}").format(case_html(row.case), row["class"]) for row in failed]),
     }
     cells = [cell for row in rows for cell in judged_by(row)]
     outcome = all_of(at_most(failed_count, none), decided(True, *cells), also)
     if not rows:
         outcome = Outcome("unknown", "they were not measured")
     return Claim(name, outcome, own | dict(numbers or {}))
-
-
-def named(rows: Sequence[Row]) -> Markup:
-    """The cases with how they ended, as far as a sentence can hold them."""
-    text = Markup(", ").join(Markup("{} {}").format(case_html(row.case), row["class"]) for row in rows[:NAMED_COUNT])
-    return text + (" and others" if len(rows) > NAMED_COUNT else "")

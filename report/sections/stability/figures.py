@@ -14,6 +14,7 @@ from matplotlib.path import Path
 from report.figures import FAINT, INK, MAP_INK, SERIES, is_narrow, new_figure, tick_125, tick_at, tick_decades, write
 from report.results import Row, Series
 from report.sections.stability.classes import CLASSES, is_stable
+from report.sections.stability.passing import NEAR_FACTOR, near_limit
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
@@ -114,7 +115,7 @@ def draw_steps(rows: Sequence[Row]) -> Drawing:
         if not mine:
             continue
         last = abs(mine[-1].drift_mm_s.value)
-        axes.axhspan(0.5 * last, 2.0 * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
+        axes.axhspan(last / NEAR_FACTOR, NEAR_FACTOR * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
         x, y = [row.step_ms.value for row in mine], [abs(row.drift_mm_s.value) for row in mine]
         back = [i for i, row in enumerate(mine) if row.drift_mm_s.value < 0.0]
         forward = [i for i in range(len(mine)) if i not in back]
@@ -167,7 +168,7 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
 def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
     """The runs of each series at the share of the friction limit that they need, with how they ended."""
     drawing, axes = new_figure(7.2, 1.3 + 0.5 * len(series))
-    axes.axvspan(0.9, 1.1, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+    axes.axvspan(*near_limit(), color=FAINT, alpha=0.6, linewidth=0, zorder=0)
     axes.axvline(1.0, color=INK, linewidth=1, linestyle="--")
     colours = (SERIES[2], SERIES[0], SERIES[1], SERIES[3], SERIES[5], INK)
     marks = ("o", "s", "v", "*", "P", "x")

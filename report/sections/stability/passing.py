@@ -22,8 +22,10 @@ GROWTH_LARGEST = 1.1
 """Creep per cycle at the end of the long run over that at its beginning, at most."""
 ENERGY_LARGEST = 1.01
 """Energy of a freed cube at the end over that when the fingers had opened, at most."""
-NEAR_LIMIT = 0.9, 1.1
-"""Between these shares of what friction can carry nothing is asked."""
+LIMIT_MARGIN = 10.0
+"""So near to what friction can carry, in percent of it, nothing is asked."""
+NEAR_FACTOR = 2.0
+"""Numbers that are alike are no more than this factor apart."""
 
 
 def passing(rows: Sequence[Row]) -> Passing:
@@ -43,7 +45,7 @@ def passed(rows: Sequence[Row]) -> list[Row]:
 
 
 def _steps(rows: Sequence[Row]) -> Passing:
-    """Stable, and the drift within a factor of two of that with the smallest step."""
+    """Stable, and the drift near to that with the smallest step."""
     by_step = sorted(rows, key=lambda row: row.substeps.value)
     converged = {row.pads: row.drift_mm_s.value for row in by_step}
 
@@ -55,8 +57,8 @@ def _steps(rows: Sequence[Row]) -> Passing:
 
 
 def _critical(rows: Sequence[Row]) -> Passing:
-    """Finite, and where the clamp is at work as deep in the pads as the other clamped cells of the same step, within a
-    factor of two: the clamp predicts the same stiffness for them all."""
+    """Finite, and where the clamp is at work nearly as deep in the pads as the other clamped cells of the same step:
+    the clamp predicts the same stiffness for them all."""
     depths: dict[int, list[float]] = {}
     for row in rows:
         if row.clamped and is_stable(row):
@@ -72,15 +74,15 @@ def _critical(rows: Sequence[Row]) -> Passing:
 
 
 def _kd_100(rows: Sequence[Row]) -> Passing:
-    """Stable where the explicit bound says so with a factor of two to spare, and not stable where it is exceeded as
-    much. A contact too soft to hold the cube at any step says nothing of the step."""
+    """Stable where the explicit bound says so with the factor to spare, and not stable where it is exceeded as much. A
+    contact too soft to hold the cube at any step says nothing of the step."""
     held = {row.pad_ke.value for row in rows if is_stable(row)}
 
     def passes(row: Row) -> bool | None:
         margin = explicit_margin(row.pad_ke.value, row.pad_kd.value, 1e-3 * row.step_ms.value)
-        if margin > 2.0:
+        if margin > NEAR_FACTOR:
             return not is_stable(row)
-        if margin >= 0.5 or row.pad_ke.value not in held:
+        if margin >= 1.0 / NEAR_FACTOR or row.pad_ke.value not in held:
             return None
         return is_stable(row)
 
@@ -106,7 +108,7 @@ def _clamp(rows: Sequence[Row]) -> Passing:
 
 def _load(rows: Sequence[Row]) -> Passing:
     """Held well below what friction can carry, dropped well above."""
-    low, high = NEAR_LIMIT
+    low, high = near_limit()
 
     def passes(row: Row) -> bool | None:
         load = row.load.value
@@ -117,6 +119,11 @@ def _load(rows: Sequence[Row]) -> Passing:
         return row["class"] == "dropped" if load > high else None
 
     return [passes(row) for row in rows]
+
+
+def near_limit() -> tuple[float, float]:
+    """Between these shares of what friction can carry nothing is asked."""
+    return 1.0 - 0.01 * LIMIT_MARGIN, 1.0 + 0.01 * LIMIT_MARGIN
 
 
 def _friction(rows: Sequence[Row]) -> Passing:
@@ -175,8 +182,8 @@ def _long(rows: Sequence[Row]) -> Passing:
 
 
 def _is_near(value: float, other: float) -> bool:
-    """Whether one is within a factor of two of the other, and on the same side of zero."""
-    return value * other > 0.0 and 0.5 * abs(other) <= abs(value) <= 2.0 * abs(other)
+    """Whether one is within the factor of the other, and on the same side of zero."""
+    return value * other > 0.0 and abs(other) / NEAR_FACTOR <= abs(value) <= NEAR_FACTOR * abs(other)
 
 
 JUDGED_BY = {

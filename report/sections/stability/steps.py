@@ -15,7 +15,6 @@ from report.claims import (
     decided,
     decreases,
     increases,
-    within,
 )
 from report.deriving.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
 from report.quantities import Value
@@ -70,7 +69,7 @@ def lifted_stands_more(results: Results) -> Claim:
     return Claim("lifted_stands_more", at_least(lifted, results.derived["kd_100_ke"]), numbers={"lifted": lifted})
 
 
-def steps(results: Results) -> Claim:
+def steps(results: Results, near: Value) -> Claim:
     rows = family(results, "steps")
     stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
     kept = passed(rows)
@@ -86,6 +85,7 @@ def steps(results: Results) -> Claim:
         "steps",
         rows,
         numbers={
+            "near": near,
             "stable": stable,
             "step": step,
             "some_are_lost": not all(map(is_stable, rows)),
@@ -108,7 +108,7 @@ def steps_order(results: Results) -> Claim:
     one = results.chosen("steps_exponent_of_proportion", "in proportion", 1.0)
     off = departure(results, "steps_exponent_off", "how far the exponent is from one", exponent, one)
     bound = results.chosen("steps_exponent_bound", "about in proportion", 10.0, unit="%")
-    outcome = all_of(increases([row.drift_mm_s for row in by_step], noise=noise), within(off, bound))
+    outcome = all_of(increases([row.drift_mm_s for row in by_step], noise=noise), at_most(off, bound))
     return Claim("steps_order", outcome, numbers={"exponent": exponent})
 
 
@@ -152,21 +152,13 @@ def gain_goes(results: Results) -> Claim:
     return Claim("gain_goes", all_of(at_least(gains[0], least), at_most(gains[-1], least), falls), numbers)
 
 
-def plateau(results: Results, rows: Sequence[Row]) -> Claim:
+def plateau(results: Results, rows: Sequence[Row], near: Value) -> Claim:
     clamped = [row for row in rows if row.clamped]
-    return family_claim(
-        results,
-        "clamp_plateau",
-        clamped,
-    )
+    return family_claim(results, "clamp_plateau", clamped, numbers={"near": near})
 
 
-def boundary(results: Results, rows: Sequence[Row]) -> Claim:
-    return family_claim(
-        results,
-        "explicit_boundary",
-        rows,
-    )
+def boundary(results: Results, rows: Sequence[Row], near: Value) -> Claim:
+    return family_claim(results, "explicit_boundary", rows, numbers={"near": near})
 
 
 def clamp(results: Results) -> Claim:
@@ -212,12 +204,12 @@ def leans_on_clamp(results: Results) -> Claim:
 def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
     low = extreme(results, "step_ratio_least", "least ratio of measured to predicted largest step", min, ratios)
     high = extreme(results, "step_ratio_most", "largest of these ratios", max, ratios)
-    two = results.chosen("step_ratio_bound", "within a factor of two", 2.0)
+    bound = results.chosen("step_ratio_bound", "as predicted, or nearly", 2.0)
     inverse = results.value("step_ratio_inverse", "one over the least ratio", lambda ratio: 1 / ratio, low)
     return Claim(
         "largest_step",
-        all_of(at_most(high, two), at_most(inverse, two)),
-        numbers={"low": low, "high": high},
+        all_of(at_most(high, bound), at_most(inverse, bound)),
+        numbers={"low": low, "high": high, "bound": bound},
     )
 
 

@@ -18,12 +18,12 @@ from report.deriving.releases import (
     unchanged,
     up_to,
 )
+from report.noise import EDGES
 from report.parts import Section
 from report.quantities import Value
 from report.results import Results
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
 from report.sections.upgrade.tables import (
-    EDGES,
     FLOORS,
     ON_CPU,
     ONE_WORLD,

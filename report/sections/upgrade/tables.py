@@ -11,6 +11,7 @@ from report.chapters import Releases
 from report.deriving.releases import Headline, cell, change, machines_differ, marked
 from report.figures import new_figure, say_value, write
 from report.format import unit_label
+from report.noise import EDGES
 from report.parts import Figure, Table
 from report.quantities import Quantity, Value
 from report.results import Results
@@ -49,8 +50,6 @@ SPEEDS = (
     Headline("on the CPU, a frame without all that is unneeded", "leave_out", "without-all", "frame_ms", "ms", "cpu"),
 )
 ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
-EDGES = ("_p5", "_p95")
-"""Ends of the columns that say how far the time of a frame spreads."""
 FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
 LIVE = {
     "timeconst_s": ("time constant", "s"),
