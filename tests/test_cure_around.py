@@ -11,8 +11,8 @@ from experiments.cure import BEST
 from experiments.envelope import MAP_SIZE, map_cells
 
 H = 1.0 / 960.0
-SLOPES = {"left_out": 0.06, "damping": -0.001, "load": -0.002}
-"""In m/s², to reckon with by hand."""
+SLOPES = drift_law.Slopes(left_out=0.06, damping=-0.001, load=-0.002, depth_m=1.87e-3, inverse_mass_1_kg=1e-9)
+"""To reckon with by hand."""
 
 
 NO_KF = {"pad_kf": -1.0}
@@ -20,7 +20,7 @@ NO_KF = {"pad_kf": -1.0}
 
 
 def test_the_law_is_as_by_hand():
-    found = drift_law.predicted_columns(replace(AS_SHIPPED, **NO_KF), SLOPES, inverse_mass_1_kg=1e-9)
+    found = drift_law.predicted_columns(replace(AS_SHIPPED, **NO_KF), SLOPES)
     assert found["response_s"] == pytest.approx(0.95 * 0.02)
     assert found["left_out_mm_s"] == pytest.approx(60.0 * 0.0095)
     assert found["step_mm_s"] == pytest.approx(-30.0 * H)
@@ -28,8 +28,22 @@ def test_the_law_is_as_by_hand():
 
 
 def test_the_law_takes_no_response_below_two_substeps():
-    stiff = drift_law.predicted_columns(replace(STIFF_PADS, **NO_KF), SLOPES, inverse_mass_1_kg=1e-9)
+    stiff = drift_law.predicted_columns(replace(STIFF_PADS, **NO_KF), SLOPES)
     assert stiff["response_s"] == pytest.approx(0.95 * 2.0 * H)
+
+
+def test_stiffer_pads_creep_more_for_the_same_load():
+    soft, stiff = (
+        drift_law.predicted_columns(replace(AS_SHIPPED, pad_ke=ke, **NO_KF), SLOPES)["creep_mm_s"]
+        for ke in (2.5e3, 2.5e6)
+    )
+    assert stiff > 5.0 * soft > 0.0
+
+
+def test_without_a_run_to_predict_from_there_is_a_reason():
+    failed = replace(SLOPES, left_out=np.nan, failure="in MuJoCo C the shake was never reached")
+    found = drift_law.predicted_columns(AS_SHIPPED, failed)
+    assert found["predicted_drift_mm_s"] is None and found["predicted_drift_mm_s_reason"] == failed.failure
 
 
 @pytest.mark.parametrize("profile", ["full", "quick"])
@@ -87,4 +101,4 @@ def test_in_other_solvers_the_box_starts_in_rest_on_the_table():
 
 def test_every_case_of_stiffness_has_a_law():
     for case in stiffness.cases("full"):
-        assert np.isfinite(drift_law.predicted_columns(case, SLOPES, 33.0)["predicted_drift_mm_s"])
+        assert np.isfinite(drift_law.predicted_columns(case, SLOPES)["predicted_drift_mm_s"])
