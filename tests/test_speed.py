@@ -92,7 +92,8 @@ def test_rows_of_stages_add_up(pilot):
 
 def test_a_stage_is_for_what_its_function_names(pilot):
     found = {row["stage"]: row["of"] for row in stage_rows(pilot, "cpu") if row["of"]}
-    assert found["sensor.sensor_acc"] == "nsensor" and found["constraint.limit_slide_hinge"] == "njnt"
+    assert found and all(element_of(stage) == element for stage, element in found.items())
+    assert element_of("sensor.sensor_acc") == "nsensor" and element_of("constraint.limit_slide_hinge") == "njnt"
     assert element_of("sensor.energy_pos") is None, "energy is measured in the module of the sensors"
     assert element_of("smooth.camlight") is None, "of cameras and of lights"
 

@@ -57,9 +57,10 @@ def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch):
 
 
 def test_a_way_to_repeat_that_overflows_has_no_time(monkeypatch):
+    """On its way to the frames that are timed it may have lost the cube as well, by the release."""
     monkeypatch.setattr(repeatable, "AS_SHIPPED", SMALL)
     row = repeatable.time_row(QUICK, "plain", 1)
-    assert row["frame_ms"] is None and row["frame_ms_reason"] == OVERFLOW
+    assert row["frame_ms"] is None and row["frame_ms_reason"].startswith("not timed: ")
 
 
 def test_a_cell_of_the_map_that_overflows_has_no_time():
