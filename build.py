@@ -27,11 +27,14 @@ from report.records.project import Project, own_release
 from report.records.stack import stack_of
 from report.records.status import expected_packages
 
+AGAIN_S = 0.01
+
 
 def main() -> int:
     os.environ.pop("PYTHONSAFEPATH", None)  # programs that are started from here are modules of this folder
-    for stop in (signal.SIGINT, signal.SIGTERM):
+    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(stop, signal.default_int_handler)
+    sys.unraisablehook = interrupt_again
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # closed, it is None
             stream.reconfigure(errors="replace")
@@ -60,6 +63,14 @@ def main() -> int:
         if said := " ".join(str(error).split()):  # whoever failed may have said it
             print(UNPRINTABLE.sub("?", said), file=sys.stderr)
         return 2 if isinstance(error, UsageError) else 1
+
+
+def interrupt_again(unraisable: "sys.UnraisableHookArgs") -> None:
+    """Where Python can't raise, as in a callback of an import, it would drop what Ctrl-C raises: that comes again."""
+    if isinstance(unraisable.exc_value, KeyboardInterrupt):
+        signal.setitimer(signal.ITIMER_REAL, AGAIN_S)
+    else:
+        sys.__unraisablehook__(unraisable)
 
 
 def _drop_output() -> None:

@@ -84,3 +84,26 @@ def test_status_does_not_import_the_simulator():
 def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
     assert check_site(tracked_site) == []
     assert [path for path in tracked_site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []
+
+
+INTERRUPTED = """
+import signal, sys, time
+import build
+
+class Closing:
+    def __del__(self):
+        raise KeyboardInterrupt
+
+signal.signal(signal.SIGALRM, signal.default_int_handler)
+sys.unraisablehook = build.interrupt_again
+try:
+    Closing()
+    time.sleep(10.0)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+def test_an_interrupt_that_python_drops_comes_again():
+    done = run(code=("-c", INTERRUPTED))
+    assert (done.stdout, done.stderr) == ("interrupted\n", "")
