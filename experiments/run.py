@@ -9,6 +9,7 @@ import importlib
 import importlib.util
 import io
 import json
+import os
 import sys
 from collections.abc import Sequence
 from types import ModuleType
@@ -29,6 +30,7 @@ from report.records.processes import workers
 from report.records.project import Project, own_release
 from report.records.sources import EDITED
 
+STOPPED = 130
 SIMULATOR = "experiments/simulation.py"
 """What a section reads whose kernels are compiled before."""
 
@@ -73,8 +75,8 @@ def main() -> int:
 
 def stopped() -> int:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    print("stopped; what is finished is kept", file=sys.stderr)
-    return 130
+    print("stopped; what is finished is kept", file=sys.stderr, flush=True)
+    return STOPPED
 
 
 def measure_all(courses: Sequence[Course], crew: Crew) -> int:
@@ -131,4 +133,7 @@ def edition_of(asked: str | None) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    status = main()
+    if status == STOPPED:
+        os._exit(status)  # Python takes a second or three to take the simulator apart, for which nobody waits
+    sys.exit(status)
