@@ -31,7 +31,7 @@ WAYS = {
 ENGINES = ("warp", "c")
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 10.0, 0.05, 0.5, 9.81
 HEIGHT_M = 0.1
-TURN_RAD_S, PLACE_M = 2.0, 0.2
+TURN_RAD_S, PLACE_M, TABLE_M = 2.0, 0.2, 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 6.0, "quick": 4.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s", "end_radius_mm")}
 CAUGHT_S = 2.0
@@ -79,7 +79,7 @@ def on_table(feet: str) -> str:
     places = [(x, y) for x in (0.04, -0.04) for y in (0.04, -0.04)]
     stand = "".join(f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in places)
     return f"""<mujoco>{OPTION}{MESHES}<worldbody>
-      <body><joint axis="0 0 1" armature="1000"/><geom type="box" size="0.5 0.5 0.05"/></body>
+      <body><joint axis="0 0 1" armature="1000"/><geom type="box" size="{TABLE_M} {TABLE_M} 0.05"/></body>
       <body pos="{PLACE_M} 0 0.1"><freejoint/>
         <geom type="box" size="0.05 0.05 0.04" mass="0.2" contype="0" conaffinity="0"/>{stand}
       </body>
@@ -124,6 +124,8 @@ def measure(conditions: Conditions) -> Measurement:
             row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
             try:
                 found = path if engine == "warp" else run_in_c(motion, WAYS[way], seconds_of(motion, conditions))
+                if not np.isfinite(found).all():
+                    raise RunFailed("not finite")
                 rows.append(row | (plane_columns(found) if motion.place == "plane" else table_columns(found)))
             except RunFailed as failed:
                 rows.append(row | absent(COLUMNS[motion.place], str(failed)))
@@ -141,8 +143,14 @@ def plane_columns(path: np.ndarray) -> dict[str, float]:
 
 
 def table_columns(path: np.ndarray) -> dict[str, float]:
-    """How fast the distance from the axis grows once the body turns with the table."""
+    """How fast the distance from the axis grows once the body turns with the table.
+
+    Raises:
+        RunFailed: It leaves the table.
+    """
     time_s, radius_m = SAMPLE_S * np.arange(len(path)), np.hypot(*path[:, :2].T)
+    if radius_m.max() > TABLE_M:
+        raise RunFailed("it leaves the table")
     settled = time_s >= CAUGHT_S
     growth = np.polyfit(time_s[settled], np.log(radius_m[settled]), 1)[0]
     return {"growth_per_s": float(growth), "end_radius_mm": 1e3 * float(radius_m[-1])}
@@ -184,18 +192,19 @@ class WarpRun:
         self.sample_count = round(seconds / SAMPLE_S)
         self.stream = wp.Stream(device) if device.is_cuda else None
         with wp.ScopedDevice(device), wp.ScopedStream(self.stream):
-            m, self.data = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
+            # Both are kept for as long as the graph: on CUDA it keeps none of the arrays that it reads.
+            self.engine, self.data = mjw.put_model(model), mjw.put_data(model, data, nconmax=64, njmax=256)
             start = wp.clone(self.data.qpos), wp.clone(self.data.qvel)
             self.path = wp.zeros((self.sample_count + 1, model.nq), dtype=float)
             wp.copy(self.path, start[0])
             if WAYS[way] is not None:
-                contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=self.data), **WAYS[way])
-            mjw.step(m, self.data)  # compiles, which must not happen inside a capture
+                contact_bias.install(SimpleNamespace(mjw_model=self.engine, mjw_data=self.data), **WAYS[way])
+            mjw.step(self.engine, self.data)  # compiles, which must not happen inside a capture
             wp.copy(self.data.qpos, start[0])
             wp.copy(self.data.qvel, start[1])
             with wp.ScopedCapture() as capture:
                 for _ in range(round(SAMPLE_S / model.opt.timestep)):
-                    mjw.step(m, self.data)
+                    mjw.step(self.engine, self.data)
             self.graph = capture.graph
 
     def sample(self, number: int) -> None:

@@ -140,7 +140,7 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
     for index, case in enumerate(cases):
         worlds = traces[index * run_count : (index + 1) * run_count]
         found[case.name] = mean_columns([summarize(case, trace) for trace in worlds])
-        found[case.name] |= likeness(worlds[0].poses, traces[0].poses)
+        found[case.name] |= likeness(worlds[0], traces[0])
     return found
 
 
@@ -165,18 +165,24 @@ def double_rows(cases: Sequence[Case], traces: Sequence[Trace]) -> list[dict[str
             "case": f"double-{case.name}",
             "of": case.name,
             "failure": str(trace.failure) if trace.failure else None,
-            "slip_mm": metrics.slip_mm(metrics.displacement(trace)),
-            **likeness(trace.poses, traces[0].poses),
+            **(
+                absent(["slip_mm"], str(trace.failure))
+                if trace.failure
+                else {"slip_mm": metrics.slip_mm(metrics.displacement(trace))}
+            ),
+            **likeness(trace, traces[0]),
         }
         for case, trace in zip(cases, traces, strict=True)
     ]
 
 
-def likeness(poses: np.ndarray, reference: np.ndarray) -> dict[str, object]:
+def likeness(trace: Trace, reference: Trace) -> dict[str, object]:
     """In how many frames any number of a trajectory differs from the reference's, and the largest distance of any body
-    in any frame."""
-    differing = (poses != reference).reshape(len(poses), -1).any(axis=1)
-    apart = np.abs(poses[..., :3] - reference[..., :3]).max()
+    in any frame; None, with the reason, where either has failed."""
+    if failure := trace.failure or reference.failure:
+        return absent(("differing_frame_count", "pose_difference_mm"), str(failure))
+    differing = (trace.poses != reference.poses).reshape(len(trace.poses), -1).any(axis=1)
+    apart = np.abs(trace.poses[..., :3] - reference.poses[..., :3]).max()
     return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}
 
 

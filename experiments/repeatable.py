@@ -26,7 +26,11 @@ WAYS = {
     "ordered": {"is_sorted": True, "bits": CONTACTS | CONSTRAINT},
     "all": {"is_sorted": True, "bits": CONTACTS | CONSTRAINT | ATOMICS},
 }
-"""Newton's contacts sorted, then MuJoCo Warp's contacts and rows in a fixed order, then its sums as well."""
+"""Newton's contacts sorted, then MuJoCo Warp asked for contacts and rows in a fixed order, then for its sums as well.
+
+What would put contacts and rows in order is empty yet in mujoco-warp 3.17. Newton's own
+``SolverMuJoCo(deterministic=)`` asks for its kernels what the last asks for MuJoCo Warp's.
+"""
 BATCH_COUNT = {"full": 16, "quick": 2}
 WORLD_COUNTS = {"full": (1, 4096), "quick": (1,)}
 REPEAT_COUNT = {"full": 16, "quick": 3}

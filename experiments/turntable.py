@@ -122,15 +122,23 @@ def measure(conditions: Conditions) -> Measurement:
         seconds = SECONDS[conditions.profile]
         try:
             run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+            row |= growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)}
         except RunFailed as failed:
-            rows.append(row | absent(GROWTHS, str(failed)))
-            continue
-        rows.append(row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)})
+            row |= absent(GROWTHS, str(failed))
+        rows.append(row)
     return Measurement(rows)
 
 
 def growth_columns(run: Run) -> dict[str, float]:
-    """Rate of the exponential growth, from a line through the logarithm, and the ends."""
+    """Rate of the exponential growth, from a line through the logarithm, and the ends.
+
+    Raises:
+        RunFailed: The box is not on the table any more, or nowhere.
+    """
+    if not np.isfinite(run.radius_m).all():
+        raise RunFailed("not finite")
+    if run.contacts.count == 0:
+        raise RunFailed("nothing is touched at the end")
     time_s = SAMPLE_S * np.arange(len(run.radius_m))
     settled = time_s >= SETTLE_S
     growth = np.polyfit(time_s[settled], np.log(run.radius_m[settled]), 1)[0]

@@ -19,12 +19,12 @@ label = "to the last bit"
 WAYS = {
     "plain": "as shipped",
     "sorted": "Newton's contacts sorted",
-    "ordered": "and MuJoCo Warp's contacts and rows ordered",
+    "ordered": "and MuJoCo Warp asked to order contacts and rows",
     "all": "and its sums",
 }
 SO = {
     "sorted": "Newton's contacts sorted",
-    "ordered": "Newton's contacts sorted, and MuJoCo Warp's contacts and rows in order",
+    "ordered": "Newton's contacts sorted, and MuJoCo Warp asked to order contacts and rows",
     "all": "all that both offer",
 }
 """The same in a sentence."""
