@@ -29,6 +29,7 @@ SO = {
 }
 """The same in a sentence."""
 WORLD_COUNTS = (1, 4096)
+NO_WAY = "no way gives the same twice"
 
 
 def derive(results: Results) -> Section:
@@ -68,7 +69,7 @@ def _cost(results: Results, times: Mapping[str, Row], exact: str) -> Claim:
     extra = {count: _extra(results, times, exact, count) for count in WORLD_COUNTS}
     largest = extreme(results, "cost_most", "larger of these", max, list(extra.values()))
     bound = results.chosen("cost_bound", "next to nothing", 3.0, unit="%")
-    outcome = at_most(largest, bound) if exact else Outcome("unknown", "no way gives the same twice")
+    outcome = at_most(largest, bound) if exact else Outcome("unknown", NO_WAY)
     one, many = extra.values()
     return Claim("is_cheap", outcome, numbers={"one": one, "many": many, "bound": bound})
 
@@ -89,11 +90,11 @@ def _time(times: Mapping[str, Row], way: str, count: int) -> Quantity:
 
 
 def _loses_no_contact(results: Results, rows: Mapping[str, Row], exact: str) -> Claim:
-    if not exact:
-        return Claim("loses_no_contact", Outcome("unknown", "no way gives the same twice"))
-    before, after = rows["plain"].peak_contact_count, rows[exact].peak_contact_count
+    before = rows["plain"].peak_contact_count
+    after = rows[exact].peak_contact_count if exact else absent("contacts", NO_WAY)
     kept = decided(None not in (before.value, after.value) and after.value >= before.value, before, after)
-    return Claim("loses_no_contact", kept, numbers={"before": before, "after": after})
+    outcome = kept if exact else Outcome("unknown", NO_WAY)
+    return Claim("loses_no_contact", outcome, numbers={"before": before, "after": after})
 
 
 def _table(rows: Mapping[str, Row], times: Mapping[str, Row]) -> Table:
