@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from report.claims import Claim, all_of, at_least, at_most, decreases, greater
+from report.claims import FAILS, Claim, all_of, at_least, at_most, decreases, greater
 from report.deriving.arithmetic import departure, noise_floor, share
 from report.parts import Figure, Section
 from report.quantities import Quantity, Value
@@ -117,8 +117,10 @@ def _best_holds(results: Results) -> Claim:
 def _best_holds_farther(results: Results, amplitude: Value, grasp: Value) -> Claim:
     best, shipped = (way.row(results, "10cm") for way in (BEST, _way("shipped pads")))
     bound = results.chosen("best_far_bound", "a tenth of a millimetre at a shake three times as wide", 0.1, unit="mm")
-    outcome = all_of(at_most(best.slip_mm, bound), at_least(shipped.slip_mm, grasp))
-    return Claim("best_holds_farther", outcome, numbers={"best": best.slip_mm, "amplitude": amplitude})
+    is_lost = at_least(shipped.slip_mm, grasp)
+    numbers = {"best": best.slip_mm, "amplitude": amplitude, "bound": bound}
+    numbers |= {"is_kept": is_lost == FAILS, "shipped": shipped.slip_mm}
+    return Claim("best_holds_farther", all_of(at_most(best.slip_mm, bound), is_lost), numbers=numbers)
 
 
 def _stiff_pads_hold_better(results: Results) -> Claim:

@@ -65,12 +65,23 @@ WAYS = (
     Way("and compensated positions", "newton-euler-400-shipped", "centred-kept", "", "the same"),
     BEST,
 )
+ADDS = "and "
+"""How the name of a way begins that has all that the one above it has."""
 KF_OFF = Way(
     "shipped pads, kf off", "newton-implicitfast-50-shipped", "kf-off", may_break="slides as releases before kf"
 )
 """Where the release reads ``kf``."""
 STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impratio", "and compensated positions")
 """One remedy more each time."""
+
+
+def _with_all(way: Way) -> str:
+    """A way in a sentence: one that adds to those above it, with them."""
+    first = last = WAYS.index(way)
+    while WAYS[first].name.startswith(ADDS):
+        first -= 1
+    *others, added = [found.name.removeprefix(ADDS) for found in WAYS[first : last + 1]]
+    return " and ".join([", ".join(others), added] if others else [added])
 
 
 def use_table(results: Results) -> Table:
@@ -144,7 +155,7 @@ def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
     if not left and not unknown:
         outcome = Outcome("unknown", "no way does all that is asked")
     way = BEST if outcome == HOLDS else least
-    numbers = {"way": way.name, "slip": slips[way], "best": slips[BEST], "bound": bound}
+    numbers = {"way": _with_all(way), "slip": slips[way], "best": slips[BEST], "bound": bound}
     numbers |= {"far": way.row(results, "10cm").slip_mm, "shipped": slips[WAYS[0]], "amplitude": amplitude}
     return Claim("what_to_use", outcome, numbers=numbers)
 

@@ -30,6 +30,13 @@ page = "limits"
 label = "limits"
 
 LET_GO = "the fingers let the cube go"
+STARTS = {
+    "pads-as-shipped": "shipped pads",
+    "pads-stiff": "stiff pads",
+    "ground": "the ground",
+    "ground-springy": "springy ground",
+}
+"""What a cube starts too deep in."""
 
 
 def derive(results: Results) -> Section:
@@ -187,7 +194,8 @@ def _overlap_table(rows: Sequence[Row]) -> Table:
         "undamped spring": [row.exit_bound_mm_s for row in rows],
         "ends": [row["class"] for row in rows],
     }
-    return Table(pd.DataFrame(columns, index=pd.Index([row.start for row in rows], name="start in")))
+    index = pd.Index([STARTS.get(row.start, row.start) for row in rows], name="start in")
+    return Table(pd.DataFrame(columns, index=index))
 
 
 def _others_table(results: Results) -> Table:

@@ -11,7 +11,7 @@ from report.figures import INK, SERIES, new_figure, tick_125
 from report.results import Results, Row
 from report.sections.stiffness.runs import Runs, drift_without_slide, is_held
 
-ENDS = {"dropped": "v", "not finite": "x", "overflow": "P"}
+ENDS = {"dropped": "v", "not finite": "x", "overflow": "P", "hardly shaken": "s"}
 """How a run can end with no slip to show, and its mark."""
 
 
@@ -47,8 +47,8 @@ def _critical(rows: Sequence[Row]) -> list[Row]:
 
 def _end(row: Row) -> str:
     """Why a run has no slip to show, in a word or two."""
-    if row.dropped:
-        return "dropped"
+    if row.slip_mm.value is not None:
+        return "dropped" if row.dropped else "hardly shaken"
     return "overflow" if "overflow" in (row.failure or "") else "not finite"
 
 

@@ -29,7 +29,9 @@ class Runs:
 
 
 def is_held(row: Row) -> bool:
-    return row.slip_mm.value is not None and not row.dropped
+    """Whether a run keeps the cube. One that comes to its shake too late to go through a cycle of it has shown nothing:
+    a hand that trembles takes seconds longer to close and to lift."""
+    return row.slip_mm.value is not None and not row.dropped and row.cycle_count.value is not None
 
 
 def has_slip(results: Results) -> Outcome:
