@@ -24,6 +24,7 @@ from report.records.reading import load_record
 from report.records.record import record_path
 from report.results import Results, ResultsError
 from report.sections import fix
+from report.sections.stiffness.runs import is_held
 from report.words import Wording
 
 
@@ -209,3 +210,17 @@ def test_a_script_is_not_compared_with_what_was_not_measured():
     for others, reason in (({}, "has no results here"), ({"reproduction": incomplete}, "does not say")):
         claims = {claim.name: claim for claim in fix.derive(results_of("fix", **others)).claims}
         assert claims["same_as_report"].outcome == Outcome("unknown", f"section reproduction {reason}")
+
+
+def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
+    path = record_path("stiffness", "1.4.0", "full")
+    record = load_record(path)
+    index = next(index for index, row in enumerate(record.rows) if row["case"] == "pad-ke-2.5e5")
+
+    def is_held_with(**changed) -> bool:
+        rows = [*record.rows[:index], record.rows[index] | changed, *record.rows[index + 1 :]]
+        return is_held(Results(replace(record, rows=rows), path).row["pad-ke-2.5e5"])
+
+    assert is_held_with()
+    assert not is_held_with(cycle_count=None, cycle_count_reason="the shake is shorter than one cycle")
+    assert not is_held_with(dropped=True)

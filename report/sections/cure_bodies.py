@@ -6,7 +6,7 @@ from itertools import product
 import pandas as pd
 
 from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import cell_count, extreme, size_share
+from report.deriving.arithmetic import cell_count, extreme, share, size_share
 from report.parts import Section, Table
 from report.quantities import Quantity, Value
 from report.results import Results, Row
@@ -111,8 +111,9 @@ def _spinning_ball_goes_aside(results: Results, runs: Runs) -> Claim:
     travel = extreme(
         results, "pivot_travel", "way of the ball with nothing done", max, _cells(runs, "pivot", "plain", "travel_mm")
     )
-    bound = results.chosen("aside_bound", "it is seen", 1.0, unit="mm")
-    return Claim("spinning_ball_goes_aside", at_least(least, bound), numbers={"aside": least, "travel": travel})
+    part = share(results, "aside_share", "how far it ends aside, of its way", least, travel)
+    bound = results.chosen("aside_bound", "it is seen", 1.0, unit="%")
+    return Claim("spinning_ball_goes_aside", at_least(part, bound), numbers={"aside": least, "travel": travel})
 
 
 def _cells(runs: Runs, motion: str, way: str, column: str) -> list[Quantity]:

@@ -6,11 +6,11 @@ from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_most
+from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most
 from report.deriving.arithmetic import by_case, cell_count, extreme
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
+from report.quantities import Quantity, Value, absent
 from report.results import Results, Row
 from report.sections.stiffness.runs import FIX, SHIPPED, is_held
 
@@ -79,10 +79,16 @@ def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     width = results.value(
         "response_range", "longest over shortest response of the friction rows", lambda *s: max(s) / min(s), *responses
     )
-    numbers = _numbers(results, "kept", runs, bound) | {"width": width}
+    numbers: dict[str, Quantity] = {**_numbers(results, "kept", runs, bound), "width": width}
     numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
     numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
-    return Claim("follows", at_most(numbers["largest"], bound), numbers=numbers)
+    wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
+    outcome = all_of(at_most(numbers["largest"], bound), at_least(width, wide))
+    if at_least(width, wide) == FAILS:
+        reason = "the friction rows of all runs brake too much alike to tell"
+        outcome = Outcome("unknown", reason).having_read(width)
+        numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
+    return Claim("follows", outcome, numbers=numbers)
 
 
 def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:

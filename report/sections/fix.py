@@ -38,8 +38,7 @@ def derive(results: Results) -> Section:
 
 
 def test_passed(row: Row) -> bool:
-    """A record of 1.8.0 that is still to be measured again says it itself, for want of the exit status."""
-    return row.exit_status.value == 0 if "exit_status" in row else bool(row["test_passed"])
+    return row.exit_status.value == 0
 
 
 def _recommended(shipped: Row, fixed: Row, gain: Value, bound: Value) -> Claim:

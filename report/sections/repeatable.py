@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import pandas as pd
 from markupsafe import Markup
 
-from report.claims import Claim, Outcome, at_least, at_most, decided
+from report.claims import Claim, Outcome, all_of, at_least, at_most, decided
 from report.deriving.arithmetic import extreme
 from report.names import worlds_name
 from report.parts import Section, Table
@@ -50,7 +50,9 @@ def derive(results: Results) -> Section:
 def _plain_differs(results: Results, plain: Row) -> Claim:
     bound = results.chosen("differing_bound", "one of them is enough", 1)
     numbers = {"differing": plain.differing_world_count, "worlds": plain.worlds, "spread": plain.run_spread_mm}
-    return Claim("plain_differs", at_least(plain.differing_world_count, bound), numbers=numbers)
+    seen = results.chosen("spread_bound", "to be seen in the slip", 1e-6, unit="mm")
+    outcome = all_of(at_least(plain.differing_world_count, bound), at_least(plain.run_spread_mm, seen))
+    return Claim("plain_differs", outcome, numbers=numbers)
 
 
 def _some_way_repeats(results: Results, rows: Mapping[str, Row], exact: str) -> Claim:

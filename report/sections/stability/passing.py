@@ -1,8 +1,6 @@
 """When a run of section stability passes: judged from what was measured of it, and of the others of its family.
 
-Read as it was judged when it was measured, where a record still to be measured again lacks the number:
-``gains_energy``, of a freed cube that lies still and so has no ``energy_growth``. A stable run that lacks a number by
-which it is judged is not judged.
+A stable run that lacks a number by which it is judged is not judged.
 """
 
 from collections.abc import Callable, Sequence
@@ -151,12 +149,10 @@ def _gravity(rows: Sequence[Row]) -> Passing:
 
 
 def _gains_energy(row: Row) -> bool:
-    if "freed_speed_first_mm_s" in row:
-        first, last = row.freed_speed_first_mm_s.value, row.freed_speed_last_mm_s.value
-        return last**2 > ENERGY_LARGEST * first**2
-    if "energy_growth" in row and row.energy_growth.value is not None:
-        return row.energy_growth.value > ENERGY_LARGEST
-    return bool("gains_energy" in row and row.gains_energy)
+    if not row.freed:
+        return False
+    first, last = row.freed_speed_first_mm_s.value, row.freed_speed_last_mm_s.value
+    return last**2 > ENERGY_LARGEST * first**2
 
 
 def _buffers(rows: Sequence[Row]) -> Passing:

@@ -20,7 +20,7 @@ from report.deriving.releases import (
 )
 from report.noise import EDGES
 from report.parts import Section
-from report.quantities import Value
+from report.quantities import Quantity, Value, absent
 from report.results import Results
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
 from report.sections.upgrade.tables import (
@@ -142,8 +142,8 @@ def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: H
         across=True,
     )
     moved = change(results, f"{name}_change", old, new)
-    return Claim(
-        claim,
-        ends.one or machines_differ(ends.releases, headline.section) or unchanged(old, new, moved, spread),
-        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "spread": spread, "grows": _grows(moved)},
-    )
+    times: dict[str, Quantity] = {"before": old, "after": new, "spread": spread}
+    outcome = ends.one or unchanged(old, new, moved, spread)
+    if differ := machines_differ(ends.releases, headline.section):
+        outcome, times = differ, {time: absent("ms", differ.reason) for time in times}
+    return Claim(claim, outcome, numbers={"a": ends.old, "b": ends.new, "grows": _grows(moved), **times})
