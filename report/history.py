@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from report.chapters import Chapters, Releases
+from report.claims import NEAR_NOISE
 from report.deriving.releases import Turn, turns
 from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
 from report.question import Answer, Question
@@ -54,7 +55,8 @@ def _floors(releases: Releases) -> dict[str, Floor]:
 def _mark(column: str, before: Point, after: Point) -> str:
     if isinstance(before.answer, str) or isinstance(after.answer, str):
         return FLIPPED if before.answer != after.answer else ""
-    is_moved = is_beyond(max(before.noise or 0.0, after.noise or 0.0), before.answer, after.answer)
+    noise = NEAR_NOISE * max(before.noise or 0.0, after.noise or 0.0)
+    is_moved = is_beyond(noise, before.answer, after.answer)
     return (verdict(column, before.answer, after.answer) or MOVED) if is_moved else ""
 
 

@@ -7,7 +7,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from report.chapters import Chapter, Chapters, Releases
-from report.claims import HOLDS, Claim, Outcome, beyond
+from report.claims import HOLDS, NEAR_NOISE, Claim, Outcome, beyond
 from report.costs import is_cost, terms_of
 from report.deriving.arithmetic import cell_or_absent
 from report.noise import is_beyond, verdict
@@ -83,7 +83,7 @@ def marked(difference: Value | None, noise: Quantity, column: str, before: Quant
     Nothing is said of a cost that was not measured on the same processor.
     """
     told = difference is not None and None not in (difference.value, noise.value)
-    if not told or not is_beyond(noise.value, before.value, after.value):
+    if not told or not is_beyond(NEAR_NOISE * noise.value, before.value, after.value):
         return after.bare
     if is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
         return Markup('{} <span class="moved">other machine</span>').format(after.bare)
@@ -236,5 +236,5 @@ def machines_differ(releases: Releases, section: str) -> Outcome | None:
     """Unknown, when the oldest and the newest release were not measured on one and the same machine."""
     records = [release[section].results.record for release in releases.values() if section in release]
     if records and records[0].machine_for_speed != records[-1].machine_for_speed:
-        return Outcome("unknown", f"measured on {records[0].machine_text} and on {records[-1].machine_text}")
+        return Outcome("unknown", f"measured on {records[0].machine_in_full} and on {records[-1].machine_in_full}")
     return None

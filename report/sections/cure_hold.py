@@ -110,7 +110,9 @@ def _best_stays(results: Results, rows: Mapping[str, Row]) -> Claim:
     rounded, best = (rows[case].slip_mm for case in ("rounded", "best"))
     gain = ratio(results, "best_gain", "slip as shipped over that with all remedies", rounded, best)
     bound = results.chosen("best_gain_bound", *SETTLES)
-    numbers = {"best": best, "rounded": rounded, "gain": gain, "duration": rows["best"].shake_duration_s}
+    is_told = None not in (gain.value, gain.noise) and gain.noise < gain.value
+    numbers = {"best": best, "rounded": rounded, "gain": gain, "is_told": is_told}
+    numbers |= {"duration": rows["best"].shake_duration_s}
     return Claim("best_stays", at_least(gain, bound), numbers=numbers)
 
 

@@ -30,8 +30,12 @@ SCENES = {
     "contacts": "shake test",
 }
 """Sections whose records have a creep and its prediction."""
-COLUMNS = {"turntable": ("growth_per_s", "predicted_growth_per_s"), "contacts": ("slide_mm", "predicted_slide_mm")}
-"""Of what is measured and what is predicted, where they are no creep."""
+COLUMNS = {
+    "turntable": ("growth_per_s", "predicted_growth_per_s"),
+    "contacts": ("slide_mm", "predicted_slide_mm"),
+    "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
+}
+"""Of what is measured and what is predicted, where they are no creep, or one that comes in jolts as well."""
 MARKERS = ("o", "s", "^", "D", "v")
 SHAKE_S = 4.0
 """How long the slide of the shake test was watched: two periods of a motion that repeats every second cycle of 1 Hz."""

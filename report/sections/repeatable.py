@@ -61,7 +61,7 @@ def _some_way_repeats(results: Results, rows: Mapping[str, Row], exact: str) -> 
     none = results.chosen("exact_bound", "the same to the last bit", 0)
     spread = rows[exact].world_spread_mm if exact else absent("mm", "no way is exact")
     lacking = Markup("; ").join(
-        SO[way] for way, row in rows.items() if way in SO and row.differing_world_count.value is None
+        WAYS[way].removeprefix("and ") for way, row in rows.items() if row.differing_world_count.value is None
     )
     numbers = {"way": SO.get(exact, ""), "least": least, "worlds": rows["plain"].worlds, "lacking": lacking}
     return Claim("some_way_repeats", at_most(least, none), numbers=numbers | {"has_spread": exact, "spread": spread})

@@ -23,8 +23,8 @@ UNTRIMMED = "as-shipped-untrimmed"
 WHAT = {
     UNTRIMMED: "nothing: exactly as shipped",
     "as-shipped": "without most IK iterations, waiting for IK, state writes, room in the buffers",
-    "stiff-pads-only": "as-shipped with stiff pads",
-    "all-gaps-zero": "as-shipped without contact gaps",
+    "stiff-pads-only": "shipped pads, made stiff",
+    "all-gaps-zero": "shipped pads, without contact gaps",
     "fixed": "stiff pads, without all that is unneeded",
 }
 

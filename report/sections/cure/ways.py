@@ -155,8 +155,8 @@ def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
     if not left and not unknown:
         outcome = Outcome("unknown", "no way does all that is asked")
     way = BEST if outcome == HOLDS else least
-    numbers = {"way": _with_all(way), "slip": slips[way], "best": slips[BEST], "bound": bound}
-    numbers |= {"far": way.row(results, "10cm").slip_mm, "shipped": slips[WAYS[0]], "amplitude": amplitude}
+    numbers = {"way": _with_all(way), "slip": slips[way], "bound": bound, "is_untried": not (way.timed or way.tried)}
+    numbers |= {"far": way.row(results, "10cm").slip_mm, "amplitude": amplitude}
     return Claim("what_to_use", outcome, numbers=numbers)
 
 

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+from markupsafe import Markup
+
 from experiments.case import AS_SHIPPED, STIFF_PADS
 from report.claims import (
     FAILS,
@@ -22,6 +24,9 @@ from report.results import Results, Row
 from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.passing import passed
+
+UNCLAMPED = {"off": "the clamp off", "direct": "a direct solref"}
+"""Ways around the clamp."""
 
 
 def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
@@ -171,16 +176,16 @@ def clamp(results: Results) -> Claim:
     predicted = results.value(
         "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", lambda: 1 / (8**0.5 - 2)
     )
+    ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
+    never, always = (
+        Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
+    )
     return family_claim(
         results,
         "clamp_off",
         rows,
         also=decided(parted, first, last),
-        numbers={
-            "first": first,
-            "last": last,
-            "predicted": predicted,
-        },
+        numbers={"first": first, "last": last, "predicted": predicted, "never": never, "always": always},
     )
 
 
