@@ -35,12 +35,15 @@ class Column:
     is_setting: bool
 
 
-def write_archive(path: Path, editions: Mapping[str, Edition], templates: Templates) -> None:
+def write_archive(
+    path: Path, editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates
+) -> None:
     """Write the archive of all releases; the same records and values give the same bytes.
 
-    Nothing is compressed, since what compresses does not do so alike everywhere.
+    Nothing is compressed, since what compresses does not do so alike everywhere. ``tables`` are the rows of each
+    record, by its file.
     """
-    files = dict(_data_files(editions))
+    files = dict(_data_files(editions, tables))
     files[FIGURES] = _csv(DRAWN, (row for edition in editions.values() for row in _drawn(edition)))
     names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
     files["README.txt"] = templates.layout(TEMPLATE, names).encode()
@@ -51,14 +54,14 @@ def write_archive(path: Path, editions: Mapping[str, Edition], templates: Templa
             archive.writestr(entry, files[name])
 
 
-def _data_files(editions: Mapping[str, Edition]) -> Iterator[tuple[str, bytes]]:
+def _data_files(editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> Iterator[tuple[str, bytes]]:
     """Records, as they are kept and as tables, with their traces, and values by release."""
     for release, edition in editions.items():
         for chapter in edition.chapters.values():
             path = chapter.results.path
             for file in (path, *traces_of(path, chapter.results.record)):
                 yield f"{path.parent.name}/{file.name}", file.read_bytes()
-            yield f"{path.parent.name}/{path.stem}.csv", rows_csv(chapter.results.record.rows)
+            yield f"{path.parent.name}/{path.stem}.csv", tables[chapter.results.source]
         yield f"newton-{release}/{VALUES_FILE}", values_text(edition.chapters.values()).encode()
 
 

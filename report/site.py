@@ -161,7 +161,7 @@ def _write_site(
         _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
         _write_data(here / "data", release, editions, tables)
         write_replay(here, editions[release], templates)
-    write_surroundings(folder, editions, places, templates, address, keeper)
+    write_surroundings(folder, editions, places, tables, templates, address, keeper)
     (folder / ".gitkeep").touch()
 
 

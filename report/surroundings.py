@@ -53,6 +53,7 @@ def write_surroundings(
     folder: Path,
     editions: Mapping[str, Edition],
     places: Mapping[str, str],
+    tables: Mapping[str, bytes],
     templates: Templates,
     address: str,
     keeper: Keeper,
@@ -63,6 +64,7 @@ def write_surroundings(
         folder: The site.
         editions: Every release by its name, oldest first.
         places: Where the pages of each lie in the site.
+        tables: Rows of each record, by its file.
         templates: Those of the project.
         address: Where the site will lie; empty where that is not known.
         keeper: What was made before.
@@ -78,7 +80,7 @@ def write_surroundings(
     given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
     card = keeper.value("card", ROOT / "report" / "card.py", given, lambda: _card(slips))
     (folder / CARD).write_bytes(card)
-    write_archive(folder / ARCHIVE, editions, templates)
+    write_archive(folder / ARCHIVE, editions, tables, templates)
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:

@@ -75,17 +75,31 @@ def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def number_problem(column: str, value: int | float) -> str:
-    """What is wrong with a number in ``column``, in words; empty when nothing is."""
+@cache
+def is_column(name: str) -> bool:
+    return bool(COLUMN.fullmatch(name))
+
+
+@cache
+def range_of(column: str) -> tuple[float, float]:
+    """The least and the largest number that is believed in a column."""
     unit = unit_of(column)
     largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
+    has_no_sign = MAGNITUDE.fullmatch(column) or (unit in NEVER_NEGATIVE and not SIGNED.fullmatch(column))
+    return 0.0 if has_no_sign else -largest, largest
+
+
+def number_problem(column: str, value: int | float) -> str:
+    """What is wrong with a number in ``column``, in words; empty when nothing is."""
+    least, largest = range_of(column)
+    if least <= value <= largest:
+        return ""
     if isinstance(value, float) and not math.isfinite(value):
         return f"is {value}; a number that does not exist is null, with its {column}{REASON}"
-    if not -largest <= value <= largest:
-        return f"is beyond {largest:g}{'' if unit == PLAIN else f' {unit}'}"
-    if value < 0 and (MAGNITUDE.fullmatch(column) or (unit in NEVER_NEGATIVE and not SIGNED.fullmatch(column))):
+    if -largest <= value < least:
         return f"is {value:g}, and can't be negative"
-    return ""
+    unit = unit_of(column)
+    return f"is beyond {largest:g}{'' if unit == PLAIN else f' {unit}'}"
 
 
 def text_problem(text: str) -> str:

@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import Any
 
 from report import ROOT
-from report.records.columns import COLUMN, PLAIN, REASON, is_number, number_problem, text_problem, unit_of, units_of
+from report.records.columns import (
+    PLAIN,
+    REASON,
+    is_column,
+    is_number,
+    number_problem,
+    text_problem,
+    unit_of,
+    units_of,
+)
 from report.records.files import RecordError, place_of, put_record
 from report.records.identity import MISSING, Identity
 
@@ -122,6 +131,9 @@ def _text(record: Record) -> str:
     return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
 
 
+PLAIN_TYPES = bool, int, float, str, type(None)
+
+
 def check_record(record: Record, place: str) -> None:
     """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
     if not record.rows:
@@ -138,9 +150,9 @@ def check_record(record: Record, place: str) -> None:
 
 
 def _problem(record: Record, row: Mapping[str, Any], column: str, value: Any) -> str:
-    if not COLUMN.fullmatch(column):
+    if not is_column(column):
         return "is no column name (lower-case words joined by _)"
-    if not isinstance(value, bool | int | float | str | None):
+    if not isinstance(value, PLAIN_TYPES):
         return f"is a {type(value).__name__}, not a plain number or text"
     if is_number(value):
         return "has no unit" if column not in record.units else number_problem(column, value)
