@@ -7,7 +7,7 @@ from statistics import median
 from matplotlib.figure import Figure as Drawing
 
 from report.claims import FAILS, Claim, Outcome, all_of, at_least, at_most
-from report.deriving.arithmetic import by_case, cell_count, extreme
+from report.deriving.arithmetic import by_case, cell_count, extreme, share
 from report.figures import INK, new_figure
 from report.parts import Figure, Section, Table
 from report.quantities import Quantity, Value, absent
@@ -105,7 +105,9 @@ def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
         for run in runs
     ]
     gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
-    return Claim("rounded_too", at_most(numbers["largest"], bound), numbers=numbers | {"gap": gap})
+    part = share(results, "rounded_share", "of the runs, those within the bound", numbers["inside"], numbers["count"])
+    most = results.chosen("rounded_bound", "all but a few", 90.0, unit="%")
+    return Claim("rounded_too", at_least(part, most), numbers=numbers | {"gap": gap})
 
 
 def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
