@@ -27,7 +27,7 @@ REFERENCE = "stiff-pads"
 HARDLY, LITTLE = 0.01, 0.1
 """Chosen: a section none of whose runs changes the slip by more than these shares of it is one that does hardly
 anything, or little. Section reproduction has them as values, in percent."""
-LONGEST_NAME = 60
+LONGEST_NAME = 48
 """Characters of a run's name, of which more would not fit beside its mark."""
 LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
