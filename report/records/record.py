@@ -98,6 +98,11 @@ SPEED_PARTS = ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")
 """Of a machine, and of how it was used: what decides how fast it is."""
 
 
+DIGITS = ".9g"
+"""Of a number: as many as tell any two of single precision apart. What the last of them leave out is far below what
+any of these numbers repeats to."""
+
+
 def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
     """Where the records of a Newton release lie; only those of the full profile are tracked."""
     results = root / "results"
@@ -121,9 +126,13 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     put_record(path, {**files, path.name: _text(record).encode()})
 
 
+def _shortened(value: Any) -> Any:
+    return float(f"{value:{DIGITS}}") if isinstance(value, float) else value
+
+
 def _text(record: Record) -> str:
     data = {"schema": SCHEMA, **asdict(record)}
-    rows = data.pop("rows")
+    rows = [{column: _shortened(value) for column, value in row.items()} for row in data.pop("rows")]
     if record.traces is None:
         del data["traces"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)

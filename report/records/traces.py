@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from report.records.columns import PLAIN, number_problem, text_problem, unit_of
 from report.records.files import RecordError, is_own_file, place_of, read_own_file
-from report.records.record import Record, Seal
+from report.records.record import DIGITS, Record, Seal
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
     import pandas as pd
@@ -22,8 +22,6 @@ CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 256 << 20
 NO_NUMBER = re.compile(r"(?:^|,)[+-]?(?:nan|inf|infinity)(?:,|$)", re.IGNORECASE | re.MULTILINE)
 """What a number that is missing is never written as: its cell is empty."""
-DIGITS = "%.9g"
-"""Of a number: as many as tell any two of single precision apart, and half the bytes of all that double has."""
 
 
 def trace_path(record: Path, case: str) -> Path:
@@ -49,7 +47,7 @@ def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, byt
     for column in frame.select_dtypes("number"):
         frame[column] = frame[column].where([not number_problem(column, value) for value in frame[column].tolist()])
     # Without a time in the header the same numbers give the same bytes.
-    content = gzip.compress(frame.to_csv(index=False, lineterminator="\n", float_format=DIGITS).encode(), mtime=0)
+    content = gzip.compress(frame.to_csv(index=False, lineterminator="\n", float_format=f"%{DIGITS}").encode(), mtime=0)
     return Seal(hashlib.sha256(content).hexdigest(), len(_read(content, path))), content
 
 
