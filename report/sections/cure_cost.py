@@ -131,9 +131,11 @@ def _draw(counts: Sequence[int], extra: Times) -> Drawing:
     drawing, axes = new_figure(7.2, 2.9)
     for number, case in enumerate(CHEAP):
         cells = [extra[case, count] for count in counts]
-        there = [(place, cell.value) for place, cell in enumerate(cells) if cell.value is not None]
-        places, shares = [place + 0.26 * (number - 1) for place, _ in there], [share for _, share in there]
-        axes.bar(places, shares, 0.24, color=SERIES[number], hatch=("", "///", "...")[number], label=name_of(case))
+        there = [(place + 0.26 * (number - 1), cell) for place, cell in enumerate(cells) if cell.value is not None]
+        places, shares = [place for place, _ in there], [cell.value for _, cell in there]
+        noises = [cell.noise or 0.0 for _, cell in there]
+        look = {"color": SERIES[number], "hatch": ("", "///", "...")[number], "label": name_of(case)}
+        axes.bar(places, shares, 0.24, yerr=noises, capsize=3, error_kw={"ecolor": INK, "elinewidth": 1.2}, **look)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.set_xticks(range(len(counts)), [format_number(count) for count in counts])
     axes.grid(visible=False, axis="x")
