@@ -15,13 +15,13 @@ from unittest import mock
 
 import warp as wp
 from tqdm import tqdm
-from warp._src import build
+from warp._src import build, context
 
 from report.records.processes import workers
 
-Call = tuple[tuple, Mapping[str, Any]]
-COMPILER = "build_cuda"
-"""Warp's function that writes what a source compiles to."""
+Call = tuple[str, tuple, Mapping[str, Any]]
+BUILD, SOLVER = "build_cuda", "wp_cuda_compile_solver"
+"""Warp's functions that write what a source compiles to, and what a tile's factorization does, which is linked to it."""
 
 
 def load_all(loads: Sequence[Callable[[], Any]]) -> None:
@@ -59,12 +59,15 @@ def _load(waiting: queue.SimpleQueue, calls: queue.SimpleQueue) -> None:
 def _compiler_elsewhere(calls: queue.SimpleQueue) -> Iterator[None]:
     """Within it a call of the compiler is put into ``calls``, and waits for what comes of it."""
 
-    def ask(*arguments, **options) -> None:
+    def ask(name: str, *arguments, **options) -> Any:
         future: Future = Future()
-        calls.put(((arguments, options), future))
-        future.result()
+        calls.put(((name, arguments, options), future))
+        return future.result()
 
-    with mock.patch.object(build, COMPILER, ask):
+    with (
+        mock.patch.object(build, BUILD, partial(ask, BUILD)),
+        mock.patch.object(context.runtime.core, SOLVER, partial(ask, SOLVER)),
+    ):
         yield
 
 
@@ -73,13 +76,13 @@ def _begin() -> None:
     wp.init()
 
 
-def _compile(arguments: tuple, options: Mapping[str, Any]) -> None:
+def _compile(name: str, arguments: tuple, options: Mapping[str, Any]) -> Any:
     """Compile in this process; the source, and the folder to write to, are there."""
-    getattr(build, COMPILER)(*arguments, **options)
+    return getattr(build if name == BUILD else context.runtime.core, name)(*arguments, **options)
 
 
 def _hand_over(future: Future, done: Future) -> None:
     if error := done.exception():
         future.set_exception(error)
     else:
-        future.set_result(None)
+        future.set_result(done.result())

@@ -26,6 +26,7 @@ def warp_device(kind: str | None) -> Any:
 
     if hasattr(wp, "LOG_WARNING"):  # Warp of old releases has none, and they are told what else they lack
         wp.config.log_level = wp.LOG_WARNING
+    wp.config.enable_backward = False  # before a kernel is met: nothing here asks for gradients, a third of compiling
     wp.init()
     if kind is None:
         kind = "cuda" if wp.is_cuda_available() else "cpu"

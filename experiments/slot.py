@@ -74,9 +74,8 @@ def receive(calls: BinaryIO, inbox: queue.SimpleQueue) -> None:
 def answer(device: str, call: bytes) -> Done | Failed:
     try:
         here = machine(device)
+        warp_device(device)  # what it settles has to be settled before a section defines kernels
         function, arguments = pickle.loads(call)
-        if "warp" in sys.modules:
-            warp_device(device)  # with as few words as Warp has
     except Exception as error:  # the device or the code is not there
         return Failed(" ".join(str(error).split()))
     return run_batch(function, arguments, here)

@@ -15,11 +15,17 @@ def double(values: wp.array(dtype=float)):
     values[i] = 2.0 * values[i]
 
 
+@wp.kernel(module="unique")
+def factorize(matrix: wp.array2d(dtype=float)):
+    tile = wp.tile_load(matrix, shape=(9, 9))
+    wp.tile_store(matrix, wp.tile_cholesky(tile))  # compiled apart, and linked
+
+
 if __name__ == "__main__":
     wp.config.log_level = wp.LOG_ERROR
     wp.init()
     here = partial(double.module.load, "cpu", 1)
-    for_a_gpu = partial(wp.compile_aot_module, double.module, arch=90, module_dir=sys.argv[1])  # which takes none
+    for_a_gpu = partial(wp.compile_aot_module, factorize.module, arch=90, module_dir=sys.argv[1])  # which takes none
     load_all([here, for_a_gpu])
     numbers = wp.array(np.arange(3.0, dtype=np.float32), device="cpu")
     wp.launch(double, dim=3, inputs=[numbers], device="cpu")

@@ -136,7 +136,7 @@ def _text(record: Record) -> str:
     if record.traces is None:
         del data["traces"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
-    lines = [json.dumps(row, ensure_ascii=False, allow_nan=False) for row in rows]
+    lines = [json.dumps(row, ensure_ascii=False, allow_nan=False, separators=(",", ":")) for row in rows]
     return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
 
 
