@@ -21,7 +21,7 @@ from report.records.processes import workers
 
 Call = tuple[str, tuple, Mapping[str, Any]]
 BUILD, SOLVER = "build_cuda", "wp_cuda_compile_solver"
-"""Warp's functions that write what a source compiles to, and what a tile's factorization does, which is linked to it."""
+"""Warp's functions that write what a source compiles to, and what a tile's factorization does, which is linked in."""
 
 
 def load_all(loads: Sequence[Callable[[], Any]]) -> None:
