@@ -200,6 +200,8 @@ def within(difference: Quantity, noise: Quantity) -> Outcome:
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    if found := _undecided(difference, noise):
+        return found.having_read(difference, noise)
     if abs(difference.value) > NEAR_NOISE * noise.value:
         return OPPOSITE.having_read(difference, noise)
     # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller one.

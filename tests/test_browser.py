@@ -20,7 +20,7 @@ pytestmark = pytest.mark.skipif(
 
 SCREENS = {"desk": (1280, 900), "phone": (390, 844)}
 LEAST_TEXT_PX = 9.0
-MOST_STOPS = 65
+MOST_STOPS = 60
 MOST_ELEMENTS = 4000
 """On a front page."""
 

@@ -49,7 +49,7 @@ ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
 FAILURE = "the state was not finite in frame 300"
 SHARE = 0.1
 """Of the rows so many fail, or are missing."""
-NOISIER = 50.0
+NOISIER = 60.0
 
 Row = dict[str, Any]
 Records = Mapping[tuple[str, str], Record]
@@ -259,7 +259,7 @@ WORLDS = (
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
     World("all-equal", equal_rows, equal_frame),
-    World("noise-x-50", noisy_rows),
+    World("noise-x-60", noisy_rows),
     *(failing(seed) for seed in range(3)),
     *(missing(seed) for seed in range(3)),
     World("releases-swapped", swapped_rows, swapped_frame),

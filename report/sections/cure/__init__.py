@@ -21,7 +21,18 @@ from report.sections.cure.budget import (
     run_count,
 )
 from report.sections.cure.figures import draw_budget
-from report.sections.cure.ways import BEST, GRASP_MM, STEPS, WAYS, Way, amplitude_mm, cost_table, use_table, what_to_use
+from report.sections.cure.ways import (
+    ADDS,
+    BEST,
+    GRASP_MM,
+    STEPS,
+    WAYS,
+    Way,
+    amplitude_mm,
+    cost_table,
+    use_table,
+    what_to_use,
+)
 
 order = 149  # after all of its page, which it reads
 page = "cure"
@@ -34,14 +45,6 @@ OTHER_CONTACTS = {
 }
 """All remedies with other contacts than Newton's and with another cone."""
 CONTACTS = {"mujoco": "contacts that MuJoCo finds", "pyramid": "a pyramidal cone"}
-REMEDIES = {
-    "shipped": "nothing",
-    "term": "the term",
-    "centred": "the term centred, with Euler",
-    "impratio": "a high impratio",
-    "kept": "compensated positions",
-}
-"""What each of STEPS adds."""
 
 
 def derive(results: Results) -> Section:
@@ -113,12 +116,12 @@ def _term_alone(results: Results) -> Claim:
 
 def _each_takes_its_part(results: Results) -> Claim:
     """One remedy after the other."""
-    slips = [_way(name).row(results, "3cm").slip_mm for name in STEPS]
+    slips = [_way(name).row(results, "3cm").slip_mm for name in STEPS.values()]
     noise = noise_floor(results, "slip_floor")
-    numbers: dict[str, Quantity | Markup] = dict(zip(REMEDIES, slips, strict=True))
+    numbers: dict[str, Quantity | Markup] = dict(zip(STEPS, slips, strict=True))
     idle = [
-        Markup.escape(words)
-        for words, before, after in zip(list(REMEDIES.values())[1:], slips, slips[1:], strict=False)
+        Markup.escape(name.removeprefix(ADDS))
+        for name, before, after in zip(list(STEPS.values())[1:], slips, slips[1:], strict=False)
         if greater(before, after, noise=noise) != HOLDS
     ]
     return Claim("each_takes_its_part", decreases(slips, noise=noise), numbers=numbers | {"idle": some_html(idle)})

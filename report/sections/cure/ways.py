@@ -71,7 +71,13 @@ KF_OFF = Way(
     "shipped pads, kf off", "newton-implicitfast-50-shipped", "kf-off", may_break="slides as releases before kf"
 )
 """Where the release reads ``kf``."""
-STEPS = ("shipped pads", "the term", "the term centred, Euler", "and a high impratio", "and compensated positions")
+STEPS = {
+    "shipped": "shipped pads",
+    "term": "the term",
+    "centred": "the term centred, Euler",
+    "impratio": "and a high impratio",
+    "kept": "and compensated positions",
+}
 """One remedy more each time."""
 
 

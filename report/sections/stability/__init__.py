@@ -169,13 +169,10 @@ def _clamp_table(rows: Sequence[Row]) -> Table:
     ratios = {row.timeconst_steps.value: row.timeconst_steps for row in rows}
     found = {(row.clamp, row.timeconst_steps.value): row for row in rows}
     table = [
-        {
-            label: _ending(found.get((clamp, ratio)))
-            for clamp, label in (("off", "clamp off"), ("direct", "direct solref"))
-        }
+        {label: _ending(found.get((clamp, ratio))) for clamp, label in limits.UNCLAMPED.items()}
         for ratio in sorted(ratios, reverse=True)
     ]
-    frame = pd.DataFrame(table, columns=["clamp off", "direct solref"])
+    frame = pd.DataFrame(table, columns=list(limits.UNCLAMPED.values()))
     index = [ratios[ratio].bare for ratio in sorted(ratios, reverse=True)]
     frame.index = pd.Index(index, name="timeconst over dt")
     return Table(frame)

@@ -25,7 +25,7 @@ from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.passing import passed
 
-UNCLAMPED = {"off": "the clamp off", "direct": "a direct solref"}
+UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 """Ways around the clamp."""
 
 
