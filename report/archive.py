@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
-from report.chapters import Chapter, values_text
+from report.chapters import Chapter
 from report.editions import Edition
 from report.page import Templates
 from report.quantities import VALUES_FILE
@@ -62,7 +62,7 @@ def _data_files(editions: Mapping[str, Edition], tables: Mapping[str, bytes]) ->
             for file in (path, *traces_of(path, chapter.results.record)):
                 yield f"{path.parent.name}/{file.name}", file.read_bytes()
             yield f"{path.parent.name}/{path.stem}.csv", tables[chapter.results.source]
-        yield f"newton-{release}/{VALUES_FILE}", values_text(edition.chapters.values()).encode()
+        yield f"newton-{release}/{VALUES_FILE}", edition.values_text.encode()
 
 
 def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:

@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import Any
 
 from report import ROOT, ReportError
-from report.chapters import Chapter, Chapters, Releases
+from report.chapters import Chapter, Chapters, Releases, values_text
 from report.claims import HOLDS
 from report.clips import Clips, clips_of
 from report.derived import Earlier, LostError, Noted, Outline, Reads, derive_section, outline_of
@@ -57,6 +57,16 @@ class Edition:
             name: replace(chapter, section=Section()) if chapter.compares else chapter
             for name, chapter in self.chapters.items()
         }
+
+    @cached_property
+    def values_text(self) -> str:
+        """Its values file."""
+        return values_text(self.chapters.values())
+
+    @cached_property
+    def uncompared_text(self) -> str:
+        """Its values file for the pages of others: what compares releases is derived for its own alone."""
+        return values_text(chapter for chapter in self.chapters.values() if not chapter.compares)
 
     @cached_property
     def clips(self) -> Clips | None:

@@ -22,6 +22,7 @@ from jinja2 import (
     TemplateSyntaxError,
     pass_context,
 )
+from jinja2.bccache import Bucket, BytecodeCache
 from jinja2.runtime import Context
 from markdown import Markdown
 from markdown.extensions.toc import slugify
@@ -112,8 +113,9 @@ class Templates:
             autoescape=True,
             trim_blocks=True,
             lstrip_blocks=True,
+            bytecode_cache=_KeptCode(cache) if cache else None,
         )
-        self._prose = self._layout.overlay(finalize=_as_token)
+        self._prose = self._layout.overlay(finalize=_as_token, bytecode_cache=None)
         self._references = references(folder)
         self._layout.globals["references"] = self._references
         self._prose.add_extension(WordTags)
@@ -156,6 +158,21 @@ class Templates:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
+
+
+class _KeptCode(BytecodeCache):
+    """Compiled templates of HTML, in the cache of the project."""
+
+    def __init__(self, cache: Cache):
+        self._cache = cache
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        if found := self._cache.get(f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)):
+            bucket.bytecode_from_string(found)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        made_from = version("jinja2"), bucket.checksum
+        self._cache.put(f"layout.{bucket.key}", made_from, bucket.bytecode_to_string())
 
 
 @once

@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from report import ROOT
 from report.archive import rows_csv
-from report.chapters import Chapter, values_text
+from report.chapters import Chapter
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
 from report.keeping import Keeper, surroundings
@@ -277,11 +277,10 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], table
             for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
                 shutil.copyfile(file, there / file.name)
             (there / f"{path.stem}.csv").write_bytes(tables[chapter.results.source])
-        # What compares releases is derived for the page that it stands on alone.
-        chapters = [chapter for chapter in edition.chapters.values() if own or not chapter.compares]
         place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(local(values_text(chapters), shown), encoding="utf-8")
+        values = edition.values_text if own else edition.uncompared_text
+        place.write_text(local(values, shown), encoding="utf-8")
 
 
 def _digest(project: Project, address: str) -> str:

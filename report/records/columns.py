@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
+from itertools import chain
 from typing import Any, TypeGuard
 
 UNITS = {
@@ -66,9 +67,15 @@ def unit_of(column: str) -> str:
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Units of the columns that hold numbers, missing ones included."""
-    columns = {column: None for row in rows for column, value in row.items() if is_number(value)}
-    columns |= {column.removesuffix(REASON): None for row in rows for column in row if column.endswith(REASON)}
+    there = columns_of(rows)
+    columns = [column for column in there if any(is_number(row.get(column)) for row in rows)]
+    columns += [column.removesuffix(REASON) for column in there if column.endswith(REASON)]
     return {column: unit_of(column) for column in columns}
+
+
+def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """All columns, in the order in which the rows have them."""
+    return list(dict.fromkeys(chain.from_iterable(rows)))
 
 
 def is_number(value: Any) -> TypeGuard[int | float]:

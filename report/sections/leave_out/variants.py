@@ -9,15 +9,12 @@ REFERENCE, ALL = "untrimmed", "without-all"
 
 
 def is_identical(row: Row) -> bool:
-    """Whether a run's trajectory is the reference's to the last bit.
-
-    A record of 1.8.0 that is still to be measured again says it itself, for want of the number of frames.
-    """
-    return row.differing_frame_count.value == 0 if "differing_frame_count" in row else bool(row["bit_identical"])
+    """Whether a run's trajectory is the reference's to the last bit."""
+    return row.differing_frame_count.value == 0
 
 
 def was_compared(row: Row) -> bool:
-    return "differing_frame_count" in row or "bit_identical" in row
+    return "differing_frame_count" in row
 
 
 @dataclass(frozen=True)
