@@ -105,7 +105,7 @@ TEXTS: dict[str, Callable[[str], str | bytes]] = {
     "twice": lambda text: text + text,
     "comma": lambda text: text.replace("]", ",]"),
     "1e999": lambda text: text.replace("6.3617", "1e999"),
-    "a key twice": lambda text: text.replace('"slip_mm": 6.3617', '"slip_mm": 6.3617, "slip_mm": 0.1'),
+    "a key twice": lambda text: text.replace('"slip_mm":6.3617', '"slip_mm":6.3617,"slip_mm":0.1'),
     "a section twice": lambda text: text.replace('"section"', '"section": "toy", "section"', 1),
     "units twice": lambda text: text.replace('"units"', '"units": {}, "units"', 1),
     "another script": lambda text: text.encode("utf-16"),
