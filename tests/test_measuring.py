@@ -7,6 +7,7 @@ import pytest
 
 from experiments.failing import is_expected, reason_of
 from report.commands.editions import aside
+from report.records.manifest import Manifest, write_manifest
 from report.records.project import Project
 from report.upgrade import DECIDING, base_of, unmeasured
 
@@ -47,4 +48,9 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
             path.write_text("{}")
     for profile in ("full", "quick"):
         assert base_of(Project("1.9.0", profile, root=toy.project.root)) == "1.8.0"
+    measured = Project("1.8.0", root=toy.project.root)
+    write_manifest(measured.results, Manifest("1.8.0", "2026-11-11"))
+    for profile in ("full", "quick"):
+        pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
+        assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
     assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(DECIDING)

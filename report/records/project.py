@@ -16,6 +16,8 @@ from report.records.record import record_path, results_folder
 PROFILES = ("full", "quick")
 INPUTS = ("experiments", "report", "templates", "assets", "results")
 """Folders that the site is made from."""
+NEWEST = "9999"
+"""Sorts behind all dates."""
 REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
 
@@ -75,9 +77,11 @@ class Project:
 
     @property
     def order(self) -> tuple:
-        """Sorts editions by version and date."""
-        manifest = self.manifest
-        return *self.label.order, manifest.date if manifest else "", self.release
+        """Sorts editions by version, those of one version by date, and what is pinned after the same without."""
+        label, manifest = self.label, self.manifest
+        # A release has its place by its version; a commit that was not measured yet is taken for the newest.
+        date = ((manifest and manifest.date) or NEWEST) if label.source else ""
+        return *label.order, date, label.source, label.pins, label.machine
 
     def of(self, release: str) -> "Project":
         """The report of another edition."""
