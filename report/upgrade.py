@@ -9,8 +9,10 @@ from report.compare import Comparison, Move
 from report.deriving.releases import Headline, cell
 from report.editions import Edition
 from report.faults import Fault
+from report.records.identity import PACKAGES
 from report.records.measure import seconds_known
 from report.records.project import Project
+from report.records.record import Record
 
 DECIDING = ("noise", "reproduction", "upgrade", "contact_source")
 """Sections that tell most in least time, the longest first: where several are measured at once that ends soonest."""
@@ -52,7 +54,7 @@ def unmeasured(project: Project) -> list[Fault]:
 def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     """The lines, worst first."""
     a, b = found.releases
-    lines = [f"Newton {b} against {a}: {_measured(after)}"]
+    lines = [f"Newton {b} against {a}{_other_packages(before, after)}: {_measured(after)}"]
     if found.faults:
         lines.append(f"can't be trusted: {_few([fault.text for fault in found.faults])}")
     flips = [
@@ -66,8 +68,20 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     return lines
 
 
+def _other_packages(before: Edition, after: Edition) -> str:
+    """What else is of another version than it was, which may be what moved a number."""
+    stacks = [{} if not records else records[0].identity.packages for records in map(_deciding, (before, after))]
+    names = [name for name in PACKAGES[1:] if all(name in stack for stack in stacks)]
+    changed = [f"{name} {stacks[0][name]} → {stacks[1][name]}" for name in names if stacks[0][name] != stacks[1][name]]
+    return f" ({', '.join(changed)})" if changed else ""
+
+
+def _deciding(edition: Edition) -> list[Record]:
+    return [chapter.results.record for name, chapter in edition.chapters.items() if name in DECIDING]
+
+
 def _measured(edition: Edition) -> str:
-    records = [chapter.results.record for name, chapter in edition.chapters.items() if name in DECIDING]
+    records = _deciding(edition)
     if not records:
         return "nothing of it could be measured"
     machines = sorted({record.machine_text for record in records})

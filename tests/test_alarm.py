@@ -200,8 +200,20 @@ def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
     project = measured("1.9.0", farther)
     found, templates = compared(project), Templates(project.templates)
     assert not found.flips and [(move.section, move.column) for move in found.moves] == [("reproduction", "wander_mm")]
-    last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))[-1]
+    first, *_, last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))
+    assert first.startswith("Newton 1.9.0 against 1.8.0: "), "all other packages are the same"
     assert last.endswith("make diff A=1.8.0 B=1.9.0 VALUES=all lists it")
+
+
+def test_a_verdict_says_which_other_packages_differ(measured):
+    def newer(record: Record) -> Record:
+        packages = {**record.identity.packages, "mujoco-warp": "4.0.0"}
+        return replace(record, identity=replace(record.identity, packages=packages))
+
+    project = measured("1.9.0", newer)
+    templates = Templates(project.templates)
+    first = verdict(compared(project), *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))[0]
+    assert first.startswith("Newton 1.9.0 against 1.8.0 (mujoco-warp 3.17.0 → 4.0.0): ")
 
 
 def test_the_documentation_names_what_the_json_has(measured):
