@@ -27,7 +27,7 @@ REFERENCE = "stiff-pads"
 HARDLY, LITTLE = 0.01, 0.1
 """Chosen: a section none of whose runs changes the slip by more than these shares of it is one that does hardly
 anything, or little. Section reproduction has them as values, in percent."""
-LONGEST_NAME = 48
+LONGEST_RUN = 48
 """Characters of a run's name, of which more would not fit beside its mark."""
 LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
@@ -199,7 +199,7 @@ def _name_farthest(axes: Axes, place: int, row: Row) -> None:
 
     It takes no part in the layout, which would give it room by making the axes narrow.
     """
-    text = f"{textwrap.shorten(name_of(row.case), LONGEST_NAME, placeholder=' …')}: {write(row.slip_mm)}"
+    text = f"{textwrap.shorten(name_of(row.case), LONGEST_RUN, placeholder=' …')}: {write(row.slip_mm)}"
     share = axes.transAxes.inverted().transform(axes.transData.transform((row.slip_mm.value, place)))[0]
     above: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "annotation_clip": False}
     if is_narrow():

@@ -167,12 +167,15 @@ class _KeptCode(BytecodeCache):
         self._cache = cache
 
     def load_bytecode(self, bucket: Bucket) -> None:
-        if found := self._cache.get(f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)):
+        if found := self._cache.get(*self._entry(bucket)):
             bucket.bytecode_from_string(found)
 
     def dump_bytecode(self, bucket: Bucket) -> None:
-        made_from = version("jinja2"), bucket.checksum
-        self._cache.put(f"layout.{bucket.key}", made_from, bucket.bytecode_to_string())
+        self._cache.put(*self._entry(bucket), bucket.bytecode_to_string())
+
+    def _entry(self, bucket: Bucket) -> tuple[str, Any]:
+        """What it is kept as, and what it was made from."""
+        return f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)
 
 
 @once

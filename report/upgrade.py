@@ -9,7 +9,7 @@ from report.compare import Comparison, Move
 from report.deriving.releases import Headline, cell
 from report.editions import Edition
 from report.faults import Fault
-from report.records.identity import PACKAGES
+from report.records.identity import PACKAGES, package_changes
 from report.records.measure import seconds_known
 from report.records.project import Project
 from report.records.record import Record
@@ -70,9 +70,11 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
 
 def _other_packages(before: Edition, after: Edition) -> str:
     """What else is of another version than it was, which may be what moved a number."""
-    stacks = [{} if not records else records[0].identity.packages for records in map(_deciding, (before, after))]
-    names = [name for name in PACKAGES[1:] if all(name in stack for stack in stacks)]
-    changed = [f"{name} {stacks[0][name]} → {stacks[1][name]}" for name in names if stacks[0][name] != stacks[1][name]]
+    sides = _deciding(before), _deciding(after)
+    if not all(sides):
+        return ""
+    old, new = (records[0].identity.packages for records in sides)
+    changed = package_changes(old, new, PACKAGES[1:])
     return f" ({', '.join(changed)})" if changed else ""
 
 

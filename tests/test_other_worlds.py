@@ -17,8 +17,10 @@ RECOMMENDING += (
 )
 CAUSES = ("stiffness.cause", "contacts.missing_term", "contacts.term_restored", "story.restored", "story.missing")
 CAUSES += ("hold.creep_is_rounding", "turntable.follows_law", "front.remedy", "story.remedy", "fix.recommended")
-BELOW_THE_NOISE = ("gap.not_the_cause", "hold.longer_steps", "contacts.rest_goes_with_step", "cure_hold.compensation")
+BELOW_THE_NOISE = ("hold.longer_steps", "contacts.rest_goes_with_step", "cure_hold.compensation")
 BELOW_THE_NOISE += ("cure_hold.rest_goes", "speed.fixed_is_faster", "envelope.map_gain", "hold.creep_goes_on")
+# Its bound is 5 % of the slip, to which 50 times the noise does not come since it was measured again.
+BELOW_MORE_NOISE = ("gap.not_the_cause",)
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +43,13 @@ def test_what_a_world_says_otherwise_was_read(world, before):
 
 
 @pytest.mark.parametrize(
-    ("world", "names"), [("reversed", RECOMMENDING), ("all-equal", CAUSES), ("noise-x-60", BELOW_THE_NOISE)]
+    ("world", "names"),
+    [
+        ("reversed", RECOMMENDING),
+        ("all-equal", CAUSES),
+        ("noise-x-50", BELOW_THE_NOISE),
+        ("noise-x-60", BELOW_MORE_NOISE),
+    ],
 )
 def test_what_a_world_does_not_show_does_not_hold(world, names, before):
     """Each of these holds as measured, and says something else in the world."""

@@ -49,7 +49,6 @@ ENDINGS = {"class", "classes", "dropped", "finite", "monotonic"}
 FAILURE = "the state was not finite in frame 300"
 SHARE = 0.1
 """Of the rows so many fail, or are missing."""
-NOISIER = 60.0
 
 Row = dict[str, Any]
 Records = Mapping[tuple[str, str], Record]
@@ -189,20 +188,25 @@ def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     return first.head(len(frame)).assign(**{column: kept[column] for column in kept})
 
 
-def noisy_rows(records: Records, place: Place) -> list[Row]:
-    """Runs of one case are many times as far apart, and so are the frames of a run."""
-    found = records[place].rows
-    means = _means(found) if place[1] == "noise" else [{}] * len(found)
-    rows = []
-    for row, mean in zip(found, means, strict=True):
-        new = {column: value + NOISIER * (row[column] - value) for column, value in mean.items()}
-        new = {column: _sized(column, value) for column, value in new.items() if isinstance(row[column], float)}
-        for column, value in measured(row).items():
-            middle = row.get(PERCENTILE.sub("", column))
-            if PERCENTILE.search(column) and is_number(middle):
-                new[column] = max(0.0, middle + NOISIER * (value - middle))
-        rows.append({**row, **new})
-    return rows
+def noisier(name: str, times: float) -> World:
+    """Runs of one case are so many times as far apart, and so are the frames of a run."""
+
+    def rows(records: Records, place: Place) -> list[Row]:
+        found = records[place].rows
+        means = _means(found) if place[1] == "noise" else [{}] * len(found)
+        return [{**row, **_farther(row, mean, times)} for row, mean in zip(found, means, strict=True)]
+
+    return World(name, rows)
+
+
+def _farther(row: Row, mean: Row, times: float) -> Row:
+    new = {column: value + times * (row[column] - value) for column, value in mean.items()}
+    new = {column: _sized(column, value) for column, value in new.items() if isinstance(row[column], float)}
+    for column, value in measured(row).items():
+        middle = row.get(PERCENTILE.sub("", column))
+        if PERCENTILE.search(column) and is_number(middle):
+            new[column] = max(0.0, middle + times * (value - middle))
+    return new
 
 
 def failing(seed: int) -> World:
@@ -259,7 +263,8 @@ WORLDS = (
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
     World("all-equal", equal_rows, equal_frame),
-    World("noise-x-60", noisy_rows),
+    noisier("noise-x-50", 50.0),
+    noisier("noise-x-60", 60.0),
     *(failing(seed) for seed in range(3)),
     *(missing(seed) for seed in range(3)),
     World("releases-swapped", swapped_rows, swapped_frame),

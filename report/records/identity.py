@@ -4,7 +4,7 @@ import ast
 import hashlib
 import json
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -134,11 +134,15 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
         if recorded.profile != current.profile:
             parts.append(f"config: profile {recorded.profile} → {current.profile}")
         words += parts or ["config"]
-    for package in PACKAGES:
-        old, new = recorded.packages.get(package), current.packages.get(package)
-        if old != new:
-            words.append(f"packages: {package} {old} → {new}")
-    return words
+    return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
+
+
+def package_changes(
+    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = PACKAGES
+) -> list[str]:
+    """Which packages are of another version than before, each with both."""
+    versions = {name: (before.get(name), after.get(name)) for name in names}
+    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
 def sections(root: Path = ROOT) -> list[str]:
