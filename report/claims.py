@@ -200,6 +200,8 @@ def within(difference: Quantity, noise: Quantity) -> Outcome:
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    if found := _absent(difference, noise):
+        return found.having_read(difference, noise)
     if abs(difference.value) > NEAR_NOISE * noise.value:
         return OPPOSITE.having_read(difference, noise)
     # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller one.
@@ -220,9 +222,12 @@ def at_most(a: Quantity, bound: Quantity) -> Outcome:
 
 def _undecided(*quantities: Quantity) -> Outcome | None:
     """Why these can't be compared, when they can't."""
-    reasons = [quantity.reason for quantity in quantities if quantity.value is None]
-    reasons += filter(None, [mixed(*(quantity.origins for quantity in quantities))])
-    return Outcome("unknown", reasons[0]) if reasons else None
+    reason = mixed(*(quantity.origins for quantity in quantities))
+    return _absent(*quantities) or (Outcome("unknown", reason) if reason else None)
+
+
+def _absent(*quantities: Quantity) -> Outcome | None:
+    return next((Outcome("unknown", quantity.reason) for quantity in quantities if quantity.value is None), None)
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
