@@ -1,10 +1,13 @@
-"""Warp's compiler for CUDA in processes of its own: within one process its calls wait for each other.
+"""Warp's compiler for CUDA, and the driver's, in processes of their own: within one process calls wait for each other.
 
-That for the CPU is called from threads, which do not.
+That for the CPU is called from threads, which do not. Where Warp's compiler makes PTX, the driver makes machine code of
+it when a module is loaded, and keeps that on disk: so each process loads what it has compiled, and whoever wants the
+module finds it there.
 """
 
 import os
 import queue
+import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
@@ -22,6 +25,8 @@ from report.records.processes import workers
 Call = tuple[str, tuple, Mapping[str, Any]]
 BUILD, SOLVER = "build_cuda", "wp_cuda_compile_solver"
 """Warp's functions that write what a source compiles to, and what a tile's factorization does, which is linked in."""
+GPU_MEMORY_BYTES = 1 << 30
+"""What a process may take of a GPU that loads modules there, generously."""
 
 
 def load_all(loads: Sequence[Callable[[], Any]]) -> None:
@@ -29,7 +34,7 @@ def load_all(loads: Sequence[Callable[[], Any]]) -> None:
 
     What does not compile here is compiled when it is met, and fails there with a message of its own.
     """
-    count = min(len(loads), os.cpu_count() or 1)
+    count = min(len(loads), _process_count())
     waiting: queue.SimpleQueue[Callable[[], Any]] = queue.SimpleQueue()
     calls: queue.SimpleQueue[tuple[Call, Future] | None] = queue.SimpleQueue()
     for load in loads:
@@ -43,6 +48,12 @@ def load_all(loads: Sequence[Callable[[], Any]]) -> None:
             while call := calls.get():
                 request, future = call
                 processes.submit(_compile, *request).add_done_callback(partial(_hand_over, future))
+
+
+def _process_count() -> int:
+    """How many processes there are cores for, of those that this one may use, and memory on its GPU."""
+    cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
+    return max(1, min([cores, *(device.free_memory // GPU_MEMORY_BYTES for device in wp.get_cuda_devices()[:1])]))
 
 
 def _load(waiting: queue.SimpleQueue, calls: queue.SimpleQueue) -> None:
@@ -78,7 +89,19 @@ def _begin() -> None:
 
 def _compile(name: str, arguments: tuple, options: Mapping[str, Any]) -> Any:
     """Compile in this process; the source, and the folder to write to, are there."""
-    return getattr(build if name == BUILD else context.runtime.core, name)(*arguments, **options)
+    if name == SOLVER:
+        return context.runtime.core.wp_cuda_compile_solver(*arguments, **options)
+    build.build_cuda(*arguments, **options)
+    _, _, written, *_ = arguments
+    with suppress(Exception):  # whoever wants the module loads it in any case
+        _translate(written)
+
+
+def _translate(path: str) -> None:
+    """Let the driver make machine code of a module of PTX, and keep it."""
+    for device in wp.get_cuda_devices()[:1]:
+        if path.endswith(".ptx") and (module := build.load_cuda(path, device)):
+            context.runtime.core.wp_cuda_unload_module(device.context, module)
 
 
 def _hand_over(future: Future, done: Future) -> None:
