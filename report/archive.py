@@ -5,7 +5,6 @@ import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
@@ -35,10 +34,8 @@ class Column:
     is_setting: bool
 
 
-def write_archive(
-    path: Path, editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates
-) -> None:
-    """Write the archive of all releases; the same records and values give the same bytes.
+def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
+    """The archive of all releases; the same records and values give the same bytes.
 
     Nothing is compressed, since what compresses does not do so alike everywhere. ``tables`` are the rows of each
     record, by its file.
@@ -47,11 +44,13 @@ def write_archive(
     files[FIGURES] = _csv(DRAWN, (row for edition in editions.values() for row in _drawn(edition)))
     names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
     files["README.txt"] = templates.layout(TEMPLATE, names).encode()
-    with ZipFile(path, "w", ZIP_STORED) as archive:
+    content = io.BytesIO()
+    with ZipFile(content, "w", ZIP_STORED) as archive:
         for name in sorted(files):
             entry = ZipInfo(f"{FOLDER}/{name}")  # of 1980, as long as nobody says otherwise
             entry.create_system, entry.external_attr = 3, 0o644 << 16
             archive.writestr(entry, files[name])
+    return content.getvalue()
 
 
 def _data_files(editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> Iterator[tuple[str, bytes]]:

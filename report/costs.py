@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from pathlib import PurePosixPath
 from typing import Any
 
 from report.chapters import Chapters
@@ -38,11 +39,12 @@ def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]
 
 def cells_read(claim: Claim, chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
     """Record, row and column of each cell of the edition's own records that a claim turns on."""
-    records = {chapter.results.source: chapter.results.record for chapter in chapters.values()}
     found = []
     for pointer in sorted(claim.outcome.reads):
         source, _, place = pointer.partition("#/rows/")
         index, _, column = place.partition("/")
-        if place and source in records:
-            found.append((records[source], records[source].rows[int(index)], column))
+        chapter = chapters.get(PurePosixPath(source).stem)
+        if place and chapter and chapter.results.source == source:
+            record = chapter.results.record
+            found.append((record, record.rows[int(index)], column))
     return found

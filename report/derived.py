@@ -11,7 +11,7 @@ from report import ReportError
 from report.chapters import Releases
 from report.pages import DEFAULT, Page, page_named
 from report.parts import Section
-from report.records.identity import read_source
+from report.records.identity import source_at
 from report.results import Results
 
 NAMES = "*"
@@ -53,7 +53,7 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
     file, root = place / "__init__.py" if place.is_dir() else place, place.parents[2]
     name = file.relative_to(root).as_posix()
-    says = read_source(file, name).top
+    says = source_at(file, name).top
     if not isinstance(says.get("order"), int):
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:

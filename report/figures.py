@@ -26,7 +26,6 @@ from matplotlib.ticker import (
     LogFormatterMathtext,
     LogLocator,
     MaxNLocator,
-    NullFormatter,
     NullLocator,
     ScalarFormatter,
 )
@@ -153,7 +152,7 @@ def tick_125(axis: Axis) -> None:
     """Label a logarithmic axis at 1, 2 and 5 of each decade, so that less than a decade has labels too."""
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
     axis.set_major_formatter(plain_labels())
-    axis.set_minor_formatter(NullFormatter())
+    axis.set_minor_locator(NullLocator())
 
 
 def tick_decades(axis: Axis) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from report.chapters import Chapters, Releases
 from report.claims import NEAR_NOISE
 from report.deriving.releases import Turn, turns
-from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noise_floors, verdict
+from report.noise import NOISE, RESOLUTION, Floor, is_beyond, noisiest, verdict
 from report.question import Answer, Question
 
 FLIPPED, MOVED = "flipped", "moved"
@@ -49,7 +49,7 @@ def points(releases: Releases, question: Question) -> list[Point]:
 
 def _floors(releases: Releases) -> dict[str, Floor]:
     """By column, of the edition that is noisiest."""
-    return noise_floors(chapters[NOISE].results.record for chapters in releases.values() if NOISE in chapters)
+    return noisiest(chapters[NOISE].results.floors for chapters in releases.values() if NOISE in chapters)
 
 
 def _mark(column: str, before: Point, after: Point) -> str:

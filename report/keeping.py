@@ -16,6 +16,7 @@ from typing import Any
 from report import ROOT
 from report.claims import Claim
 from report.derived import Reads
+from report.drawing import Beside
 from report.parts import Figure, Pictures, Section
 from report.quantities import Value
 from report.records.cache import Cache
@@ -62,6 +63,8 @@ class Keeper:
     """Claims with their words, by release, section and name."""
     _codes: dict[Path, str] = field(default_factory=dict)
     """Digests of code, by its module."""
+    beside: Beside = field(default_factory=Beside)
+    """Draws figures of what was derived, while more is."""
 
     def tell(self, release: str, section: Section, name: str) -> None:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
@@ -92,8 +95,10 @@ class Keeper:
             return kept
         section, values = make(reads)
         reads.is_closed = True
-        self._derived.append(Made(place, own, reads.notes, section, values))
-        return self._derived[-1]
+        found = Made(place, own, reads.notes, section, values)
+        self._derived.append(found)
+        self.beside.draw({(found.place[1], anchor): figure for anchor, figure in _placed(found).items()})
+        return found
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
         """The same for anything else, which is made of what is given alone."""
@@ -114,8 +119,7 @@ class Keeper:
     def figures(self, release: str, section: str) -> dict[str, Figure]:
         """The figures of a section that is to be kept, by their ids, whether its page shows them or not."""
         found = [made for made in self._derived if made.place[1:] == (release, section)]
-        named = ((_anchor(made, name), figure) for made in found for name, figure in made.section.figures.items())
-        return {anchor: replace(figure, anchor=anchor) for anchor, figure in named}
+        return {anchor: figure for made in found for anchor, figure in _placed(made).items()}
 
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
         """Keep what was derived and all of whose figures are among ``pictures``, by release and id of the figure."""
@@ -128,6 +132,12 @@ class Keeper:
                 kept = replace(made, section=made.section.settled(drawn))
                 Cache(self.root).put(".".join(made.place), made.own, kept, lambda thing: names.get(id(thing)))
         self._derived.clear()
+
+
+def _placed(made: Made) -> dict[str, Figure]:
+    """Its figures, as they are drawn, by their ids."""
+    named = {_anchor(made, name): figure for name, figure in made.section.figures.items()}
+    return {anchor: replace(figure, anchor=anchor) for anchor, figure in named.items()}
 
 
 def _anchor(made: Made, figure: str) -> str:

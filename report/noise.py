@@ -96,9 +96,14 @@ class Floor:
 
 def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
     """The noise of every column that records of the section on noise have, the largest of them."""
+    return noisiest(floors_of(record.rows, record.units) for record in records)
+
+
+def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
+    """By column, the largest noise of all."""
     floors: dict[str, Floor] = {}
-    for record in records:
-        for column, floor in floors_of(record.rows, record.units).items():
+    for each in found:
+        for column, floor in each.items():
             if column not in floors or floor.spread > floors[column].spread:
                 floors[column] = floor
     return floors

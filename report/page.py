@@ -2,7 +2,6 @@
 
 import marshal
 import re
-import secrets
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -24,26 +23,18 @@ from jinja2 import (
 )
 from jinja2.bccache import Bucket, BytecodeCache
 from jinja2.runtime import Context
-from markdown import Markdown
-from markdown.extensions.toc import slugify
 from markupsafe import Markup, escape
 
 from report import ReportError
+from report.converting import BLANK, CLOSE, OPEN, Converter
 from report.parts import Figure
 from report.records.cache import Cache
 from report.stated import StatedTag, references
 from report.words import Wording, WordTags, refuse_typed, worded
 
-# What a template prints passes Markdown as a token between two private characters and is put back afterwards,
-# so that no value, case name or table is ever taken for Markdown. Alone in its paragraph it may be a block.
-# The token has a part that nobody can know before, so that no text of a record can be one.
-OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
-TOKEN = re.compile(f"(<p>)?{OPEN}([0-9]+){CLOSE}(?(1)</p>)")
+TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
+"""In a text that was converted; alone in its paragraph it may be a block."""
 BLOCK = ("<figure", "<p")
-TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
-HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
-# It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
-ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 
 
 @dataclass(frozen=True)
@@ -76,25 +67,16 @@ class Text:
     template: Template
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
+    converter: Converter
 
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
         printed: list[Any] = []
         with _named(self.name):
             text = self.template.render({**names, "printed": printed})
-        headings = {
-            "baselevel": level,
-            "slugify": lambda title, separator: f"{anchor}-{slugify(TOKEN.sub(_number, title), separator)}",
-        }
-        markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
-        html = markdown.convert(text)
-        if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
-            raise ReportError(f"templates/{self.name} must begin with its one title, a line with a single #")
-        top = markdown.toc_tokens[0]
-        inner = [(heading["id"], _put_back(heading["name"], printed)) for heading in top["children"]]
-        # What may be wider than the page is scrolled with the keyboard too.
-        body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
-        return Prose(_put_back(top["name"], printed), body, printed, anchor, inner)
+        found = self.converter.converted(text, self.name, anchor, level)
+        headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
+        return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings)
 
 
 class Templates:
@@ -121,6 +103,7 @@ class Templates:
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
+        self._converter = Converter(cache)
 
     def text(self, name: str) -> Text:
         """A template of Markdown; it is parsed once."""
@@ -150,14 +133,18 @@ class Templates:
             with _named(name):
                 context = template.new_context({**numbers, "printed": printed})
                 text = "".join(template.blocks[block](context))
-            return _put_back(" ".join(text.split()), printed)
+            return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
 
-        return Text(name, template, {what: each.wording(render) for what, each in words.items()})
+        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self._converter)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
+
+    def keep(self) -> None:
+        """Keep what was made of texts, for the next time."""
+        self._converter.keep()
 
 
 class _KeptCode(BytecodeCache):
@@ -206,10 +193,6 @@ def _as_token(context: Context, value: Any) -> Markup:
     printed = context["printed"]
     printed.append(value if isinstance(value, Figure) else escape(value))
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
-
-
-def _number(token: re.Match) -> str:
-    return token[2]
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:

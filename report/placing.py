@@ -3,10 +3,11 @@
 import ctypes
 import errno
 import filecmp
+import hashlib
 import os
 import secrets
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -33,19 +34,60 @@ def aside(folder: Path) -> Iterator[Path]:
             remove(fresh)
 
 
+class Making:
+    """A folder that is being made; files that are the same where it will be put stay those that are there.
+
+    Args:
+        folder: The folder, which is not there yet.
+        before: The one whose place it will take.
+        there: What ``digests_below`` says of that one.
+    """
+
+    def __init__(self, folder: Path, before: Path, there: Mapping[str, str]):
+        self.digests: dict[str, str] = {}
+        """Of what it holds by now, by name below it."""
+        self._folder, self._before, self._there = folder, before, there
+        self._sources: dict[Path, str] = {}
+
+    def write(self, name: str, content: str | bytes) -> None:
+        """Put a file there; ``name`` may be below folders, which are made."""
+        data = content.encode() if isinstance(content, str) else content
+        if not self._stays(name, hashlib.sha256(data).hexdigest()):
+            (self._folder / name).write_bytes(data)
+
+    def copy(self, name: str, source: Path) -> None:
+        """Put a copy of the file ``source`` there."""
+        if source not in self._sources:
+            self._sources[source] = hashlib.sha256(source.read_bytes()).hexdigest()
+        if not self._stays(name, self._sources[source]):
+            shutil.copyfile(source, self._folder / name)
+
+    def _stays(self, name: str, digest: str) -> bool:
+        """Whether what is to be put there is there now, since it was there before."""
+        self.digests[name] = digest
+        (self._folder / name).parent.mkdir(parents=True, exist_ok=True)
+        if self._there.get(name) == digest:
+            with suppress(OSError):  # of a file system without such links, or of another one
+                os.link(self._before / name, self._folder / name)
+                return True
+        return False
+
+
+def digests_below(folder: Path) -> dict[str, str]:
+    """Digests of the files below a folder, by their names there; links, and what else is no file, are passed over."""
+    found = {}
+    for place, _, names in os.walk(folder):
+        for path in map(Path(place).joinpath, names):
+            if is_own_file(path):
+                found[path.relative_to(folder).as_posix()] = hashlib.sha256(path.read_bytes()).hexdigest()
+    return found
+
+
 def replace(folder: Path, fresh: Path) -> None:
     """Let ``fresh`` take the place of ``folder``; what was there is at ``fresh`` afterwards.
 
-    Files that are the same stay those that were there. A folder that can't be moved, as one that is mounted, gets the
-    contents, its pages last.
+    A folder that can't be moved, as one that is mounted, gets the contents, its pages last.
     """
-    for path in fresh.rglob("*"):
-        there = folder / path.relative_to(fresh)
-        if path.is_file() and _is_same(path, there):
-            part = path.with_name(f".{path.name}.part")
-            with suppress(OSError):  # of a file system without such links, or of another one
-                os.link(there, part)
-                os.replace(part, path)
     if not folder.exists():
         os.rename(fresh, folder)
     elif not _exchange(folder, fresh):

@@ -3,7 +3,6 @@
 import base64
 import hashlib
 import json
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from report.editions import Edition
 from report.format import format_number
 from report.page import Templates
 from report.pages import REPLAY, SHAKES
+from report.placing import Making
 from report.quantities import local
 from report.records.project import Project
 
@@ -28,16 +28,14 @@ MAGNIFICATIONS = (1, 5, 20)
 """How many times as large the displacement can be drawn; at first the first."""
 
 
-def write_replay(folder: Path, edition: Edition, templates: Templates) -> None:
+def write_replay(site: Making, folder: str, edition: Edition, templates: Templates) -> None:
     """Put replay.html into the folder of a release's pages, and the clips below its ``data/``; what was not kept or not
     made is left out."""
     for file in edition.clips.files if edition.clips else ():
-        place = folder / "data" / edition.project.results.name
-        place.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(file, place / file.name)
+        site.copy(f"{folder}data/{edition.project.results.name}/{file.name}", file)
     if edition.replay:
         page = replay_page(edition.project, edition.chapters["poses"], edition.replay, edition.clips, templates)
-        (folder / REPLAY).write_text(local(page, edition.project.release), encoding="utf-8")
+        site.write(f"{folder}{REPLAY}", local(page, edition.project.release))
 
 
 def replay_page(

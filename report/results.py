@@ -146,8 +146,8 @@ class Results:
     @cached_property
     def row(self) -> Rows:
         """Rows by case, those whose case is not unique left out."""
-        cases = [row.case for row in self.rows]
-        return Rows({row.case: row for row in self.rows if cases.count(row.case) == 1}, self.record)
+        cases = Counter(row.case for row in self.rows)
+        return Rows({row.case: row for row in self.rows if cases[row.case] == 1}, self.record)
 
     @cached_property
     def seconds(self) -> Quantity:

@@ -3,7 +3,6 @@
 import hashlib
 import json
 import re
-import shutil
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -19,10 +18,10 @@ from report.chapters import Chapter
 from report.drawing import draw_all
 from report.editions import Edition, editions_of
 from report.keeping import Keeper, surroundings
-from report.noise import NOISE, noise_floors
+from report.noise import NOISE
 from report.page import Prose, Templates
 from report.pages import FRONT, Page
-from report.placing import aside, replace
+from report.placing import Making, aside, digests_below, replace
 from report.quantities import VALUES_FILE, local
 from report.records.cache import Cache
 from report.records.files import locked
@@ -40,7 +39,7 @@ WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 BUILT = "site"
 """What is kept of the last build."""
 ID = re.compile(r' id="([^"]+)"')
-INNER_LINK = re.compile(r'(?<= href=")#([^"]+)')
+INNER_LINK = re.compile(r' href="#([^"]+)"')
 
 
 @dataclass(frozen=True)
@@ -108,16 +107,18 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     cache = Cache(project.root)
     with aside(project.site) as fresh, locked(project.results.parent, alone=False):
         cache.sweep()
-        digest = _digest(project, address)
-        if kept := cache.get(BUILT, (digest, _site_digest(project.site))):
+        digest, there = _digest(project, address), digests_below(project.site)
+        if kept := cache.get(BUILT, (digest, there)):
             return kept
+        site = Making(fresh, project.site, there)
         with sources_kept(project.root), unchanged_files():
             keeper, templates = Keeper(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, keeper)
-            _write_site(fresh, project, editions, templates, address, keeper)
+            _write_site(site, project, editions, templates, address, keeper)
+            templates.keep()
         replace(project.site, fresh)
         built = {release: _built(edition) for release, edition in editions.items()}
-        cache.put(BUILT, (digest, _site_digest(project.site)), built)
+        cache.put(BUILT, (digest, site.digests), built)
     return built
 
 
@@ -125,12 +126,8 @@ def _built(edition: Edition) -> Built:
     return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
 
 
-def _site_digest(folder: Path) -> str:
-    return files_digest(folder.rglob("*"), folder)
-
-
 def _write_site(
-    folder: Path,
+    site: Making,
     project: Project,
     editions: Mapping[str, Edition],
     templates: Templates,
@@ -144,7 +141,7 @@ def _write_site(
     chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
     tables = {chapter.results.source: rows_csv(chapter.results.record.rows) for chapter in chapters}
     for release in editions:
-        here = folder / places[release]
+        here = places[release]
         names = {
             "edition": editions[release],
             "leaves": leaves[release],
@@ -158,11 +155,11 @@ def _write_site(
             "floors": json.dumps(_floors(editions[release])),
         }
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
-        _write_pages(here, editions[release], _connected(pages, editions[release].chapters))
-        _write_data(here / "data", release, editions, tables)
-        write_replay(here, editions[release], templates)
-    write_surroundings(folder, editions, places, tables, templates, address, keeper)
-    (folder / ".gitkeep").touch()
+        _write_pages(site, here, editions[release], _connected(pages, editions[release].chapters))
+        _write_data(site, f"{here}data/", release, editions, tables)
+        write_replay(site, here, editions[release], templates)
+    write_surroundings(site, editions, places, tables, templates, address, keeper)
+    site.write(".gitkeep", "")
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -200,7 +197,7 @@ def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dic
         for prose in leaf.parts
         for figure in prose.figures
     }
-    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
+    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures} | keeper.beside.drawn()
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     others = {
         (release, anchor): figure
@@ -209,7 +206,9 @@ def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dic
         for prose in leaf.parts
         for anchor, figure in keeper.figures(release, prose.anchor).items()
     }
-    to_draw = {place: figure for place, figure in (others | placed).items() if figure.is_there and not figure.pictures}
+    to_draw = {
+        place: figure for place, figure in (others | placed).items() if figure.is_there and place not in pictures
+    }
     pictures |= zip(to_draw, draw_all(list(to_draw.values())), strict=True)
     keeper.keep(pictures)
     drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
@@ -229,7 +228,7 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
 
     def connect(file: str, link: re.Match) -> str:
         name = link[1]
-        return link[0] if name in ids[file] or name not in places else f"{places[name]}#{name}"
+        return link[0] if name in ids[file] or name not in places else f' href="{places[name]}#{name}"'
 
     return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
 
@@ -246,24 +245,23 @@ def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
 
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
-    records = [edition.chapters[NOISE].results.record] if NOISE in edition.chapters else []
-    return {column: (floor.spread, floor.magnitude) for column, floor in noise_floors(records).items()}
+    floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
+    return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}
 
 
-def _write_pages(folder: Path, edition: Edition, pages: Mapping[str, str]) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
+def _write_pages(site: Making, folder: str, edition: Edition, pages: Mapping[str, str]) -> None:
     for file, html in pages.items():
-        (folder / file).write_text(local(html, edition.project.release), encoding="utf-8")
+        site.write(f"{folder}{file}", local(html, edition.project.release))
     for name in ASSETS:
-        shutil.copyfile(edition.project.root / "assets" / name, folder / name)
+        site.copy(f"{folder}{name}", edition.project.root / "assets" / name)
     for chapter in edition.chapters.values():
         for download in chapter.section.downloads:
-            path = folder / "download" / download.name
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(download.text, encoding="utf-8")
+            site.write(f"{folder}download/{download.name}", download.text)
 
 
-def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> None:
+def _write_data(
+    site: Making, folder: str, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]
+) -> None:
     """All that the page of the release ``shown`` names: its own results and values, and those of the others.
 
     ``tables`` are the rows of each record, by its file.
@@ -272,15 +270,12 @@ def _write_data(folder: Path, shown: str, editions: Mapping[str, Edition], table
         own = release == shown
         for chapter in edition.chapters.values():
             path = chapter.results.path
-            there = folder / path.parent.name
-            there.mkdir(parents=True, exist_ok=True)
+            there = f"{folder}{path.parent.name}/"
             for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
-                shutil.copyfile(file, there / file.name)
-            (there / f"{path.stem}.csv").write_bytes(tables[chapter.results.source])
-        place = folder / VALUES_FILE if own else folder / f"newton-{release}" / VALUES_FILE
-        place.parent.mkdir(parents=True, exist_ok=True)
+                site.copy(f"{there}{file.name}", file)
+            site.write(f"{there}{path.stem}.csv", tables[chapter.results.source])
         values = edition.values_text if own else edition.uncompared_text
-        place.write_text(local(values, shown), encoding="utf-8")
+        site.write(f"{folder}{'' if own else f'newton-{release}/'}{VALUES_FILE}", local(values, shown))
 
 
 def _digest(project: Project, address: str) -> str:

@@ -1,19 +1,18 @@
 """What stands around the pages: picture, feed, site map, all data in one file, and what tells who made it."""
 
 import re
-import shutil
 import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from pathlib import Path
 
 from report import ROOT
-from report.archive import ARCHIVE, write_archive
+from report.archive import ARCHIVE, archived
 from report.compare import flips
 from report.editions import Edition
 from report.keeping import Keeper
 from report.page import Templates
+from report.placing import Making
 from report.quantities import Quantity
 
 ASSETS = ("style.css", "page.js", "favicon.svg")
@@ -50,7 +49,7 @@ def citation() -> dict[str, str]:
 
 
 def write_surroundings(
-    folder: Path,
+    site: Making,
     editions: Mapping[str, Edition],
     places: Mapping[str, str],
     tables: Mapping[str, bytes],
@@ -61,7 +60,7 @@ def write_surroundings(
     """Write all that the site has once.
 
     Args:
-        folder: The site.
+        site: The site.
         editions: Every release by its name, oldest first.
         places: Where the pages of each lie in the site.
         tables: Rows of each record, by its file.
@@ -72,15 +71,14 @@ def write_surroundings(
     pages = [f"{places[name]}{page.file}" for name, edition in editions.items() for page in edition.pages]
     names = {"address": address, "pages": sorted(pages), "citation": citation(), "feed": FEED}
     for file, template in TEXTS.items():
-        (folder / file).write_text(templates.layout(template, names), encoding="utf-8")
+        site.write(file, templates.layout(template, names))
     entries = sorted(_entries(editions, places), key=lambda entry: entry.updated, reverse=True)
-    (folder / FEED).write_text(templates.layout("feed.xml.j2", {**names, "entries": entries}), encoding="utf-8")
-    shutil.copyfile(ROOT / "LICENSE", folder / "license.txt")
+    site.write(FEED, templates.layout("feed.xml.j2", {**names, "entries": entries}))
+    site.copy("license.txt", ROOT / "LICENSE")
     slips = {release: _slips(edition) for release, edition in editions.items()}
     given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
-    card = keeper.value("card", ROOT / "report" / "card.py", given, lambda: _card(slips))
-    (folder / CARD).write_bytes(card)
-    write_archive(folder / ARCHIVE, editions, tables, templates)
+    site.write(CARD, keeper.value("card", ROOT / "report" / "card.py", given, lambda: _card(slips)))
+    site.write(ARCHIVE, archived(editions, tables, templates))
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list[Entry]:

@@ -117,13 +117,14 @@ def turns(releases: Releases, shown: str) -> list[Turn]:
     turns on a cost, or on the noise, of another machine than the page's.
     """
     sections = set().union(*releases.values())
+    claims = {release: _claims(chapters) for release, chapters in releases.items()}
     found = []
-    for section, name in dict.fromkeys(pair for release in releases.values() for pair in _claims(release)):
-        answers = [(release, _claims(chapters).get((section, name))) for release, chapters in releases.items()]
+    for section, name in dict.fromkeys(pair for those in claims.values() for pair in those):
+        answers = [(release, those.get((section, name))) for release, those in claims.items()]
         answers = [
             (release, claim)
             for release, claim in answers
-            if claim and (_is_told(claim) or set(releases[release]) == sections)
+            if claim and (_is_told(claim) or len(releases[release]) == len(sections))
         ]
         terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers}
         here = terms.get(shown, next(iter(terms.values()), None))

@@ -57,9 +57,10 @@ SOURCES = "sources"
 
 
 class _Files:
-    """Sources and what they import, each looked at once."""
+    """Sources and what they import, each looked at once, and what is installed."""
 
     def __init__(self) -> None:
+        self.versions: dict[str, str] = {}
         self._sources: dict[str, Source] = {}
         self._imported: dict[tuple[str, str], list[str]] = {}
         self._folders: dict[str, set[str]] = {}
@@ -81,7 +82,8 @@ _files: ContextVar[_Files | None] = ContextVar("files", default=None)
 
 @contextmanager
 def unchanged_files() -> Iterator[None]:
-    """Within it no source changes: of one that many sections import it is seen once what it says."""
+    """Within it no source changes and nothing is installed: of one that many sections import it is seen once what it
+    says."""
     token = _files.set(_Files())
     try:
         yield
@@ -152,8 +154,20 @@ def sections(root: Path = ROOT) -> list[str]:
     return sorted(found - {"__init__"})
 
 
+def source_at(path: Path, name: str) -> Source:
+    """What ``read_source`` says, of one that was looked at before as well."""
+    files = _files.get()
+    return files.source(str(path), name) if files else read_source(path, name)
+
+
 def package_versions() -> dict[str, str]:
     """Version of each package that is installed here; Newton's says which code it is, where that is not an index's."""
+    files = _files.get() or _Files()
+    files.versions = files.versions or _installed_versions()
+    return dict(files.versions)
+
+
+def _installed_versions() -> dict[str, str]:
     versions = {package: _installed_version(package) for package in PACKAGES}
     source = source_of("newton")
     return versions | ({"newton": f"{versions['newton']}+{source}"} if source else {})

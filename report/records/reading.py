@@ -1,13 +1,16 @@
 """Reading: a record is known to be one, field by field, before anything else sees it."""
 
+import hashlib
 import json
 from datetime import datetime
+from functools import cache as once
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec import Meta, Struct
 
+from report.records.cache import Cache
 from report.records.columns import UNPRINTABLE, text_problem
 from report.records.files import RecordError, place_of, read_own_file
 from report.records.identity import Identity
@@ -68,16 +71,39 @@ class _Record(Struct, forbid_unknown_fields=True):
     traces: dict[Case, _Seal] | None = None
 
 
-def load_record(path: Path) -> Record:
+def load_record(path: Path, cache: Cache | None = None) -> Record:
     """The record at ``path``, or RecordError, one line with its release and file, when it is damaged in any way.
 
     The traces that it seals are there and are the ones that were measured with it. A record from before traces were
     sealed says nothing of them, and is read without.
+
+    Args:
+        path: Where it lies.
+        cache: Has records that were found whole before: one that holds the same is not checked again.
     """
+    content = read_own_file(path, BYTE_LIMIT)
+    entry, made_from = f"record.{'.'.join(path.parts[-3:])}", (_own_code(), hashlib.sha256(content).digest())
+    record: Record | None = cache.get(entry, made_from) if cache else None
+    if not record:
+        record = _checked(content, path)
+        if cache:
+            cache.put(entry, made_from, record)
+    check_seals(path, record)
+    return record
+
+
+@once
+def _own_code() -> bytes:
+    """What decides what is found whole, and how it is read."""
+    names = ("reading.py", "record.py", "columns.py", "identity.py")
+    return hashlib.sha256(b"".join(Path(__file__).with_name(name).read_bytes() for name in names)).digest()
+
+
+def _checked(content: bytes, path: Path) -> Record:
     place = place_of(path)
     try:
         data = json.loads(
-            read_own_file(path, BYTE_LIMIT).decode("utf-8"),
+            content.decode("utf-8"),
             object_pairs_hook=_unique,
             parse_constant=_refuse,
         )
@@ -108,7 +134,6 @@ def load_record(path: Path) -> Record:
         traces=None if seals is None else {case: Seal(seal.digest, seal.row_count) for case, seal in seals.items()},
     )
     check_record(record, place)
-    check_seals(path, record)
     return record
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from report.records.cache import Cache
 from report.records.files import RecordError
 from report.records.identity import MISSING, changes, identity_of, package_versions, sections
 from report.records.project import Project
@@ -56,7 +57,7 @@ def _kept(project: Project, section: str) -> State:
     if not os.path.lexists(path):
         return State(section, "missing")
     try:
-        return State(section, "fresh", load_record(path))
+        return State(section, "fresh", load_record(path, Cache(project.root)))
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
 
