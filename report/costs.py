@@ -1,8 +1,8 @@
 """Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
 
 import re
-from collections.abc import Mapping
-from pathlib import PurePosixPath
+from collections.abc import Collection, Mapping
+from functools import cache
 from typing import Any
 
 from report.chapters import Chapters
@@ -19,6 +19,7 @@ RUN_COLUMNS = ("frame_count", "world_count", "worlds")
 """How much was run, which no cost is comparable without."""
 
 
+@cache
 def is_cost(column: str) -> bool:
     return bool(COST.fullmatch(column))
 
@@ -33,17 +34,17 @@ def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]
     with; of the noise, the processor. Empty for a claim that has nothing of either."""
     if section == NOISE:
         return frozenset({(chapters[section].results.record.processor,)})
-    found = ((record, row) for record, row, column in cells_read(claim, chapters) if is_cost(column))
-    return frozenset(cost_terms(record, row) for record, row in found)
+    costs = [pointer for pointer in claim.outcome.reads if is_cost(pointer.rpartition("/")[2])]
+    return frozenset(cost_terms(record, row) for record, row, _ in cells(costs, chapters))
 
 
-def cells_read(claim: Claim, chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
-    """Record, row and column of each cell of the edition's own records that a claim turns on."""
+def cells(pointers: Collection[str], chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
+    """Record, row and column of each of these that is a cell of the edition's own records."""
     found = []
-    for pointer in sorted(claim.outcome.reads):
+    for pointer in sorted(pointers):
         source, _, place = pointer.partition("#/rows/")
         index, _, column = place.partition("/")
-        chapter = chapters.get(PurePosixPath(source).stem)
+        chapter = chapters.get(source.rpartition("/")[2].removesuffix(".json"))
         if place and chapter and chapter.results.source == source:
             record = chapter.results.record
             found.append((record, record.rows[int(index)], column))

@@ -16,8 +16,8 @@ from report.records.processes import obey, workers
 
 Place = tuple[str, str]
 """Where a figure is shown: the release, and its id on the page."""
-AT_ONCE = 4
-"""Figures that one fork draws beside: half a second or so, in which others are derived."""
+AT_ONCE = 2
+"""Figures that one fork draws: less than half a second, in which others are derived."""
 
 _figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""

@@ -6,7 +6,7 @@ from typing import Any
 
 from report.chapters import Chapter
 from report.claims import Claim
-from report.costs import cells_read
+from report.costs import cells
 from report.editions import Edition
 from report.records.columns import REASON, UNBELIEVED
 
@@ -94,7 +94,7 @@ def _breakdown_behind(claim: Claim, edition: Edition) -> str:
         return ""
     found = (
         f"{row['case']}: {reason}"
-        for _, row, column in cells_read(claim, edition.chapters)
+        for _, row, column in cells(claim.outcome.reads, edition.chapters)
         if row.get(column) is None and (reason := _breakdown(row, column))
     )
     return next(found, "")
