@@ -4,7 +4,7 @@ import gc
 import os
 import pickle
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from multiprocessing import get_context
 from typing import BinaryIO
@@ -23,15 +23,18 @@ _figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
 
 
-def draw_all(figures: Sequence[Figure]) -> list[Pictures]:
-    """Each figure as it is drawn, in their order."""
+def draw_all(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+    """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
     global _figures
     count = min(_processor_count(), len(figures))
     if count < 2:
+        meanwhile()
         return [_pictures(figure) for figure in figures]
     _figures = figures
     with workers(count, "fork", _begin) as pool:
-        drawn = list(pool.map(_draw, range(2 * len(figures))))
+        drawing = pool.map(_draw, range(2 * len(figures)))
+        meanwhile()
+        drawn = list(drawing)
     return list(zip(drawn[::2], drawn[1::2], strict=True))
 
 

@@ -226,7 +226,7 @@ class _NarrowDrawing(Drawing):
 
 
 def _fit_narrow(drawing: Drawing) -> None:
-    """Texts neither too small to be read nor too long to leave room for what is drawn."""
+    """Texts neither too small to be read nor too long to leave room for what is drawn, and no more ticks than help."""
     for axes in drawing.axes:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
         is_named = not isinstance(axes.yaxis.get_major_formatter(), ScalarFormatter)
@@ -238,8 +238,11 @@ def _fit_narrow(drawing: Drawing) -> None:
         axes.set_title(fold(axes.get_title("left")), fontsize=9)
         if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
             axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
-        for label in (axes.xaxis.label, axes.yaxis.label):
-            label.set(text=fold(label.get_text()), fontsize=9)
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
+            low, high = axis.get_view_interval()
+            if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
+                axis.set_minor_locator(NullLocator())
     if drawing.get_supxlabel():
         drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
     for text in _texts(drawing):

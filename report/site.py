@@ -3,7 +3,7 @@
 import hashlib
 import json
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from importlib import metadata
@@ -137,9 +137,17 @@ def _write_site(
     places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
     links = {release: _links(editions, places, release) for release in editions}
     leaves = {release: _leaves(editions[release], templates, links[release]) for release in editions}
-    drawn = _draw(leaves, keeper)
     chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
     tables = {chapter.results.source: rows_csv(chapter.results.record.rows) for chapter in chapters}
+
+    def write_data() -> None:
+        for release in editions:
+            _write_data(site, f"{places[release]}data/", release, editions, tables)
+            write_replay(site, places[release], editions[release], templates)
+        write_surroundings(site, editions, places, tables, templates, address, keeper)
+        site.write(".gitkeep", "")
+
+    drawn = _draw(leaves, keeper, write_data)
     for release in editions:
         here = places[release]
         names = {
@@ -156,10 +164,6 @@ def _write_site(
         }
         pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
         _write_pages(site, here, editions[release], _connected(pages, editions[release].chapters))
-        _write_data(site, f"{here}data/", release, editions, tables)
-        write_replay(site, here, editions[release], templates)
-    write_surroundings(site, editions, places, tables, templates, address, keeper)
-    site.write(".gitkeep", "")
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -188,8 +192,10 @@ def _told(part: Prose) -> Markup:
     return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
 
 
-def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dict[str, Markup]]:
-    """The figures of each release by their ids; one that several pages show is drawn once."""
+def _draw(
+    leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper, meanwhile: Callable[[], None]
+) -> dict[str, dict[str, Markup]]:
+    """The figures of each release by their ids; one that several pages show is drawn once, and ``meanwhile`` done."""
     placed = {
         (release, figure.anchor): figure
         for release, found in leaves.items()
@@ -209,7 +215,7 @@ def _draw(leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper) -> dict[str, dic
     to_draw = {
         place: figure for place, figure in (others | placed).items() if figure.is_there and place not in pictures
     }
-    pictures |= zip(to_draw, draw_all(list(to_draw.values())), strict=True)
+    pictures |= zip(to_draw, draw_all(list(to_draw.values()), meanwhile), strict=True)
     keeper.keep(pictures)
     drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
     for (release, anchor), figure in placed.items():

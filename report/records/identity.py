@@ -224,9 +224,10 @@ def read_source(path: Path, name: str) -> Source:
         key = hashlib.sha256(name.encode() + b"\0" + text).hexdigest()
         if key not in _known:
             tree = ast.parse(text, filename=name)
-            imports = _imported_names(tree, PurePosixPath(name).parts[:-1])
+            nodes = list(ast.walk(tree))
+            imports = _imported_names(nodes, PurePosixPath(name).parts[:-1])
             _known[key] = Source(
-                _digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(tree)), dict(_top(tree))
+                _digest(canonical(tree)), tuple(dict.fromkeys(imports)), tuple(_named_assets(nodes)), dict(_top(tree))
             )
         return _known[key]
     except (OSError, SyntaxError, ValueError) as error:
@@ -241,8 +242,8 @@ def _top(tree: ast.Module) -> Iterator[tuple[str, Any]]:
             yield node.name, len(node.args.args)
 
 
-def _imported_names(tree: ast.Module, package: tuple[str, ...]) -> Iterator[str]:
-    for node in ast.walk(tree):
+def _imported_names(nodes: Iterable[ast.AST], package: tuple[str, ...]) -> Iterator[str]:
+    for node in nodes:
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -269,8 +270,8 @@ def _names_in(folder: str, folders: dict[str, set[str]]) -> set[str]:
     return folders[folder]
 
 
-def _named_assets(tree: ast.Module) -> Iterator[str]:
-    for node in ast.walk(tree):
+def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    for node in nodes:
         text = node.value if isinstance(node, ast.Constant) else None
         if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
             yield text
