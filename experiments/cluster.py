@@ -68,6 +68,10 @@ def _on_this_host(cluster: Cluster, device: str) -> LocalCluster:
     if device == "cuda" and count > there:
         raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
     options = {"threads_per_worker": count, "memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET}
+    if device == "cuda":
+        gpus = [uuid for uuid, _ in slots.gpus()[:count]]
+        options["env"] = {"CUDA_VISIBLE_DEVICES": ",".join(gpus)}
+        options["threads_per_worker"] = max(count, len(slots.shared_slots(gpus)))
     return LocalCluster(n_workers=1, host="127.0.0.1", **options)
 
 
@@ -120,6 +124,7 @@ class Worker:
     node: str
     kind: tuple
     slots: Sequence[str]
+    shared: Sequence[str]
     thread_count: int
 
 
@@ -144,17 +149,20 @@ class Workers:
 
     @property
     def hosts(self) -> list[Host]:
-        return [Host(worker.node, worker.kind, names) for worker, names in self._shares()]
+        return [Host(worker.node, worker.kind, names, shared) for worker, names, shared in self._shares()]
 
-    def _shares(self) -> list[tuple[Worker, list[str]]]:
+    def _shares(self) -> list[tuple[Worker, list[str], list[str]]]:
         """The slots of each worker: of a GPU that several on one host see the first has it."""
         taken: set[Place] = set()
         found = []
         for worker in list(self._known.values()):
             if worker:
-                free = [slot for slot in worker.slots if (worker.node, slot) not in taken][: worker.thread_count]
-                taken |= {(worker.node, slot) for slot in free}
-                found.append((worker, free))
+                free, shared = (
+                    [slot for slot in names if (worker.node, slot) not in taken][: worker.thread_count]
+                    for names in (worker.slots, worker.shared)
+                )
+                taken |= {(worker.node, slot) for slot in (*free, *shared)}
+                found.append((worker, free, shared))
         return found
 
     def gather(self, patience_s: float | None) -> None:
@@ -171,7 +179,11 @@ class Workers:
             time.sleep(0.1)
 
     def start(self, task: Task, place: Place) -> None:
-        address = next(worker.address for worker, names in self._shares() if _has(worker, names, place))
+        address = next(
+            worker.address
+            for worker, names, shared in self._shares()
+            if worker.node == place[0] and place[1] in (*names, *shared)
+        )
         call = pickle.dumps((task.batch.function, task.batch.arguments), protocol=pickle.HIGHEST_PROTOCOL)
         future = self._submit(address, task.name, slots.measure, self.device, place[1], call)
         self._running[future] = task, address
@@ -229,7 +241,8 @@ class Workers:
             self._leave_out(place.node, reason)
         else:
             kind = kind_of(place.greeting.machine)
-            self._known[address] = Worker(address, place.node, kind, place.slots, self._threads[address])
+            known = Worker(address, place.node, kind, place.slots, place.shared, self._threads[address])
+            self._known[address] = known
 
     def _refusal(self, place: slots.Place) -> str:
         """Why a worker may not measure; empty when it may."""
@@ -248,10 +261,6 @@ class Workers:
         """Let one worker call a function, once."""
         only = {"workers": [address], "allow_other_workers": False, "pure": False, "retries": 0}
         return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4().hex}", **only)
-
-
-def _has(worker: Worker, names: Sequence[str], place: Place) -> bool:
-    return (worker.node, True) == (place[0], place[1] in names)
 
 
 def _outcome(future: Future) -> Done | Lost | Failed:

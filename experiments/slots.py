@@ -13,9 +13,10 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from experiments.ending import Done, Failed, Lost
 from report import ROOT
@@ -23,6 +24,13 @@ from report.records.devices import slug
 
 POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
+MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
+"""Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
+NOWHERE = "/nonexistent"
+SHARE_COUNT = 6
+"""Processes that share a GPU: a few worlds leave most of it idle."""
+CORES_EACH = 2
+"""Processor cores that there have to be for each of them."""
 
 
 @dataclass
@@ -30,7 +38,7 @@ class Slot:
     """A process, and the lock of whoever asks it something."""
 
     device: str
-    gpu: str
+    settings: Mapping[str, str]
     process: subprocess.Popen | None = None
     lock: threading.Lock = field(default_factory=threading.Lock)
 
@@ -54,11 +62,10 @@ class Slot:
             return found
 
     def _begin(self) -> None:
-        settings = {"CUDA_VISIBLE_DEVICES": self.gpu} if self.gpu else {}
         self.process = subprocess.Popen(
             [sys.executable, "-m", "experiments.slot", self.device],
             cwd=ROOT,
-            env={**os.environ, **settings, "TQDM_DISABLE": "1"},
+            env={**os.environ, **self.settings, "TQDM_DISABLE": "1"},
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,
@@ -92,6 +99,8 @@ class Place:
 
     node: str
     slots: Sequence[str]
+    shared: Sequence[str]
+    """See ``study.Host``."""
     greeting: Done | Lost | Failed
 
 
@@ -108,15 +117,29 @@ def introduce(device: str, processor: str | None, address: str, thread_count: in
         names = [f"{address}#{number}" for number in range(thread_count)]
     if not names:
         others = ", ".join(sorted({name for _, name in there}))
-        return Place(node, [], Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}"))
-    return Place(node, names, measure(device, names[0], call))
+        return Place(node, [], [], Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}"))
+    return Place(node, names, shared_slots(names) if device == "cuda" else [], measure(device, names[0], call))
+
+
+def shared_slots(gpus: Sequence[str]) -> list[str]:
+    """Slots that share GPUs, those of one GPU far apart; none where no daemon is there that lets processes do so."""
+    if not (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
+        return []
+    count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus) // CORES_EACH)
+    return [f"{gpu}/{number}" for number in range(count) for gpu in gpus] if count > 1 else []
 
 
 def measure(device: str, slot: str, call: bytes) -> Done | Lost | Failed:
     """Let a slot measure a batch, as long as that is wanted."""
     with _slots_lock:
-        mine = _slots.setdefault((device, slot), Slot(device, slot if device == "cuda" else ""))
+        mine = _slots.setdefault((device, slot), Slot(device, _settings(slot) if device == "cuda" else {}))
     return mine.ask(call, _still_wanted())
+
+
+def _settings(slot: str) -> dict[str, str]:
+    """The environment of a process that measures on a GPU: only one that shares it finds the daemon."""
+    gpu, is_shared, _ = slot.partition("/")
+    return {"CUDA_VISIBLE_DEVICES": gpu} | ({} if is_shared else {MPS: NOWHERE})
 
 
 def _still_wanted() -> Callable[[], bool]:

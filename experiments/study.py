@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from tqdm import tqdm
 
+from experiments.batch import Batch
 from experiments.course import WHOLE, Course, Task
 from experiments.ending import Done, Failed, Lost, run_batch
 from experiments.failing import is_expected, reason_of
@@ -22,11 +23,17 @@ PATIENCE_S = 120.0
 
 @dataclass(frozen=True)
 class Host:
-    """Where batches run: as many at once as it has slots, all of them of one kind of machine."""
+    """Where batches run, all of it of one kind of machine."""
 
     name: str
     kind: tuple
     slots: Sequence[str]
+    """One batch at once in each."""
+    shared: Sequence[str] = ()
+    """Slots that share its GPUs: where there are any, the others are left to what must be alone."""
+
+    def slots_for(self, batch: Batch) -> Sequence[str]:
+        return self.slots if batch.alone else self.shared or self.slots
 
 
 Place = tuple[str, str]
@@ -75,17 +82,17 @@ def next_start(
         ready: Tasks, each with the kind of machine that its section is bound to, if it is.
         busy: What runs, by its place.
     """
-    in_turn = sum(len(host.slots) for host in hosts) == 1
+    in_turn = sum(len(host.shared or host.slots) for host in hosts) == 1
     for host in hosts:
         beside = [task for (name, _), task in busy.items() if name == host.name]
-        free = [slot for slot in host.slots if (host.name, slot) not in busy]
         fit = [task for task, kind in ready if kind in (None, host.kind)]
-        if not fit or not free or any(task.batch.alone for task in beside):
+        if any(task.batch.alone for task in beside):
             continue
         shared = fit if in_turn else [task for task in fit if not task.batch.alone]
         if candidates := shared or ([] if beside else fit):
             task = candidates[0] if in_turn else max(candidates, key=lambda task: task.seconds)
-            return task, host, (host.name, free[0])
+            if free := [slot for slot in host.slots_for(task.batch) if (host.name, slot) not in busy]:
+                return task, host, (host.name, free[0])
     return None
 
 

@@ -10,7 +10,7 @@ import batches
 import pytest
 import warp as wp
 
-from experiments import on_paper
+from experiments import on_paper, slots
 from experiments.batch import Batch
 from experiments.course import Course, Task
 from experiments.forks import Forks
@@ -152,6 +152,27 @@ def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
     assert next_start([(alone, None)], TWO, {("one", "0"): long})[2] == ("two", "0")
     assert next_start([(alone, None)], TWO[:1], {("one", "0"): long}) is None
     assert next_start([(short, None)], TWO[:1], {("one", "0"): alone}) is None
+
+
+def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
+    host = Host("one", KIND, ["gpu"], ["gpu/0", "gpu/1"])
+    short, long, alone = task("short", 1.0), task("long", 9.0), task("alone", 99.0, alone=True)
+    ready, busy, places = [(each, None) for each in (short, alone, long)], {}, []
+    while found := next_start(ready, [host], busy):
+        places.append((found[0].batch.name, found[2][1]))
+        busy[found[2]] = found[0]
+        ready = [pair for pair in ready if pair[0] is not found[0]]
+    assert places == [("long", "gpu/0"), ("short", "gpu/1")]
+    assert next_start(ready, [host], {}) == (alone, host, ("one", "gpu"))
+
+
+def test_processes_share_a_gpu_where_a_daemon_lets_them(tmp_path, monkeypatch):
+    monkeypatch.setenv(slots.MPS, str(tmp_path))
+    monkeypatch.setattr(slots.os, "cpu_count", lambda: 10)
+    assert slots.shared_slots(["A", "B"]) == []
+    (tmp_path / "control").touch()
+    assert slots.shared_slots(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
+    assert slots.shared_slots(["A", "B", "C"]) == []  # one process each shares nothing
 
 
 def test_a_section_stays_on_one_kind_of_machine():
