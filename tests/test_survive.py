@@ -167,7 +167,7 @@ class Killed:
 def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("report.drawing._processor_count", lambda: 2)
     with pytest.raises(ReportError, match="a process was killed"):
-        draw_all([Killed()] * 4)
+        draw_all([Killed()] * 4, lambda: None)
 
 
 WORKERS = """
