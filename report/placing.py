@@ -34,7 +34,7 @@ def aside(folder: Path) -> Iterator[Path]:
             remove(fresh)
 
 
-class Making:
+class Draft:
     """A folder that is being made; files that are the same where it will be put stay those that are there.
 
     Args:

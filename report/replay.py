@@ -16,7 +16,7 @@ from report.editions import Edition
 from report.format import format_number
 from report.page import Templates
 from report.pages import REPLAY, SHAKES
-from report.placing import Making
+from report.placing import Draft
 from report.quantities import local
 from report.records.project import Project
 
@@ -28,7 +28,7 @@ MAGNIFICATIONS = (1, 5, 20)
 """How many times as large the displacement can be drawn; at first the first."""
 
 
-def write_replay(site: Making, folder: str, edition: Edition, templates: Templates) -> None:
+def write_replay(site: Draft, folder: str, edition: Edition, templates: Templates) -> None:
     """Put replay.html into the folder of a release's pages, and the clips below its ``data/``; what was not kept or not
     made is left out."""
     for file in edition.clips.files if edition.clips else ():

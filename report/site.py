@@ -21,7 +21,7 @@ from report.keeping import Keeper, surroundings
 from report.noise import NOISE
 from report.page import Prose, Templates
 from report.pages import FRONT, Page
-from report.placing import Making, aside, digests_below, replace
+from report.placing import Draft, aside, digests_below, replace
 from report.quantities import VALUES_FILE, local
 from report.records.cache import Cache
 from report.records.files import locked
@@ -110,7 +110,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         digest, there = _digest(project, address), digests_below(project.site)
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        site = Making(fresh, project.site, there)
+        site = Draft(fresh, project.site, there)
         with sources_kept(project.root), unchanged_files():
             keeper, templates = Keeper(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, keeper)
@@ -127,7 +127,7 @@ def _built(edition: Edition) -> Built:
 
 
 def _write_site(
-    site: Making,
+    site: Draft,
     project: Project,
     editions: Mapping[str, Edition],
     templates: Templates,
@@ -255,7 +255,7 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}
 
 
-def _write_pages(site: Making, folder: str, edition: Edition, pages: Mapping[str, str]) -> None:
+def _write_pages(site: Draft, folder: str, edition: Edition, pages: Mapping[str, str]) -> None:
     for file, html in pages.items():
         site.write(f"{folder}{file}", local(html, edition.project.release))
     for name in ASSETS:
@@ -266,7 +266,7 @@ def _write_pages(site: Making, folder: str, edition: Edition, pages: Mapping[str
 
 
 def _write_data(
-    site: Making, folder: str, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]
+    site: Draft, folder: str, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]
 ) -> None:
     """All that the page of the release ``shown`` names: its own results and values, and those of the others.
 

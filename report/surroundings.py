@@ -12,7 +12,7 @@ from report.compare import flips
 from report.editions import Edition
 from report.keeping import Keeper
 from report.page import Templates
-from report.placing import Making
+from report.placing import Draft
 from report.quantities import Quantity
 
 ASSETS = ("style.css", "page.js", "favicon.svg")
@@ -49,7 +49,7 @@ def citation() -> dict[str, str]:
 
 
 def write_surroundings(
-    site: Making,
+    site: Draft,
     editions: Mapping[str, Edition],
     places: Mapping[str, str],
     tables: Mapping[str, bytes],

@@ -16,7 +16,7 @@ from report.editions import derive_edition
 from report.packed import packed_runs
 from report.page import Templates
 from report.pages import REPLAY, SHAKES
-from report.placing import Making
+from report.placing import Draft
 from report.reading import Reading
 from report.records.project import Project
 from report.records.reading import load_record
@@ -65,7 +65,7 @@ def test_without_its_script_the_page_says_what_was_measured(page, poses_path):
 def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project, tmp_path):
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    write_replay(Making(tmp_path, tmp_path, {}), "", edition, templates)
+    write_replay(Draft(tmp_path, tmp_path, {}), "", edition, templates)
     assert (tmp_path / REPLAY).is_file()
     trace = trace_path(project.record_path("poses"), "hold-60s")
     whole = trace.read_bytes()

@@ -17,7 +17,7 @@ from markupsafe import Markup
 
 from report import ROOT, ReportError
 from report.check import check_site
-from report.drawing import draw_all
+from report.drawing import Beside, draw_all
 from report.editions import editions_of
 from report.page import Templates
 from report.records.cache import FOLDER
@@ -160,6 +160,8 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
+    is_there = True
+
     def picture(self, *, is_narrow):
         os.kill(os.getpid(), signal.SIGKILL)
 
@@ -168,6 +170,23 @@ def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("report.drawing._processor_count", lambda: 2)
     with pytest.raises(ReportError, match="a process was killed"):
         draw_all([Killed()] * 4, lambda: None)
+
+
+class Drawn(Killed):
+    """A figure that says which process has drawn it."""
+
+    def picture(self, *, is_narrow):
+        return os.getpid()
+
+
+def test_what_is_not_drawn_beside_is_left_to_others(monkeypatch):
+    monkeypatch.setattr("report.drawing._processor_count", lambda: 2)
+    beside = Beside()
+    beside.draw({("1.0", "drawn"): Drawn()})
+    [(place, (broad, narrow))] = beside.drawn().items()
+    assert place == ("1.0", "drawn") and broad == narrow != os.getpid()
+    beside.draw({("1.0", "killed"): Killed(), ("1.0", "with it"): Drawn(), ("1.0", "waits"): Drawn()})
+    assert list(beside.drawn()) == [place]
 
 
 WORKERS = """
