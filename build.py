@@ -32,13 +32,13 @@ AGAIN_S = 0.01
 
 def main() -> int:
     os.environ.pop("PYTHONSAFEPATH", None)  # programs that are started from here are modules of this folder
-    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
-        signal.signal(stop, signal.default_int_handler)
     sys.unraisablehook = interrupt_again
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # closed, it is None
             stream.reconfigure(errors="replace")
     try:
+        for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
+            signal.signal(stop, signal.default_int_handler)
         arguments = _parse_arguments()
         own = own_release()
         arguments.stack = stack_of(arguments.newton.asked if arguments.newton else own, arguments.pins)
@@ -47,11 +47,15 @@ def main() -> int:
         with sources_kept(project.root):
             result = arguments.run(project, arguments)
         print(end="", flush=True)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
         _drop_output()
         return 1
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, RuntimeError) as error:
+        # Python before 3.12 makes the latter of the former while it makes a class.
+        if not any(isinstance(each, KeyboardInterrupt) for each in (error, error.__cause__)):
+            raise
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         print("stopped; what was measured before is kept", file=sys.stderr)
         return 130

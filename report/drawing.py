@@ -3,6 +3,7 @@
 import gc
 import os
 import pickle
+import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -90,7 +91,12 @@ class _Fork:
     def __init__(self, figures: Mapping[Place, Figure]):
         self._file: BinaryIO = os.fdopen(os.memfd_create("figures"), "w+b")
         self.process = get_context("fork").Process(target=self._run, args=(figures, os.getpid()), daemon=True)
-        self.process.start()
+        # Until it has said that it leaves Ctrl-C to this process, none may reach it.
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            self.process.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
     def _run(self, figures: Mapping[Place, Figure], parent: int) -> None:
         obey(parent)
