@@ -107,3 +107,25 @@ except KeyboardInterrupt:
 def test_an_interrupt_that_python_drops_comes_again():
     done = run(code=("-c", INTERRUPTED))
     assert (done.stdout, done.stderr) == ("interrupted\n", "")
+
+
+MADE = """
+import sys
+import build
+
+class Hit:
+    def __set_name__(self, owner, name):
+        raise KeyboardInterrupt
+
+def make_class():
+    type("Made", (), {"hit": Hit()})
+
+build._parse_arguments = make_class
+sys.exit(build.main())
+"""
+
+
+def test_an_interrupt_while_a_class_is_made_is_one():
+    """Which Python before 3.12 turns into an error of another kind."""
+    done = run(code=("-c", MADE))
+    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")
