@@ -37,6 +37,8 @@ SETTINGS = {
     "distributed.scheduler.allowed-failures": 0,
     "distributed.scheduler.worker-ttl": "60s",  # a worker always answers: its processes measure
     "distributed.worker.memory.terminate": False,
+    # Dask ends for good what has no worker so long after it lost one, even where the next one is just starting.
+    "distributed.deploy.lost-worker-timeout": "365d",
 }
 QUIET = logging.CRITICAL
 """What is wrong is said here."""

@@ -75,6 +75,16 @@ def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, l
     assert not running(log)
 
 
+def test_a_worker_of_this_host_comes_back_however_often_it_is_killed():
+    with clusters.connected(read_cluster("local:1"), "cpu") as client:
+        end = time.monotonic() + 17.0  # by itself Dask looks 15 s after a loss whether there is a worker, and gives up
+        while time.monotonic() < end:
+            for process in client.run(os.getpid, on_error="ignore").values():
+                os.kill(process, signal.SIGKILL)
+            time.sleep(0.02)
+        client.wait_for_workers(1, timeout=10.0)
+
+
 def running(log: Path) -> list[int]:  # noqa: F811
     """Processes that have measured and are still there, a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
