@@ -2,7 +2,7 @@
 
 ``python -m tests.torture`` writes how it went into docs/reliability.md; ``--moments`` says how many kills there are of
 each kind, ``--only`` which trials are run. What was tried of this commit is kept: a run that is stopped goes on where
-it was, and the page has what was tried so far. ``--again`` begins anew.
+it was, and the page has what was tried so far, of this commit or before. ``--again`` begins anew.
 """
 
 import argparse
@@ -572,7 +572,13 @@ def _keep(name: str, trial: Trial) -> None:
 
 
 def write_report() -> None:
-    trials = [_kept(name) or Trial(f"{name}: not tried yet") for name in TRIALS]
+    """Write the page: what is kept of each trial, and of the others what the page said before."""
+    kept = {name: _kept(name) for name in TRIALS}
+    rows = [_row(name, trial) if trial else _said(f"| {name} ")[:1] for name, trial in kept.items()]
+    wrong = [
+        [f"- {name}: {problem} ({trial.commit})" for problem in trial.wrong] if trial else _said(f"- {name}: ")
+        for name, trial in kept.items()
+    ]
     head = [
         "# Reliability",
         "",
@@ -581,20 +587,24 @@ def write_report() -> None:
         "",
         f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
-        "| tried | times | wrong | commit | until (UTC) |",
-        "|---|---|---|---|---|",
+        "| trial | tried | times | wrong | commit | until (UTC) |",
+        "|---|---|---|---|---|---|",
     ]
-    rows = [_row(trial) for trial in trials]
-    wrong = [f"- {problem} ({trial.commit})" for trial in trials for problem in trial.wrong]
-    lines = [*head, *rows, *(["", "What went wrong:", "", *wrong] if wrong else []), ""]
-    REPORT.write_text("\n".join(lines), encoding="utf-8")
+    foot = ["", "What went wrong:", "", *itertools.chain(*wrong)] if any(wrong) else []
+    REPORT.write_text("\n".join([*head, *itertools.chain(*rows), *foot, ""]), encoding="utf-8")
 
 
-def _row(trial: Trial) -> str:
-    name = f"{trial.name}{'' if trial.is_whole else '; not yet through'}"
+def _said(begin: str) -> list[str]:
+    """The lines of the page, as it is, that begin so."""
+    lines = REPORT.read_text(encoding="utf-8").splitlines() if REPORT.exists() else []
+    return [line for line in lines if line.startswith(begin)]
+
+
+def _row(name: str, trial: Trial) -> list[str]:
+    what = f"{trial.name}{'' if trial.is_whole else '; not yet through'}"
     times = f"{trial.tried}{f' of {trial.of}' if trial.of else ''}"
-    cells = (name, times, len(trial.wrong), trial.commit, trial.date)
-    return f"| {' | '.join(map(str, cells))} |"
+    cells = (name, what, times, len(trial.wrong), trial.commit, trial.date)
+    return [f"| {' | '.join(map(str, cells))} |"]
 
 
 if __name__ == "__main__":
