@@ -121,7 +121,7 @@ help: ## Print this
 .venv/.ready: pyproject.toml uv.lock
 	@for python in python3 python3.12 python3.13 python3.11 python3.10; do \
 		"$$python" -c 'import sys; sys.exit(not (3, 10) <= sys.version_info < (3, 14))' 2>/dev/null && \
-			exec "$$python" -m report.records.environment; \
+			PYTHONPATH=packages/measured-report exec "$$python" -m measured_report.editions.environment; \
 	done; \
 	echo "Python 3.10, 3.11, 3.12 or 3.13 is needed, and there is $$(python3 --version 2>&1 || echo none)" >&2; \
 	exit 2

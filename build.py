@@ -5,7 +5,9 @@ import sys
 from pathlib import Path
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
-sys.path.insert(0, str(Path(__file__).resolve().parent))  # which PYTHONSAFEPATH leaves out
+HERE = Path(__file__).resolve().parent
+PACKAGES = [str(folder) for folder in sorted((HERE / "packages").glob("*"))]
+sys.path[:0] = [str(HERE), *PACKAGES]  # the first is what PYTHONSAFEPATH leaves out
 
 import argparse
 import io
@@ -13,25 +15,26 @@ import os
 import subprocess
 from collections.abc import Mapping
 
-from report import ReportError, UsageError
-from report.commands.building import clips, page, publish, report, rerun, serve, status
-from report.commands.editions import bisect, history, judge, newest, retire, upgrade
-from report.commands.options import OPTIONS, flag
-from report.commands.saying import check, diff, trace, verify
-from report.near import near
-from report.records.columns import UNPRINTABLE
-from report.records.environment import add_cluster, python_of
-from report.records.files import settle
-from report.records.identity import sources_kept
-from report.records.project import Project, own_release
-from report.records.stack import stack_of
-from report.records.status import expected_packages
+from measured_report import ReportError, UsageError
+from measured_report.commands.building import clips, page, publish, report, rerun, serve, status
+from measured_report.commands.editions import bisect, history, judge, newest, retire, upgrade
+from measured_report.commands.options import OPTIONS, flag
+from measured_report.commands.saying import check, diff, trace, verify
+from measured_report.editions.environment import add_cluster, python_of
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.stack import stack_of
+from measured_report.editions.status import expected_packages
+from measured_report.files.files import settle
+from measured_report.files.near import near
+from measured_report.records.code import sources_kept
+from measured_report.records.columns import UNPRINTABLE
 
 AGAIN_S = 0.01
 
 
 def main() -> int:
     os.environ.pop("PYTHONSAFEPATH", None)  # programs that are started from here are modules of this folder
+    os.environ["PYTHONPATH"] = os.pathsep.join([*PACKAGES, *filter(None, [os.environ.get("PYTHONPATH")])])
     sys.unraisablehook = interrupt_again
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # closed, it is None

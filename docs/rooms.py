@@ -11,7 +11,7 @@ FOLDERS = ("experiments", "report")
 ROOMS = ("report.records", "report.deriving", "report.sections", "experiments", "report", "build")
 """Rooms by the start of a module's name; the first that fits counts."""
 FACTS = "facts"
-SHARED = ("experiments.case", "experiments.classify", "experiments.metrics", "experiments.trace")
+SHARED = ("experiments.facts.case", "experiments.facts.classes", "experiments.facts.metrics", "experiments.facts.trace")
 """The room of what both sides read, which has no name of its own, and its modules: the last two are what classify
 reads."""
 LABELS = {

@@ -4,14 +4,14 @@ from dataclasses import replace
 
 from tqdm import tqdm
 
-from experiments.c_warnings import RunFailed
-from experiments.compat import warp_has_noslip
-from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.capsule import SECONDS, Pinch, columns, run
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from newton_lint.compat import warp_has_noslip
 
 CREEPS = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
+"""Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""
 VARIANTS = (
     Pinch("recipe"),
     Pinch("impratio-1", impratio=1.0),

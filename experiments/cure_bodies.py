@@ -18,15 +18,11 @@ import warp as wp
 from tqdm import tqdm
 
 from assets.fix import contact_bias
-from experiments import contact_bias_c
-from experiments.c_warnings import RunFailed, refuse_warned
-from experiments.measurement import Conditions, Measurement, absent
+from experiments.simulation import contact_bias_c
+from experiments.simulation.c_warnings import RunFailed, refuse_warned
+from experiments.simulation.measurement import Conditions, Measurement, absent
 
-WAYS = {
-    "plain": None,
-    "term": {},
-    "full": {"centred": True, "normal": True},
-}
+WAYS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}}
 """What ``contact_bias`` is installed with; ``full`` gives the term to the normal rows as well."""
 ENGINES = ("warp", "c")
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 10.0, 0.05, 0.5, 9.81

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.batch import Batch, Plan
-from experiments.case import AS_SHIPPED
 from experiments.cure import BEST, POSITIONS, TERMS
+from experiments.facts.case import AS_SHIPPED
 from experiments.leave_out import time_cases
-from experiments.measurement import Conditions, Measurement
-from experiments.timing import in_the_shake
+from experiments.simulation.measurement import Conditions, Measurement
+from experiments.simulation.timing import in_the_shake
+from measured_report.measuring.batch import Batch, Plan
 
 CASES = (
     AS_SHIPPED,

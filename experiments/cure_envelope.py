@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED
 from experiments.cure import BEST, TERMS
 from experiments.envelope import MAP_SIZE, map_cells, map_table
-from experiments.measurement import Conditions, Measurement, summarize
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.measurement import Conditions, Measurement, summarize
 
 SIDES = {"term": replace(AS_SHIPPED, **TERMS["term"]), "best": replace(AS_SHIPPED, **BEST)}
 

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from experiments.case import HOLD, STIFF_PADS
 from experiments.cure import BEST, IMPRATIO, POSITIONS
+from experiments.facts.case import HOLD, STIFF_PADS
 from experiments.hold import LONG_FRAME_COUNT, creep
-from experiments.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
 
 MINUTE = replace(HOLD, frame_count=LONG_FRAME_COUNT)
 CASES = (

@@ -2,13 +2,14 @@
 
 from dataclasses import replace
 
-from experiments import metrics, stability_families
-from experiments.case import Case
-from experiments.classify import STABLE, classify, creep_mm_s
 from experiments.cure import BEST, TERMS
-from experiments.measurement import Conditions, Measurement, absent
-from experiments.stability_families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe, grid_cell
-from experiments.trace import Trace
+from experiments.facts import metrics
+from experiments.facts.case import Case
+from experiments.facts.classes import STABLE, classify, creep_mm_s
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.stability import families as stability_families
+from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe, grid_cell
 
 WAYS = {"plain": {}, "term": TERMS["term"], "best": BEST}
 """What is done about the slip."""

@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from experiments import metrics, stiffness
-from experiments.beside import gather, processes, start
-from experiments.budget import friction_timeconst_s, softness, watched
-from experiments.case import AS_SHIPPED, Case
+from experiments import stiffness
 from experiments.cure import POSITIONS
-from experiments.measurement import Conditions, Measurement, absent, summarize
-from experiments.stability_limits import step_s
+from experiments.cure.budget import friction_timeconst_s, softness, watched
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.stability.limits import step_s
+from measured_report.measuring.beside import gather, processes, start
 
 PREDICTED = ("left_out_mm_s", "step_mm_s", "damping_mm_s", "creep_mm_s", "predicted_drift_mm_s")
 

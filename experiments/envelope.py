@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from experiments.batch import Batch, Plan
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case
-from experiments.measurement import Conditions, Measurement, summarize
-from experiments.timing import wall_time
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.simulation.measurement import Conditions, Measurement, summarize
+from experiments.simulation.timing import wall_time
+from measured_report.measuring.batch import Batch, Plan
 
 FRAME_COUNT = 660
 POINTS = ((3, 0.5), (3, 1.0), (3, 2.0), (3, 3.0), (1, 1.0), (6, 1.0), (10, 1.0))

@@ -6,11 +6,11 @@ from math import log1p, sqrt
 
 from tqdm import tqdm
 
-from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.hand import LOST_M, SECONDS, WEIGHT_N, Grasp, Swung, swing
+from experiments.simulation.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
+"""Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""
 SETTINGS = (
     Grasp("implicitfast"),
     Grasp("euler", integrator="Euler"),

@@ -9,9 +9,9 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement
-from report.downloads import fix_files
+from experiments.facts.case import AS_SHIPPED
+from experiments.facts.fix_files import fix_files
+from experiments.simulation.measurement import Conditions, Measurement
 
 SCRIPTS = {"as-shipped": "scene_as_shipped.py", "fixed": "fixed_scene.py"}
 NUMBERS = ("slip_mm", "drift_mm_s", "cube_height_m")

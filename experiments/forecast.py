@@ -2,12 +2,12 @@
 
 from itertools import product
 
-from experiments.c_warnings import RunFailed
-from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.slope import Slope, creep_mm_s
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
+"""Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""
 TIMECONSTS_S = (0.002, 0.02, 0.1)
 IMPRATIOS = (1.0, 10.0, 100.0)
 CASES = (

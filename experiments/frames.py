@@ -1,9 +1,9 @@
 """What moves against what: the scene as shipped, taken apart into relative poses."""
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement
-from experiments.scene import TRACKED_BODIES
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.measurement import Conditions, Measurement
+from experiments.simulation.scene import TRACKED_BODIES
 
 PAIRS = (
     ("cube", "fr3_hand_tcp"),

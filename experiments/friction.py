@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.measurement import Conditions, Measurement
 
 CASES = (
     *(replace(AS_SHIPPED, name=f"pad-mu-{mu:g}", pad_mu=mu) for mu in (0.2, 0.5, 1.0, 3.0, 10.0)),

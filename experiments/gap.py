@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement, absent, summarize
-from experiments.trace import Trace
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 
 CASES = (
     replace(AS_SHIPPED, name="cube-gap-default"),
@@ -33,7 +33,4 @@ def contact_columns(trace: Trace) -> dict[str, object]:
     }
     if np.isnan(near).all():
         return columns | absent(("unloaded_near_mm", "unloaded_far_mm"), "every contact carries force")
-    return columns | {
-        "unloaded_near_mm": 1e3 * float(np.nanmin(near)),
-        "unloaded_far_mm": 1e3 * float(np.nanmax(far)),
-    }
+    return columns | {"unloaded_near_mm": 1e3 * float(np.nanmin(near)), "unloaded_far_mm": 1e3 * float(np.nanmax(far))}

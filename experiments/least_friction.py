@@ -4,8 +4,6 @@ import math
 
 from tqdm import tqdm
 
-from experiments.c_warnings import RunFailed
-from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.least_friction import (
     DROP_M,
     HOLD_S,
@@ -16,9 +14,11 @@ from experiments.scenes.least_friction import (
     least_factors,
     warm_up,
 )
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
+"""Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""
 SETTINGS = (
     Setting("published-euler"),
     Setting("published-implicitfast", integrator="implicitfast"),

@@ -11,16 +11,16 @@ from dataclasses import dataclass, replace
 import newton
 import warp as wp
 
-from experiments.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case
-from experiments.linting.findings import Buffer, Finding, columns, grouped
-from experiments.linting.rules import Engine, lint
-from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement
-from experiments.scene import build_scene
-from experiments.simulation import CONSTRAINT_MAX, CONTACT_MAX
-from experiments.task import FRAME_RATE
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, UNTRIMMED, Case
+from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement
+from experiments.simulation.scene import build_scene
+from experiments.simulation.simulation import CONSTRAINT_MAX, CONTACT_MAX
+from experiments.simulation.task import FRAME_RATE
+from newton_lint.findings import Buffer, Finding, columns, grouped
+from newton_lint.rules import Engine, lint
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: what it finds is the same on any machine."""
+"""Read by ``measured_report.editions.devices``: what it finds is the same on any machine."""
 
 
 @dataclass(frozen=True)
@@ -86,4 +86,4 @@ def measure(conditions: Conditions) -> Measurement:
 
 if __name__ == "__main__":
     # By its name: how findings are asked for and said is no part of what the section measures.
-    sys.exit(importlib.import_module("experiments.linting.command").main())
+    sys.exit(importlib.import_module("newton_lint.command").main())

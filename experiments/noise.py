@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.case import AS_SHIPPED, STIFF_PADS
-from experiments.measurement import Conditions, Measurement, summarize
-from experiments.simulation import Simulation, run
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation.measurement import Conditions, Measurement, summarize
+from experiments.simulation.simulation import Simulation, run
 
 BATCH_COUNT = {"full": 32, "quick": 4}
 ALONE_COUNT = {"full": 8, "quick": 2}

@@ -3,9 +3,9 @@
 from dataclasses import replace
 from importlib import metadata
 
-from experiments.case import AS_SHIPPED, STIFF_PADS
-from experiments.compat import warp_has_noslip
-from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from newton_lint.compat import warp_has_noslip
 
 ITERATION_COUNT = 10
 PLAIN = [

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from experiments.c_warnings import RunFailed
-from experiments.measurement import Conditions, Measurement, absent
 from experiments.scenes.pick import END_S, HOLD_S, OBJECTS, Held, Pick, Picked, hold, shake
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: a small scene, which a CPU measures in minutes."""
+"""Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""
 SEED_COUNT = {"full": 8, "quick": 2}
 SETTINGS: dict[str, dict[str, Any]] = {
     "published": {},

@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
-from experiments.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
-from experiments.scene import ROBOT_POSITION
-from experiments.simulation import Simulation, run
-from experiments.task import FRAME_RATE
-from experiments.trace import Trace
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
+from experiments.simulation.scene import ROBOT_POSITION
+from experiments.simulation.simulation import Simulation, run
+from experiments.simulation.task import FRAME_RATE
 
 FAR_SHAKE_M = 0.10
 """An amplitude at which the cube falls as shipped."""

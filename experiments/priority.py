@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED, STIFF_PADS
-from experiments.measurement import Conditions, Measurement, grasp_columns, summarize
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation.measurement import Conditions, Measurement, grasp_columns, summarize
 
 CASES = (
     replace(AS_SHIPPED, name="cube-ke-8e3", cube_ke=8e3),

@@ -9,14 +9,14 @@ import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-from experiments import metrics
-from experiments.batch import Batch, Plan
-from experiments.case import AS_SHIPPED, Case
-from experiments.failing import NOT_COMPILED
-from experiments.measurement import Conditions, Measurement, absent
-from experiments.simulation import CONTACT_MAX, Simulation, run
-from experiments.timing import batch_invalid_reason, frame_ms, in_the_shake, put_in_state_of, spread
-from experiments.trace import Trace
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.simulation import CONTACT_MAX, Simulation, run
+from experiments.simulation.timing import batch_invalid_reason, frame_ms, in_the_shake, put_in_state_of, spread
+from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.failing import NOT_COMPILED
 
 CONTACTS, CONSTRAINT, ATOMICS = 1, 2, 4
 """Bits of ``Option.deterministic`` (mujoco-warp 3.17, ``DeterminismType``)."""

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from experiments.batch import Batch, Plan
-from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS
-from experiments.measurement import Conditions, Measurement, displacement_table, summarize
-from experiments.timing import wall_time
+from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
+from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.timing import wall_time
+from measured_report.measuring.batch import Batch, Plan
 
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}

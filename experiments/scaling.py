@@ -5,11 +5,10 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.batch import Batch, Plan
-from experiments.case import FIXED
-from experiments.measurement import Conditions, Measurement, absent
-from experiments.simulation import Simulation
-from experiments.timing import (
+from experiments.facts.case import FIXED
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.timing import (
     batch_invalid_reason,
     buffer_bytes_per_world,
     engine_ms,
@@ -18,6 +17,7 @@ from experiments.timing import (
     put_in_state_of,
     spread,
 )
+from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 REPEAT_COUNT = 40

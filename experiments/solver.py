@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from experiments.case import AS_SHIPPED
-from experiments.measurement import Conditions, Measurement
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.measurement import Conditions, Measurement
 
 CASES = (
     replace(AS_SHIPPED, name="iterations-15"),

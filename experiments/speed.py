@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
-from experiments.batch import Batch, Plan
-from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case
-from experiments.measurement import Conditions, Measurement, absent, summarize
-from experiments.simulation import Simulation
-from experiments.timing import invalid_reason, spread
+from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case
+from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.timing import invalid_reason, spread
+from measured_report.measuring.batch import Batch, Plan
 
 CASES = (
     replace(UNTRIMMED, name="as-shipped-untrimmed"),

@@ -14,11 +14,11 @@ import warp as wp
 from newton import solvers
 from tqdm import tqdm
 
-from experiments.measurement import Conditions, Measurement, absent
+from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.turntable import MASS_KG, RADIUS_M, SAMPLE_S, SETTLE_S, TURN_RAD_S
 
 NEEDS_GPU = False
-"""Read by ``report.records.devices``: the walk is the same on any machine, as far as its digits are said."""
+"""Read by ``measured_report.editions.devices``: the walk is the same on any machine, as far as its digits are said."""
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}
 TABLE_INERTIA = 1000.0

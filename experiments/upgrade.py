@@ -7,12 +7,12 @@ import newton
 import numpy as np
 import warp as wp
 
-from experiments import compat
-from experiments.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
-from experiments.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, grasp_columns, summarize
-from experiments.simulation import Simulation
-from experiments.task import FRAME_RATE
-from experiments.trace import ContactRows
+from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
+from experiments.facts.trace import ContactRows
+from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, grasp_columns, summarize
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.task import FRAME_RATE
+from newton_lint import compat
 
 REFSAFE_TIMECONST_S = 2.0 / (FRAME_RATE * AS_SHIPPED.substeps)
 """What the engine makes of any smaller timeconst: two time steps."""

@@ -1,17 +1,7 @@
-"""The page's side: from measured records to values, claims, figures and the site.
+"""What is derived of the records: sections, the story that they make, and names for people."""
 
-It knows nothing of the simulator.
-"""
-
+import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-"""The project's folder; every path in a record is relative to it."""
-
-
-class ReportError(Exception):
-    """Something that the reader of the message can mend; the message is one line."""
-
-
-class UsageError(ReportError):
-    """What was asked for does not exist or makes no sense; nothing was changed."""
+# The packages of this repository are found where they lie, installed or not: a host without network needs no more.
+sys.path[:0] = map(str, sorted((Path(__file__).resolve().parent.parent / "packages").glob("*")))

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from markupsafe import Markup
 
-from report.format import format_number, format_power
+from measured_report.values.format import format_number, format_power
 
 WHOLE = {
     "untrimmed": "exactly as shipped",

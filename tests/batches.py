@@ -6,7 +6,7 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from experiments.batch import Batch, Plan
+from measured_report.measuring.batch import Batch, Plan
 
 
 @dataclass(frozen=True)

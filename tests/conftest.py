@@ -14,25 +14,25 @@ import pytest
 from hypothesis import settings
 
 import report.sections
-from report import ROOT
-from report.editions import Edition, editions_of
-from report.page import Templates
-from report.records.files import locked
-from report.records.identity import identity_of, package_versions
-from report.records.project import Project, own_release
-from report.records.record import Record, units_of, write_record
-from report.records.status import state_of
-from report.records.traces import packed
-from report.site import build
-from report.surroundings import ASSETS
+from measured_report import ROOT
+from measured_report.deriving.editions import Edition, editions_of
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.status import state_of
+from measured_report.files.files import locked
+from measured_report.pages.page import Templates
+from measured_report.records.identity import identity_of, package_versions
+from measured_report.records.record import Record, units_of, write_record
+from measured_report.records.traces import packed
+from measured_report.site.site import build
+from measured_report.site.surroundings import ASSETS
 
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
 
 MODULE = """
-from report.claims import Claim, at_least
-from report.figures import new_figure
-from report.parts import Figure, Section, Table
+from measured_report.claims.claims import Claim, at_least
+from measured_report.parts.figures import new_figure
+from measured_report.parts.parts import Figure, Section, Table
 import pandas as pd
 
 order = 1
@@ -87,8 +87,8 @@ needs_boxes_in_c = pytest.mark.skipif(
 REPORT = """
 import sys
 from pathlib import Path
-from report.records.project import Project, own_release
-from report.site import build
+from measured_report.editions.project import Project, own_release
+from measured_report.site.site import build
 
 build(Project(own_release(), root=Path(sys.argv[1])))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
@@ -99,10 +99,7 @@ EXPERIMENT = """from experiments.scene import slip
 def measure(conditions):
     return slip()
 """
-ROWS = (
-    {"case": "soft", "slip_mm": 6.3617, "dropped": False},
-    {"case": "stiff", "slip_mm": 0.3124, "dropped": False},
-)
+ROWS = ({"case": "soft", "slip_mm": 6.3617, "dropped": False}, {"case": "stiff", "slip_mm": 0.3124, "dropped": False})
 
 
 @dataclass(frozen=True)
@@ -143,19 +140,8 @@ class Toy:
         fields = {
             "section": "toy",
             "identity": identity_of("toy", self.project.profile, self.project.root, self.packages),
-            "machine": {
-                "device": "cpu",
-                "gpu": None,
-                "driver": None,
-                "cpu": "A processor",
-                "python": "3.12.1",
-            },
-            "measured": {
-                "date": "2026-01-02T03:04:05+00:00",
-                "commit": "abc",
-                "command": "make",
-                "seconds": 1.5,
-            },
+            "machine": {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
+            "measured": {"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
             "units": units_of(rows),
             "rows": list(rows),
         }
@@ -246,8 +232,8 @@ def editions() -> Mapping[str, Edition]:
 @pytest.fixture(scope="session")
 def poses_path(tmp_path_factory) -> Path:
     """The record of a quick measurement of section poses, with its traces, as they would be kept."""
-    from experiments.measurement import Conditions
     from experiments.poses import measure
+    from experiments.simulation.measurement import Conditions
 
     def make(folder: Path) -> None:
         measurement = measure(Conditions(device="cpu", quick=True))

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import warp as wp
 
-from experiments.compiling import load_all
+from experiments.simulation.compiling import load_all
 
 
 @wp.kernel(module="unique")

@@ -12,18 +12,18 @@ from conftest import MODULE, ROWS, Toy
 from damage import damage_record
 
 import build
-from report import ROOT
-from report.alarm import check, check_said, diff_said
-from report.commands.options import FORMATS
-from report.compare import Comparison, compare
-from report.costs import is_cost
-from report.editions import derive_edition
-from report.page import Templates
-from report.records.project import Project, own_release
-from report.records.reading import load_record
-from report.records.record import Record, write_record
-from report.records.stack import stack_of
-from report.upgrade import verdict
+from measured_report import ROOT
+from measured_report.changes.alarm import check, check_said, diff_said
+from measured_report.changes.compare import Comparison, compare
+from measured_report.changes.costs import is_cost
+from measured_report.changes.upgrade import verdict
+from measured_report.commands.options import FORMATS
+from measured_report.deriving.editions import derive_edition
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.stack import stack_of
+from measured_report.pages.page import Templates
+from measured_report.records.reading import load_record
+from measured_report.records.record import Record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = (

@@ -4,7 +4,7 @@ import importlib.util
 import re
 from graphlib import TopologicalSorter
 
-from report import ROOT
+from measured_report import ROOT
 
 SPEC = importlib.util.spec_from_file_location("rooms", ROOT / "docs" / "rooms.py")
 rooms = importlib.util.module_from_spec(SPEC)
@@ -21,13 +21,13 @@ def test_records_know_neither_the_page_nor_the_experiments():
 def test_experiments_read_records_alone():
     found = {named for module, names in rooms.imports().items() if module.startswith("experiments") for named in names}
     outside = {name for name in found if not name.startswith(("experiments", "report.records")) and name != "report"}
-    assert outside == {"report.downloads"}, "the files of the fix, which are offered and measured"
+    assert outside == {"experiments.facts.fix_files"}, "the files of the fix, which are offered and measured"
 
 
 def test_the_page_s_side_reads_two_modules_of_the_experiments():
     page = {module: found for module, found in rooms.imports().items() if not module.startswith("experiments")}
     found = {named for names in page.values() for named in names if named.startswith("experiments.")}
-    assert found == {"experiments.case", "experiments.classify"}, "what a case is, and how a run ends"
+    assert found == {"experiments.facts.case", "experiments.facts.classes"}, "what a case is, and how a run ends"
 
 
 def test_no_import_leads_in_a_circle():

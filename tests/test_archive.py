@@ -5,7 +5,7 @@ import io
 import json
 from zipfile import ZipFile
 
-from report.check import check_site
+from measured_report.site.check import check_site
 
 FOLDER = "shake-report-data/"
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments.arm_ik import arm_solver
-from experiments.case import AS_SHIPPED
-from experiments.scene import READY_POSE, build_scene
-from experiments.task import APPROACH_HEIGHT
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.arm_ik import arm_solver
+from experiments.simulation.scene import READY_POSE, build_scene
+from experiments.simulation.task import APPROACH_HEIGHT
 
 WORLD_COUNT = 3
 FRAME_COUNT = 90

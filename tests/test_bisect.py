@@ -13,15 +13,24 @@ from conftest import ROWS, TEMPLATE, Toy
 from test_stack import checkout, git  # noqa: F401
 
 import build
-from report import ReportError, UsageError, bisect
-from report.bisect import AS_LAST, Bisection, Question, bisect_commits, bisect_releases, common_repository, first_change
-from report.check import check_site
-from report.editions import editions_of
-from report.history import flip_history, flips, history
-from report.page import Templates
-from report.records.manifest import Manifest, write_manifest
-from report.records.record import write_record
-from report.records.stack import stack_of
+from measured_report import ReportError, UsageError
+from measured_report.changes import bisect
+from measured_report.changes.bisect import (
+    AS_LAST,
+    Bisection,
+    Question,
+    bisect_commits,
+    bisect_releases,
+    common_repository,
+    first_change,
+)
+from measured_report.changes.history import flip_history, flips, history
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.stack import stack_of
+from measured_report.pages.page import Templates
+from measured_report.records.record import write_record
+from measured_report.site.check import check_site
 
 SOFT, STIFF = ROWS
 WORSE = ({**SOFT, "slip_mm": 0.4}, STIFF)

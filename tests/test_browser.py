@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from report.records.project import own_release
+from measured_report.editions.project import own_release
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
 axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")

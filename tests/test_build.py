@@ -7,21 +7,16 @@ from collections.abc import Sequence
 
 import pytest
 
-from report import ROOT
-from report.check import check_site
-from report.parts import UNDRAWN
+from measured_report import ROOT
+from measured_report.parts.parts import UNDRAWN
+from measured_report.site.check import check_site
 
 
 def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.CompletedProcess:
     # Without nvidia-smi on the path every machine is one without a GPU.
     environment = {**os.environ, "PATH": "/nowhere"}
     return subprocess.run(
-        [sys.executable, *code, *arguments],
-        cwd=ROOT,
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=False,
+        [sys.executable, *code, *arguments], cwd=ROOT, env=environment, capture_output=True, text=True, check=False
     )
 
 

@@ -6,8 +6,15 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond, greater, within
-from report.deriving.arithmetic import (
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond, greater, within
+from measured_report.claims.words import Wording
+from measured_report.records.reading import load_record
+from measured_report.records.record import record_path
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Results, ResultsError
+from report.sections import fix
+from report.sections.stiffness.runs import is_held
+from report.shared.arithmetic import (
     SETTLES,
     cell_or_absent,
     departure,
@@ -18,14 +25,7 @@ from report.deriving.arithmetic import (
     size_share,
     spread,
 )
-from report.deriving.variants import beyond_noise
-from report.quantities import Quantity, absent
-from report.records.reading import load_record
-from report.records.record import record_path
-from report.results import Results, ResultsError
-from report.sections import fix
-from report.sections.stiffness.runs import is_held
-from report.words import Wording
+from report.shared.variants import beyond_noise
 
 
 @pytest.mark.parametrize(("value", "text"), [(1000.0, "1000"), (1, "1"), (1e-10, "1e-10"), (0.02, "0.02")])

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED
-from experiments.classify import classify, creep_mm_s, drive_peak_m_s, excess_energy, is_energy_growing
-from experiments.trace import FRAME_COLUMNS, Failure, Trace
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED
+from experiments.facts.classes import classify, creep_mm_s, drive_peak_m_s, excess_energy, is_energy_growing
+from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0
 FRAME_COUNT = 241

@@ -6,24 +6,14 @@ import numpy as np
 import pytest
 from markupsafe import Markup
 
-from experiments.clips import (
-    FRAME_RATE,
-    HEAD,
-    LEAD_S,
-    PANEL_HEIGHT,
-    STAY_S,
-    Clip,
-    bodies,
-    long_exposure,
-    reading,
-)
-from experiments.stage import Camera, Stage, display
-from report.clips import clips_of
-from report.records.clips import CLIPS, FIRST, RUNS, clips_identity, clips_state
-from report.records.kept import kept_run
-from report.records.project import Project, own_release
-from report.records.reading import load_record
-from report.records.traces import load_trace, trace_path
+from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_identity, clips_state
+from experiments.facts.kept import kept_run
+from experiments.media.clips import FRAME_RATE, HEAD, LEAD_S, PANEL_HEIGHT, STAY_S, Clip, bodies, long_exposure, reading
+from experiments.media.stage import Camera, Stage, display
+from measured_report.editions.project import Project, own_release
+from measured_report.records.reading import load_record
+from measured_report.records.traces import load_trace, trace_path
+from report.media.clips import clips_of
 
 OWN = Project(own_release())
 

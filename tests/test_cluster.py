@@ -16,13 +16,13 @@ pytest.importorskip("distributed", reason="make test installs the extra that has
 
 from distributed import LocalCluster
 
-from experiments import cluster as clusters
-from experiments.batch import Batch
-from experiments.cluster import crew_of
-from experiments.machine import machine
-from experiments.study import Here, Study
-from report import ROOT, ReportError
-from report.records.cluster import read_cluster
+from measured_report import ROOT, ReportError
+from measured_report.measuring import cluster as clusters
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.cluster import crew_of
+from measured_report.measuring.machine import machine
+from measured_report.measuring.scheduler import Here, Study
+from measured_report.measuring.where import read_cluster
 
 PATH = os.pathsep.join([str(ROOT), str(ROOT / "tests")])
 
@@ -123,12 +123,12 @@ import signal
 import sys
 import batches
 from pathlib import Path
-from experiments.cluster import crew_of
-from experiments.course import Course
-from experiments.study import Study
-from report.records.cluster import read_cluster
-from report.records.identity import identity_of
-from report.records.project import Project
+from measured_report.measuring.cluster import crew_of
+from measured_report.measuring.course import Course
+from measured_report.measuring.scheduler import Study
+from measured_report.measuring.where import read_cluster
+from measured_report.records.identity import identity_of
+from measured_report.editions.project import Project
 
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from experiments.case import AS_SHIPPED
-from experiments.compat import kf_is_read, release
-from experiments.simulation import simulate
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.simulation import simulate
 from experiments.upgrade import REFSAFE_TIMECONST_S, row_columns
+from newton_lint.compat import kf_is_read, release
 
 GRASPED = 150
 """Frame in which the cube is in the grasp."""

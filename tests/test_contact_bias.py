@@ -10,10 +10,11 @@ import pytest
 import warp as wp
 
 from assets.fix import contact_bias
-from experiments import contact_bias_c, metrics
-from experiments.case import LEAN, Case, CaseError
-from experiments.reference import ENGINES_AGREE
-from experiments.simulation import Simulation, simulate
+from experiments.facts import metrics
+from experiments.facts.case import LEAN, Case, CaseError
+from experiments.simulation import contact_bias_c
+from experiments.simulation.reference import ENGINES_AGREE
+from experiments.simulation.simulation import Simulation, simulate
 
 STATE_COUNT = 100
 DIFFERENCE_S = 1e-5

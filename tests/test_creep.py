@@ -5,7 +5,7 @@ import math
 import mujoco
 import pytest
 
-from experiments.linting.creep import impedance_at, predicted_creep
+from newton_lint.creep import impedance_at, predicted_creep
 
 TIMESTEP_S, MU = 1e-3, 0.7
 SCENE = """

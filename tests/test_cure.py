@@ -6,13 +6,14 @@ import mujoco
 import numpy as np
 import pytest
 
-from experiments import cure, metrics, turntable
-from experiments.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
-from experiments.c_warnings import RunFailed
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
-from experiments.compat import kf_is_read
-from experiments.simulation import simulate
-from experiments.stability_limits import solref
+from experiments import cure, turntable
+from experiments.cure.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.simulation import simulate
+from experiments.stability.limits import solref
+from newton_lint.compat import kf_is_read
 
 SHORT = replace(AS_SHIPPED, frame_count=330)
 """The set-up and 2 s of shake."""

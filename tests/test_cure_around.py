@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from experiments import cure_bodies, cure_envelope, cure_limits, drift_law, stiffness, turntable_solvers
-from experiments.case import AS_SHIPPED, STIFF_PADS
 from experiments.cure import BEST
 from experiments.envelope import MAP_SIZE, map_cells
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 
 H = 1.0 / 960.0
 SLOPES = drift_law.Slopes(left_out=0.06, damping=-0.001, load=-0.002, depth_m=1.87e-3, inverse_mass_1_kg=1e-9)

@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import error_runtime, metrics, timing
-from experiments.case import AS_SHIPPED, FIXED
-from experiments.error_settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
-from experiments.reference import NativeShake, pilot_at_shake, starts_of
-from experiments.trace import FRAME_COLUMNS, Failure, Trace
+from experiments import error_runtime
+from experiments.error_runtime.settings import FRAME_COUNT, PADS, native_of, reference_of, setting, settings
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, FIXED
+from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
+from experiments.simulation import timing
+from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 from report.sections.error_runtime.worlds import crossing
 
 FRAME_DT = 1.0 / 60.0

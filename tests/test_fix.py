@@ -10,13 +10,13 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, TEMPLATE, needs_boxes_in_c
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation import simulate
-from experiments.trace import Trace
-from report import ROOT, ReportError
-from report.check import check_site
-from report.downloads import fix_files, without_patch
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.facts.fix_files import fix_files, without_patch
+from experiments.facts.trace import Trace
+from experiments.simulation.simulation import simulate
+from measured_report import ROOT, ReportError
+from measured_report.site.check import check_site
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
 CASES = {

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from report import ROOT
-from report.records.identity import canonical, identity_of, sections
+from measured_report import ROOT
+from measured_report.records.identity import canonical, identity_of, sections
 
 
 def changed(toy) -> tuple[str, ...]:
@@ -73,7 +73,7 @@ def test_every_way_to_import_is_followed(toy, statement):
 
 
 def test_package_versions_count(toy, monkeypatch):
-    from report.records import identity
+    from measured_report.records import identity
 
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(identity.metadata, "version", installed.__getitem__)

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from report.results import Results, Row
+from measured_report.values.results import Results, Row
 from report.sections.error_runtime.fronts import front, pareto_front
 from report.sections.hold import is_monotonic, seconds_back
 from report.sections.stability.passing import explicit_margin, passed, passing

@@ -9,25 +9,15 @@ import pytest
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-from experiments.case import AS_SHIPPED
-from experiments.compat import kf_is_read
+from experiments.facts.case import AS_SHIPPED
 from experiments.lint import SCENES, measure
-from experiments.linting.contacts import (
-    CONDIM,
-    CONES,
-    CONVERTED,
-    DEFAULT_SOLREF,
-    FORCE_SPACE,
-    RAW,
-    SOLIMP,
-    Shapes,
-    contacts_of,
-)
-from experiments.linting.findings import Buffer, columns, grouped, lines
-from experiments.linting.prediction import Load, predictions
-from experiments.linting.rules import Engine, lint
-from experiments.measurement import Conditions
-from experiments.simulation import Simulation
+from experiments.simulation.measurement import Conditions
+from experiments.simulation.simulation import Simulation
+from newton_lint.compat import kf_is_read
+from newton_lint.contacts import CONDIM, CONES, CONVERTED, DEFAULT_SOLREF, FORCE_SPACE, RAW, SOLIMP, Shapes, contacts_of
+from newton_lint.findings import Buffer, columns, grouped, lines
+from newton_lint.prediction import Load, predictions
+from newton_lint.rules import Engine, lint
 
 DT = 1.0 / 960.0
 ENGINE = Engine(DT)

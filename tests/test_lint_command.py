@@ -11,9 +11,9 @@ import sys
 import newton
 import pytest
 
-from experiments.linting.command import main
-from report import ROOT
-from report.stated import tomllib
+from measured_report import ROOT
+from measured_report.claims.citations import tomllib
+from newton_lint.command import main
 
 SCENE = """
 <mujoco>

@@ -5,11 +5,11 @@ import sys
 
 import pytest
 
-from experiments.failing import is_expected, reason_of
-from report.commands.editions import aside
-from report.records.manifest import Manifest, write_manifest
-from report.records.project import Project
-from report.upgrade import DECIDING, base_of, unmeasured
+from measured_report.changes.upgrade import DECIDING, base_of, unmeasured
+from measured_report.commands.editions import aside
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.project import Project
+from measured_report.measuring.failing import is_expected, reason_of
 
 
 def test_what_does_not_compile_is_said_in_one_line():

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from experiments import metrics
-from experiments.classify import cycle_increments
-from experiments.trace import FRAME_COLUMNS, Failure, Trace, first_failure
+from experiments.facts import metrics
+from experiments.facts.classes import cycle_increments
+from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace, first_failure
 
 FRAME_DT = 1.0 / 60.0
 TOOL_DOWN = (1.0, 0.0, 0.0, 0.0)

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 
 import pytest
 
-from report.derived import outline_of
+from measured_report.deriving.derived import outline_of
+from measured_report.editions.project import Project, own_release
+from measured_report.records.identity import sections
+from measured_report.records.reading import load_record
 from report.names import case_html, cases_html, name_of, number_of
-from report.records.identity import sections
-from report.records.project import Project, own_release
-from report.records.reading import load_record
 
 CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
 """What gives away a name that was made for programs."""

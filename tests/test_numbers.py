@@ -8,13 +8,13 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from report.check import check_site
-from report.check_numbers import TYPED
-from report.deriving.arithmetic import log_slope
-from report.figures import draw_svg, fold, new_figure, write
-from report.format import MINUS, THIN_SPACE, format_number, format_short, spellings
-from report.noise import Floor, cell_noise, derived_noise
-from report.quantities import Quantity
+from measured_report.parts.figures import draw_svg, fold, new_figure, write
+from measured_report.site.check import check_site
+from measured_report.site.check_numbers import TYPED
+from measured_report.values.format import MINUS, THIN_SPACE, format_number, format_short, spellings
+from measured_report.values.noise import Floor, cell_noise, derived_noise
+from measured_report.values.quantities import Quantity
+from report.shared.arithmetic import log_slope
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))

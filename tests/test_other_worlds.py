@@ -6,7 +6,7 @@
 import pytest
 from worlds import AS_MEASURED, SNAPSHOTS, WORLDS, lines_of, otherwise, project_of
 
-from report.records.project import own_release
+from measured_report.editions.project import own_release
 
 RECOMMENDING = ("front.title", "front.remedy", "front.is_mistuned", "front.way_", "story.remedy", "story.files")
 RECOMMENDING += (

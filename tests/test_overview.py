@@ -2,20 +2,14 @@
 
 import pytest
 
-from report.check import check_site
-from report.overview import _label, _mark, lines_of, overview
-from report.quantities import Quantity
-from report.results import Results
+from measured_report.site.check import check_site
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results
+from report.shared.overview import _label, _mark, lines_of, overview
 
 WHOLE = {"drift_mm_s": 0.5, "failure": None}
 """What a run of the whole task says beside its slip."""
-SHAKE = {
-    "shake_amplitude_m": 0.03,
-    "shake_frequency_hz": 1.0,
-    "shake_duration_s": 11.4,
-    "dropped": False,
-    **WHOLE,
-}
+SHAKE = {"shake_amplitude_m": 0.03, "shake_frequency_hz": 1.0, "shake_duration_s": 11.4, "dropped": False, **WHOLE}
 LOST = {"slip_mm": None, "slip_mm_reason": "a body's pose is not finite", "dropped": None}
 SHIPPED = {"case": "as-shipped", "slip_mm": 6.36, **SHAKE}
 TEMPLATE = """# The story
@@ -104,10 +98,7 @@ def test_there_is_none_without_a_baseline(results):
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):
     toy.write("templates/front.md.j2", TEMPLATE)
-    others = [
-        {"case": "soft", "slip_mm": 6.0, **WHOLE},
-        {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True},
-    ]
+    others = [{"case": "soft", "slip_mm": 6.0, **WHOLE}, {"case": "stiff", "slip_mm": 300.0, **SHAKE, "dropped": True}]
     toy.measure([*others, SHIPPED, {"case": "broken", **SHAKE, **LOST}])
     toy.build()
     assert check_site(toy.project.site) == []

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from newton.viewer import ViewerNull
 
+from experiments.facts.kept import kept_run
+from experiments.facts.kinematics import quaternion_matrices
+from experiments.media.replay import Replay, load_poses
 from experiments.poses import HELD, SHAKEN
-from experiments.replay import Replay, load_poses
-from experiments.scene import body_index
-from report.records.kept import kept_run
-from report.records.kinematics import quaternion_matrices
-from report.records.reading import load_record
-from report.records.traces import load_trace, trace_path
+from experiments.simulation.scene import body_index
+from measured_report.records.reading import load_record
+from measured_report.records.traces import load_trace, trace_path
 
 
 @pytest.fixture(scope="module")

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from conftest import ROWS
 
-from report import ReportError, UsageError
-from report.check import check_site
-from report.publish import publish
-from report.targets import MARK
+from measured_report import ReportError, UsageError
+from measured_report.site.check import check_site
+from measured_report.site.publish import publish
+from measured_report.site.targets import MARK
 
 
 def test_publishing_switches_a_link(toy, tmp_path):

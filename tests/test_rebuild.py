@@ -12,20 +12,21 @@ from pathlib import Path
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
-from report import ROOT, ReportError, keeping
-from report.editions import editions_of
-from report.keeping import surroundings
-from report.page import Templates
-from report.records import identity
-from report.records.cache import FOLDER, Cache
-from report.records.identity import sources_kept
-from report.records.record import write_record
-from report.records.traces import packed
+from measured_report import ROOT, ReportError
+from measured_report.deriving import keeping
+from measured_report.deriving.editions import editions_of
+from measured_report.deriving.keeping import surroundings
+from measured_report.files.cache import FOLDER, Cache
+from measured_report.pages.page import Templates
+from measured_report.records import identity
+from measured_report.records.identity import sources_kept
+from measured_report.records.record import write_record
+from measured_report.records.traces import packed
 
 READER = """
-from report.deriving.arithmetic import other_value
-from report.parts import Section
-from report.results import Results
+from report.shared.arithmetic import other_value
+from measured_report.parts.parts import Section
+from measured_report.values.results import Results
 
 order = 2
 page = "limits"
@@ -38,7 +39,7 @@ def derive(results):
     return Section()
 """
 ALONE = """
-from report.parts import Section
+from measured_report.parts.parts import Section
 
 order = 3
 page = "limits"
@@ -77,8 +78,7 @@ CHANGES: dict[str, Callable[[Toy], None]] = {
     "an alternative text": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("moves", "walks")),
     "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
     "a layout": lambda toy: toy.write(
-        "templates/base.html.j2",
-        (toy.project.templates / "base.html.j2").read_text().replace("Skip to", "Go to"),
+        "templates/base.html.j2", (toy.project.templates / "base.html.j2").read_text().replace("Skip to", "Go to")
     ),
     "the style": lambda toy: toy.write("assets/style.css", "body { color: red }\n"),
     "what it draws": lambda toy: toy.write("report/sections/toy.py", MODULE.replace('label="x"', 'label="y"')),
@@ -202,8 +202,8 @@ WARM = """
 import sys
 from pathlib import Path
 import report.sections
-from report.records.project import Project
-from report.site import build
+from measured_report.editions.project import Project
+from measured_report.site.site import build
 
 root = Path(sys.argv[1])
 report.sections.__path__ = [str(root / "report/sections"), *report.sections.__path__]
@@ -306,8 +306,8 @@ def test_a_kill_while_something_is_kept_leaves_the_old_or_the_new(tmp_path, stop
 ELSEWHERE = """
 import sys
 from pathlib import Path
-from report.records.project import Project, own_release
-from report.site import build
+from measured_report.editions.project import Project, own_release
+from measured_report.site.site import build
 
 build(Project("1.5.0", root=Path(sys.argv[1]), own_release=own_release()))
 """

@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments.course import believable
-from report.records.columns import number_problem, unit_of, units_of
-from report.records.files import RecordError
-from report.records.reading import load_record
-from report.records.record import record_path, write_record
-from report.records.traces import load_trace, packed, trace_path
+from measured_report.files.files import RecordError
+from measured_report.measuring.course import believable
+from measured_report.records.columns import number_problem, unit_of, units_of
+from measured_report.records.reading import load_record
+from measured_report.records.record import record_path, write_record
+from measured_report.records.traces import load_trace, packed, trace_path
 
 
 def test_a_record_comes_back_as_it_was_written(toy):
@@ -102,10 +102,7 @@ def test_a_column_says_its_unit(column, unit):
 
 
 def test_only_numbers_have_units():
-    rows = [
-        {"case": "a", "dropped": True, "slip_mm": 1},
-        {"case": "b", "gap_m": None, "gap_m_reason": "none"},
-    ]
+    rows = [{"case": "a", "dropped": True, "slip_mm": 1}, {"case": "b", "gap_m": None, "gap_m_reason": "none"}]
     assert units_of(rows) == {"slip_mm": "mm", "gap_m": "m"}
 
 

@@ -9,22 +9,22 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
 import build
-from report import ROOT
-from report.check import check_site
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
-from report.compare import Comparison, compare, is_flip
-from report.editions import derive_edition, editions_of
-from report.noise import Floor, is_beyond, tolerance
-from report.page import Templates
-from report.quantities import Quantity, mixed
-from report.records.environment import requirements
-from report.records.identity import MISSING
-from report.records.project import Project
-from report.records.reading import load_record
-from report.records.record import Origin, write_record
-from report.records.stack import stack_of
-from report.records.status import status_matrix
-from report.results import Results
+from measured_report import ROOT
+from measured_report.changes.compare import Comparison, compare, is_flip
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
+from measured_report.deriving.editions import derive_edition, editions_of
+from measured_report.editions.environment import requirements
+from measured_report.editions.project import Project
+from measured_report.editions.stack import stack_of
+from measured_report.editions.status import status_matrix
+from measured_report.pages.page import Templates
+from measured_report.records.identity import MISSING
+from measured_report.records.reading import load_record
+from measured_report.records.record import Origin, write_record
+from measured_report.site.check import check_site
+from measured_report.values.noise import Floor, is_beyond, tolerance
+from measured_report.values.quantities import Quantity, mixed
+from measured_report.values.results import Results
 
 SOFT, STIFF = ROWS
 BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)

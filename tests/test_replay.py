@@ -10,19 +10,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from report import ROOT
-from report.check import check_self_contained
-from report.editions import derive_edition
-from report.packed import packed_runs
-from report.page import Templates
-from report.pages import REPLAY, SHAKES
-from report.placing import Draft
-from report.reading import Reading
-from report.records.project import Project
-from report.records.reading import load_record
-from report.records.traces import trace_path
-from report.replay import replay_page, script, write_replay
-from report.results import Results
+from measured_report import ROOT
+from measured_report.deriving.editions import derive_edition
+from measured_report.editions.project import Project
+from measured_report.files.staging import Draft
+from measured_report.pages.page import Templates
+from measured_report.pages.pages import REPLAY, SHAKES
+from measured_report.records.reading import load_record
+from measured_report.records.traces import trace_path
+from measured_report.site.check import check_self_contained
+from measured_report.site.reading import Reading
+from measured_report.values.results import Results
+from report.media.packed import packed_runs
+from report.media.replay import replay_page, script, write_replay
 
 SOURCES = ROOT / "assets/replay"
 MOST_BYTES = 900_000

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from experiments import forecast, least_friction, pick
-from experiments.c_warnings import RunFailed
-from experiments.compat import warp_has_noslip
-from experiments.measurement import Conditions
 from experiments.scenes import capsule, panda
 from experiments.scenes.engines import ENGINES, InC, ThroughNewton
 from experiments.scenes.least_friction import LEAST, Setting, Start, coulomb_factor, drop_m, least_factors, warm_up
 from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
 from experiments.scenes.slope import creep_mm_s
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions
+from newton_lint.compat import warp_has_noslip
 
 RECIPE = capsule.Pinch("recipe")
 

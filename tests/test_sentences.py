@@ -10,16 +10,16 @@ from pathlib import Path
 import pytest
 from conftest import TEMPLATE
 
-from report import ROOT, ReportError
-from report.altered import MUTATIONS, World, mutated, tracked_world
-from report.check import check_site
-from report.claims import HOLDS
-from report.format import ABSENT
-from report.inert import surveys
-from report.records.columns import REASON
-from report.records.record import Record
-from report.results import Results
-from report.stated import references
+from measured_report import ROOT, ReportError
+from measured_report.claims.citations import references
+from measured_report.claims.claims import HOLDS
+from measured_report.records.columns import REASON
+from measured_report.records.record import Record
+from measured_report.sensitivity.inert import surveys
+from measured_report.sensitivity.perturbed import MUTATIONS, World, mutated, tracked_world
+from measured_report.site.check import check_site
+from measured_report.values.format import ABSENT
+from measured_report.values.results import Results
 
 WORK = Path(__file__).parent / "sentences"
 """What is still to be mended; these lists may only get shorter."""

@@ -7,8 +7,8 @@ from urllib.request import urlopen
 
 from conftest import TEMPLATE
 
-from report.check import check_site
-from report.serving import BUILD, SCRIPT, Server, stamp
+from measured_report.site.check import check_site
+from measured_report.site.serving import BUILD, SCRIPT, Server, stamp
 
 POLICY = re.compile(r'http-equiv="Content-Security-Policy" content="([^"]*)"')
 

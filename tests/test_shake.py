@@ -6,7 +6,7 @@ import math
 import pytest
 
 from experiments import shake
-from report import ROOT
+from measured_report import ROOT
 
 CONTRACT = ("slip_mm", "drift_mm_s", "cube_height_m", "dropped")
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from conftest import ROWS, Toy
 
-from report.check import check_site
+from measured_report.site.check import check_site
 
 SOFT, STIFF = ROWS
 NO_HELP = ({**SOFT, "slip_mm": 0.4}, STIFF)

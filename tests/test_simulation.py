@@ -7,15 +7,16 @@ import pytest
 import warp as wp
 from conftest import needs_boxes_in_c
 
-from experiments import metrics, simulation
-from experiments.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
-from experiments.compat import kf_is_read, warp_has_noslip
-from experiments.simulation import Simulation, simulate
-from experiments.trace import Failure
-from report import ROOT
-from report.noise import noise_floors
-from report.records.project import own_release
-from report.records.reading import load_record
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
+from experiments.facts.trace import Failure
+from experiments.simulation import simulation
+from experiments.simulation.simulation import Simulation, simulate
+from measured_report import ROOT
+from measured_report.editions.project import own_release
+from measured_report.records.reading import load_record
+from measured_report.values.noise import noise_floors
+from newton_lint.compat import kf_is_read, warp_has_noslip
 
 SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
 """Slip of the calibration runs and how close a run must come."""

@@ -8,10 +8,10 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE
 from matplotlib.axis import Axis
 
-from report import ReportError
-from report.check import check_site
-from report.figures import SERIES, draw_svg, narrow_screen, new_figure
-from report.records.record import write_record
+from measured_report import ReportError
+from measured_report.parts.figures import SERIES, draw_svg, narrow_screen, new_figure
+from measured_report.records.record import write_record
+from measured_report.site.check import check_site
 
 
 def test_a_section_takes_three_files_and_passes_the_check(toy):
@@ -186,7 +186,7 @@ def test_what_is_laid_out_once_is_drawn_the_same(monkeypatch, is_narrow):
             return draw_svg(draw, name="toy"), len(asked)
 
     once, few = drawn()
-    monkeypatch.setattr("report.figures.laid_out_once", nullcontext)
+    monkeypatch.setattr("measured_report.parts.figures.laid_out_once", nullcontext)
     again, many = drawn()
     assert once == again and few < many / 2
 

@@ -9,22 +9,16 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import compat
-from experiments.beside import gather, processes, start
-from experiments.case import AS_SHIPPED, LEAN, RUN_TIME_FIELDS, CaseError
-from experiments.kernels import Module, modules_of
-from experiments.simulation import Simulation, batches, run_batch, simulate
-from experiments.stages import count_launches, element_of, stage_rows
-from experiments.timing import in_the_shake, put_in_state_of
+from experiments.facts.case import AS_SHIPPED, LEAN, RUN_TIME_FIELDS, CaseError
+from experiments.leave_out.stages import count_launches, element_of, stage_rows
+from experiments.simulation.kernels import Module, modules_of
+from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
+from experiments.simulation.timing import in_the_shake, put_in_state_of
+from measured_report.measuring.beside import gather, processes, start
+from newton_lint import compat
 
 FRAME_COUNT = 20
-VARIED = {
-    "ik_iterations": 24,
-    "ik_beside": False,
-    "state_sync": True,
-    "sensors": False,
-    "limits": False,
-}
+VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}
 
 
 @pytest.fixture(scope="module")

@@ -5,14 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments import metrics
-from experiments.case import AS_SHIPPED, FIXED
-from experiments.classify import classify
-from experiments.scene import CUBE_IN_HAND
-from experiments.simulation import is_due, simulate
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, FIXED
+from experiments.facts.classes import classify
+from experiments.facts.trace import FRAME_COLUMNS, Trace
+from experiments.simulation.scene import CUBE_IN_HAND
+from experiments.simulation.simulation import is_due, simulate
 from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
-from experiments.stability_families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
-from experiments.stability_limits import (
+from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
+from experiments.stability.limits import (
     demand_m_s2,
     exit_bound_m_s,
     friction_load,
@@ -20,7 +21,6 @@ from experiments.stability_limits import (
     solref,
     target_demand_m_s2,
 )
-from experiments.trace import FRAME_COLUMNS, Trace
 from report.sections.stability.extremes import MU
 
 STIFF = replace(BASE, **PADS["stiff"])

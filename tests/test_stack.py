@@ -11,17 +11,19 @@ from pathlib import Path
 import pytest
 from conftest import Toy
 
-from report import ReportError, UsageError
-from report.commands import building
-from report.records import devices, environment, identity, measure, sources
-from report.records.environment import environment_of, python_of
-from report.records.identity import package_versions
-from report.records.label import read_label
-from report.records.manifest import Manifest, write_manifest
-from report.records.project import Project
-from report.records.record import write_record
-from report.records.stack import Stack, stack_of
-from report.records.status import expected_packages
+from measured_report import ReportError, UsageError
+from measured_report.commands import building
+from measured_report.editions import devices, environment
+from measured_report.editions.environment import environment_of, python_of
+from measured_report.editions.label import read_label
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.project import Project
+from measured_report.editions.stack import Stack, stack_of
+from measured_report.editions.status import expected_packages
+from measured_report.measuring import measure
+from measured_report.records import identity, sources
+from measured_report.records.identity import package_versions
+from measured_report.records.record import write_record
 
 
 def git(folder: Path, *command: str) -> str:
@@ -154,7 +156,7 @@ def test_what_is_installed_must_be_what_was_asked_for(tmp_path, monkeypatch):
 
 
 def test_a_measurement_refuses_what_is_not_installed():
-    from experiments.run import edition_of
+    from measured_report.measuring.run import edition_of
 
     installed = package_versions()["newton"]
     assert edition_of(None) == edition_of(f"{installed}@cpu").removesuffix("@cpu") == installed

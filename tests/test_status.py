@@ -1,6 +1,6 @@
 """The table of ``make status``: what it says of sections that are stale."""
 
-from report.records.status import State, status_table
+from measured_report.editions.status import State, status_table
 
 
 def table(*states: State) -> list[str]:

@@ -7,13 +7,13 @@ from itertools import product
 
 import pytest
 
-from experiments.case import AS_SHIPPED
-from experiments.task import FRAME_RATE
-from report import ROOT
-from report.check import check_site
-from report.claims import FAILS, HOLDS, Outcome
-from report.page import Templates
-from report.pages import FRONT
+from experiments.facts.case import AS_SHIPPED
+from experiments.simulation.task import FRAME_RATE
+from measured_report import ROOT
+from measured_report.claims.claims import FAILS, HOLDS, Outcome
+from measured_report.pages.page import Templates
+from measured_report.pages.pages import FRONT
+from measured_report.site.check import check_site
 from report.sections.reproduction import SCENE
 from report.story.found import Found
 from report.story.front import front_of

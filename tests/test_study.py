@@ -10,18 +10,19 @@ import batches
 import pytest
 import warp as wp
 
-from experiments import on_paper, slots
-from experiments.batch import Batch
-from experiments.course import Course, Task
-from experiments.forks import Forks
-from experiments.machine import machine
-from experiments.on_paper import hosts_of, makespan
-from experiments.study import Here, Host, Study, next_start
-from report import ROOT, UsageError
-from report.records.cluster import read_cluster
-from report.records.identity import identity_of
-from report.records.processes import workers
-from report.records.reading import load_record
+from measured_report import ROOT, UsageError
+from measured_report.files.processes import workers
+from measured_report.measuring import on_paper
+from measured_report.measuring import worker as slots
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.course import Course, Task
+from measured_report.measuring.forks import Forks
+from measured_report.measuring.machine import machine
+from measured_report.measuring.on_paper import hosts_of, makespan
+from measured_report.measuring.scheduler import Here, Host, Study, next_start
+from measured_report.measuring.where import read_cluster
+from measured_report.records.identity import identity_of
+from measured_report.records.reading import load_record
 
 
 @pytest.fixture

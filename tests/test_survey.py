@@ -4,8 +4,8 @@ import newton.examples
 import pytest
 
 from experiments import survey
-from experiments.linting import examples
-from experiments.linting.examples import Example, Unbuilt, build
+from experiments.survey import examples
+from experiments.survey.examples import Example, Unbuilt, build
 
 STUBBORN = """
 import os

@@ -15,18 +15,18 @@ from conftest import MODULE, ROWS, TEMPLATE
 from damage import FIELDS, PLACES, RECORD_WAYS, TRACES, damage_record
 from markupsafe import Markup
 
-from report import ROOT, ReportError
-from report.check import check_site
-from report.drawing import Beside, draw_all
-from report.editions import editions_of
-from report.page import Templates
-from report.records.cache import FOLDER
-from report.records.environment import requirements
-from report.records.files import RecordError, locked, settle
-from report.records.reading import load_record
-from report.records.record import write_record
-from report.records.traces import load_trace, packed, trace_path
-from report.surroundings import CARD
+from measured_report import ROOT, ReportError
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.environment import requirements
+from measured_report.files.cache import FOLDER
+from measured_report.files.files import RecordError, locked, settle
+from measured_report.pages.page import Templates
+from measured_report.parts.drawing import Beside, draw_all
+from measured_report.records.reading import load_record
+from measured_report.records.record import write_record
+from measured_report.records.traces import load_trace, packed, trace_path
+from measured_report.site.check import check_site
+from measured_report.site.surroundings import CARD
 
 
 def refusal(path: Path, trace: Path | None = None) -> str:
@@ -167,7 +167,7 @@ class Killed:
 
 
 def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
-    monkeypatch.setattr("report.drawing._processor_count", lambda: 2)
+    monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
     with pytest.raises(ReportError, match="a process was killed"):
         draw_all([Killed()] * 4, lambda: None)
 
@@ -180,7 +180,7 @@ class Drawn(Killed):
 
 
 def test_what_is_not_drawn_beside_is_left_to_others(monkeypatch):
-    monkeypatch.setattr("report.drawing._processor_count", lambda: 2)
+    monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
     beside = Beside()
     beside.draw({("1.0", "drawn"): Drawn()})
     [(place, (broad, narrow))] = beside.drawn().items()
@@ -191,7 +191,7 @@ def test_what_is_not_drawn_beside_is_left_to_others(monkeypatch):
 
 WORKERS = """
 import os, sys, time
-from report.records.processes import workers
+from measured_report.files.processes import workers
 def work(number):
     os.write(1, b"%d\\n" % os.getpid())
     time.sleep(60)
@@ -214,7 +214,7 @@ def test_no_process_outlives_the_one_that_started_it(sent):
 OBEYING = """
 import os, subprocess, sys
 from functools import partial
-from report.records.processes import obey
+from measured_report.files.processes import obey
 program = "print(flush=True); import time; time.sleep(60)"
 try:
     subprocess.run([sys.executable, "-c", program], preexec_fn=partial(obey, os.getpid()), check=False)

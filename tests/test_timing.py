@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import envelope, leave_out, repeatable, reproduction, scaling, simulation
-from experiments.case import AS_SHIPPED, FIXED, Case
+from experiments import envelope, leave_out, repeatable, reproduction, scaling
+from experiments.facts.case import AS_SHIPPED, FIXED, Case
 from experiments.leave_out import time_cases
-from experiments.measurement import Conditions
-from experiments.simulation import Simulation
-from experiments.timing import batch_invalid_reason, in_the_shake, put_in_state_of
+from experiments.simulation import simulation
+from experiments.simulation.measurement import Conditions
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.timing import batch_invalid_reason, in_the_shake, put_in_state_of
 
 QUICK = Conditions("cpu", quick=True)
 SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)

@@ -10,16 +10,16 @@ from pathlib import Path
 import pytest
 from markupsafe import escape
 
-from report import ROOT
-from report.claims import FAILS, HOLDS, Claim, Outcome
-from report.compare import flips
-from report.derived import derive_section, outline_of
-from report.editions import derive_edition
-from report.keeping import READ_BY_NAME, files_of
-from report.page import Templates
-from report.parts import Figure
-from report.records.project import Project, own_release
-from report.records.record import write_record
+from measured_report import ROOT
+from measured_report.changes.compare import flips
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
+from measured_report.deriving.derived import derive_section, outline_of
+from measured_report.deriving.editions import derive_edition
+from measured_report.deriving.keeping import READ_BY_NAME, files_of
+from measured_report.editions.project import Project, own_release
+from measured_report.pages.page import Templates
+from measured_report.parts.parts import Figure
+from measured_report.records.record import write_record
 from report.story.front import front_of
 from report.story.story import story_of
 

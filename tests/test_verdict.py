@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from report import ReportError
-from report.editions import Edition
-from report.records.project import own_release
-from report.records.reading import load_record
-from report.records.record import record_path
-from report.verdict import compared, text_of
+from measured_report import ReportError
+from measured_report.changes.verify import compared, text_of
+from measured_report.deriving.editions import Edition
+from measured_report.editions.project import own_release
+from measured_report.records.reading import load_record
+from measured_report.records.record import record_path
 
 TRACKED = {row["case"]: row for row in load_record(record_path("reproduction", own_release(), "full")).rows}
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))

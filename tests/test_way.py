@@ -2,11 +2,11 @@
 
 import pytest
 
-from report import UsageError
-from report.editions import editions_of
-from report.page import Templates
-from report.settings import from_shipped
-from report.way import Ways
+from measured_report import UsageError
+from measured_report.commands.trace import Ways
+from measured_report.deriving.editions import editions_of
+from measured_report.pages.page import Templates
+from measured_report.records.settings import from_shipped
 
 ROWS = (
     {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},

@@ -3,9 +3,9 @@
 import pytest
 from conftest import MODULE, TEMPLATE
 
-from report import ReportError
-from report.claims import FAILS, HOLDS, Claim, Outcome
-from report.page import Templates
+from measured_report import ReportError
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
+from measured_report.pages.page import Templates
 
 ASKS = "{% asks %} whether it helps\n"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from report import ROOT
+from measured_report import ROOT
 
 SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
 PROGRAM = """#!/bin/bash

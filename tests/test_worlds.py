@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import scene, worlds
-from experiments.case import AS_SHIPPED, LEAN
-from experiments.simulation import simulate
-from experiments.worlds import NOT_EXTENDED, UnequalWorlds, model_of
+from experiments.facts.case import AS_SHIPPED, LEAN
+from experiments.simulation import scene, worlds
+from experiments.simulation.simulation import simulate
+from experiments.simulation.worlds import NOT_EXTENDED, UnequalWorlds, model_of
 
 CASES = {"as-shipped": AS_SHIPPED, "lean": LEAN, "mesh": replace(AS_SHIPPED, pad_shape="convex-mesh")}
 

@@ -27,13 +27,13 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
 from damage import PLACES, RECORD_WAYS, TRACES, damage_record  # noqa: E402
 from torture_study import studies  # noqa: E402
 
-from report.check import check_site  # noqa: E402
-from report.placing import remove  # noqa: E402
-from report.records.cache import FOLDER as CACHE  # noqa: E402
-from report.records.cache import Cache  # noqa: E402
-from report.records.files import RecordError, is_own_file  # noqa: E402
-from report.records.identity import files_digest  # noqa: E402
-from report.records.reading import load_record  # noqa: E402
+from measured_report.files.cache import FOLDER as CACHE  # noqa: E402
+from measured_report.files.cache import Cache  # noqa: E402
+from measured_report.files.files import RecordError, is_own_file  # noqa: E402
+from measured_report.files.staging import remove  # noqa: E402
+from measured_report.records.identity import files_digest  # noqa: E402
+from measured_report.records.reading import load_record  # noqa: E402
+from measured_report.site.check import check_site  # noqa: E402
 
 KEPT = "torture"
 """What was tried so far is kept as this, each trial by itself, so that several processes can try at once."""
@@ -44,7 +44,7 @@ SECTIONS = ("noise", "reproduction", "gap")
 """Its records that the copy has: of each kind of thing that a page shows there is one, and it is built in seconds."""
 PROBE = {
     "experiments/probe.py": """import time
-from experiments.measurement import Conditions, Measurement
+from experiments.simulation.measurement import Conditions, Measurement
 
 
 def measure(conditions: Conditions) -> Measurement:

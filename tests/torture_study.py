@@ -18,13 +18,13 @@ MANY = f"""import os
 import random
 import time
 from pathlib import Path
-from experiments.batch import Batch, Plan
+from measured_report.measuring.batch import Batch, Plan
 
 LOG = Path(__file__).resolve().parent.parent / "many.log"
 
 
 def measure(conditions) -> Plan:
-    from experiments.measurement import Measurement
+    from experiments.simulation.measurement import Measurement
 
     rows = yield [Batch(f"b{{number}}", work, (number,), alone=number % 10 == 9) for number in range({BATCH_COUNT})]
     [total] = yield [Batch("sum", add, (rows,))]
@@ -67,7 +67,17 @@ def studies(world, trial, moments: int) -> Iterator:
 
 
 def _start(root: Path, cluster: Sequence[str]) -> subprocess.Popen:
-    command = [sys.executable, "-m", "experiments.run", *SECTIONS, "--device", "cpu", "--profile", "quick", *cluster]
+    command = [
+        sys.executable,
+        "-m",
+        "measured_report.measuring.run",
+        *SECTIONS,
+        "--device",
+        "cpu",
+        "--profile",
+        "quick",
+        *cluster,
+    ]
     with (root / "study.log").open("w") as log:
         return subprocess.Popen(command, cwd=root, stderr=log, stdout=log, start_new_session=True)
 

@@ -23,18 +23,18 @@ from unittest import mock
 import numpy as np
 import pandas as pd
 
-from report import ROOT
-from report.altered import load_trace_once
-from report.check import check_site
-from report.claims import NUMBER
-from report.editions import Edition, editions_of
-from report.page import Templates
-from report.records.columns import REASON, is_number, units_of
-from report.records.project import Project, own_release
-from report.records.reading import load_record
-from report.records.record import Record, write_record
-from report.settings import settings
-from report.site import build, undrawn
+from measured_report import ROOT
+from measured_report.claims.claims import NUMBER
+from measured_report.deriving.editions import Edition, editions_of
+from measured_report.editions.project import Project, own_release
+from measured_report.pages.page import Templates
+from measured_report.records.columns import REASON, is_number, units_of
+from measured_report.records.reading import load_record
+from measured_report.records.record import Record, write_record
+from measured_report.records.settings import settings
+from measured_report.sensitivity.perturbed import load_trace_once
+from measured_report.site.check import check_site
+from measured_report.site.site import build, undrawn
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
 SOURCES = ("experiments", "report", "templates", "assets")
@@ -299,7 +299,7 @@ def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
             tracked = ROOT / path.relative_to(project.root)
             return world.frame(tracked, load_trace_once(tracked))
 
-        with mock.patch("report.results.load_trace", load):  # to write a trace takes long
+        with mock.patch("measured_report.values.results.load_trace", load):  # to write a trace takes long
             yield project
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.linting.creep import impedance_at, predicted_creep
 from experiments.scenes.engines import ENGINES, Contacts, Engine
+from newton_lint.creep import impedance_at, predicted_creep
 
 MASS_KG = 0.045
 RADIUS_M = 0.004

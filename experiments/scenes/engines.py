@@ -15,9 +15,9 @@ import numpy as np
 import warp as wp
 from newton.solvers import SolverMuJoCo
 
-from experiments import contact_bias_c
-from experiments.c_warnings import RunFailed, refuse_warned
-from experiments.compat import make_solver
+from experiments.simulation import contact_bias_c
+from experiments.simulation.c_warnings import RunFailed, refuse_warned
+from newton_lint.compat import make_solver
 
 STEPS = 2
 """Steps that ``advance`` runs."""
@@ -159,10 +159,7 @@ class InWarp:
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
         position, velocity = self.free
-        return (
-            self.data.qpos.numpy()[:, position].astype(float),
-            self.data.qvel.numpy()[:, velocity].astype(float),
-        )
+        return (self.data.qpos.numpy()[:, position].astype(float), self.data.qvel.numpy()[:, velocity].astype(float))
 
     def contacts(self, world: int = 0) -> Contacts:
         return contacts_in_warp(self.model, self.data, world)

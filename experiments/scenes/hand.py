@@ -19,10 +19,10 @@ from functools import partial
 import mujoco
 import numpy as np
 
-from experiments import contact_bias_c
-from experiments.c_warnings import RunFailed
-from experiments.linting.creep import response
 from experiments.scenes.engines import ENGINES, STEPS, Contacts, InC, InWarp
+from experiments.simulation import contact_bias_c
+from experiments.simulation.c_warnings import RunFailed
+from newton_lint.creep import response
 
 REACH_M = 0.5
 """From the arm's axis to the middle of the palm."""

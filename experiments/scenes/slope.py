@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.linting.creep import impedance_at, predicted_creep
 from experiments.scenes.engines import STEPS, InC
+from newton_lint.creep import impedance_at, predicted_creep
 
 TILT_RAD = 0.1
 GRAVITY_M_S2 = 9.81

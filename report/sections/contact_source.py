@@ -1,8 +1,8 @@
 """Who finds the contacts, how often, on which shape, and which engine solves them."""
 
-from report.deriving.variants import not_the_cause, variant_figure, variant_table, variants_of, within_noise
-from report.parts import Section
-from report.results import Results
+from measured_report.parts.parts import Section
+from measured_report.values.results import Results
+from report.shared.variants import not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 30
 label = "contact points"

@@ -5,11 +5,11 @@ from itertools import product
 
 import pandas as pd
 
-from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import cell_count, extreme, share, size_share
-from report.parts import Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_count, extreme, share, size_share
 
 order = 148
 page = "cure"

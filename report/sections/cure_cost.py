@@ -6,14 +6,14 @@ from typing import Any
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most
-from report.deriving.timing import CURE_WORLDS, cell
-from report.figures import INK, SERIES, new_figure
-from report.format import format_number
+from measured_report.claims.claims import Claim, at_least, at_most
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.format import format_number
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
+from report.shared.timing import CURE_WORLDS, cell
 
 order = 144
 page = "cure"

@@ -3,12 +3,12 @@
 import numpy as np
 import pandas as pd
 
-from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import SETTLES
-from report.parts import Figure, Section, Table
-from report.quantities import Value
-from report.results import Results, Series
+from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_maps, grid_of, lost_count
+from report.shared.arithmetic import SETTLES
 
 order = 147
 page = "cure"

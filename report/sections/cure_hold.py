@@ -5,14 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from experiments.case import AS_SHIPPED
-from report import ROOT
-from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, other_cell, ratio, share
-from report.figures import new_figure
+from experiments.facts.case import AS_SHIPPED
+from measured_report import ROOT
+from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.figures import new_figure
+from measured_report.parts.parts import Download, Figure, Section, Table
+from measured_report.values.results import Results, Row, Series
 from report.names import name_of
-from report.parts import Download, Figure, Section, Table
-from report.results import Results, Row, Series
+from report.shared.arithmetic import SETTLES, by_case, departure, noise_floor, other_cell, ratio, share
 
 order = 143
 page = "cure"

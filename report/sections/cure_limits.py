@@ -7,13 +7,13 @@ from statistics import median
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, Outcome, at_least, at_most
-from report.deriving.arithmetic import cell_count, noise_floor, ratio
-from report.figures import INK, SERIES, new_figure
+from measured_report.claims.claims import Claim, Outcome, at_least, at_most
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, some_html
-from report.parts import Figure, Section, Table
-from report.quantities import Value
-from report.results import Results, Row
+from report.shared.arithmetic import cell_count, noise_floor, ratio
 
 order = 146
 page = "limits"

@@ -6,13 +6,13 @@ from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond
-from report.deriving.arithmetic import by_case, cell_count, extreme, noise_floor
-from report.figures import INK, new_figure
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond
+from measured_report.parts.figures import INK, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import FIX, SHIPPED, is_held
+from report.shared.arithmetic import by_case, cell_count, extreme, noise_floor
 
 order = 91
 page = "cause"

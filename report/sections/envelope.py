@@ -10,12 +10,12 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
-from report.claims import Claim, Outcome, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved
-from report.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row, Series
+from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row, Series
+from report.shared.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved
 
 order = 120
 page = "fix"

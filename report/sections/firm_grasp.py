@@ -6,13 +6,13 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import cell_count, departure, extreme, ratio, share
-from report.figures import INK, SERIES, is_narrow, new_figure, tick_at
+from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure, tick_at
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from report.shared.arithmetic import cell_count, departure, extreme, ratio, share
 
 order = 183
 page = "scenes"

@@ -2,13 +2,13 @@
 
 import pandas as pd
 
-from experiments.case import STIFF_PADS
-from report.claims import Claim, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import SETTLES, departure, other_cell, other_value, ratio
-from report.downloads import fix_files
-from report.parts import Download, Section, Table
-from report.quantities import Value
-from report.results import Results, Row
+from experiments.facts.case import STIFF_PADS
+from experiments.facts.fix_files import fix_files
+from measured_report.claims.claims import Claim, all_of, at_least, at_most, decided
+from measured_report.parts.parts import Download, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import SETTLES, departure, other_cell, other_value, ratio
 
 order = 140
 page = "fix"
@@ -107,11 +107,7 @@ def _same_as_report(results: Results) -> Claim:
         unit="mm",
     )
     bound = results.chosen("difference_bound", "the calibration's tolerance", 0.03, unit="mm")
-    return Claim(
-        "same_as_report",
-        at_most(difference, bound),
-        numbers={"difference": difference, "bound": bound},
-    )
+    return Claim("same_as_report", at_most(difference, bound), numbers={"difference": difference, "bound": bound})
 
 
 def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:

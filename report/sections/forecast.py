@@ -9,13 +9,13 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, Outcome, all_of, at_least, at_most
-from report.deriving.arithmetic import extreme, other_value
-from report.figures import FAINT, INK, SERIES, is_narrow, new_figure
+from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most
+from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from report.shared.arithmetic import extreme, other_value
 
 order = 184  # after all SCENES, which it reads
 page = "scenes"
@@ -62,11 +62,7 @@ def derive(results: Results) -> Section:
         sources=[point.measured for point in points],
         numbers={name: claim.numbers[name] for name in ("count", "scenes", "bound")},
     )
-    return Section(
-        tables={"scenes": _table(results, there)},
-        figures={"creep": figure},
-        claims=[claim],
-    )
+    return Section(tables={"scenes": _table(results, there)}, figures={"creep": figure}, claims=[claim])
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:

@@ -3,11 +3,11 @@
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import share
-from report.figures import SERIES, new_figure, say_value, write
-from report.parts import Figure, Section, Table
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.parts.figures import SERIES, new_figure, say_value, write
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import share
 
 order = 60
 label = "what moves"

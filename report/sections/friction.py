@@ -1,10 +1,10 @@
 """Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
 
-from report.claims import Claim, within
-from report.deriving.arithmetic import difference, ratio
-from report.deriving.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
-from report.parts import Section
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, within
+from measured_report.parts.parts import Section
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import difference, ratio
+from report.shared.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 40
 label = "friction coefficient"

@@ -3,13 +3,13 @@
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most, decreases, within
-from report.deriving.arithmetic import by_case, noise_floor, share, spread
-from report.deriving.variants import is_small
-from report.figures import FAINT, INK, SERIES, new_figure, say_value, write
+from measured_report.claims.claims import Claim, at_least, at_most, decreases, within
+from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, say_value, write
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.parts import Figure, Section, Table
-from report.results import Results, Row
+from report.shared.arithmetic import by_case, noise_floor, share, spread
+from report.shared.variants import is_small
 
 order = 110
 label = "contact gap"
@@ -109,16 +109,7 @@ def _draw_contacts(rows: list[Row]) -> Drawing:
     names, loaded = [name_of(row.case) for row in there], np.array([row.mean_loaded_row_count.value for row in there])
     idle = np.array([row.mean_row_count.value for row in there]) - loaded
     axes.barh(names, loaded, height=0.6, color=SERIES[0], edgecolor=INK, linewidth=0.6, label="carry force")
-    axes.barh(
-        names,
-        idle,
-        left=loaded,
-        height=0.6,
-        color=FAINT,
-        edgecolor=INK,
-        linewidth=0.6,
-        label="carry none",
-    )
+    axes.barh(names, idle, left=loaded, height=0.6, color=FAINT, edgecolor=INK, linewidth=0.6, label="carry none")
     for place, row in enumerate(there):
         text = write(row.mean_loaded_row_count)
         axes.annotate(text, (loaded[place] / 2, place), fontsize=8.5, ha="center", va="center", color="white")

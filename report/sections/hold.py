@@ -4,19 +4,11 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import (
-    by_case,
-    departure,
-    needs_shaking,
-    noise_floor,
-    other_cell,
-    share,
-    size_share,
-)
-from report.figures import INK, new_figure
-from report.parts import Figure, Section, Table
-from report.results import Results, Row, Series
+from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.figures import INK, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row, Series
+from report.shared.arithmetic import by_case, departure, needs_shaking, noise_floor, other_cell, share, size_share
 
 order = 80
 page = "cause"
@@ -52,10 +44,7 @@ def derive(results: Results) -> Section:
         },
     )
     return Section(
-        tables={
-            "cases": _table(results),
-            "precision": _precision_table(results),
-        },
+        tables={"cases": _table(results), "precision": _precision_table(results)},
         figures={"motion": motion},
         claims=[
             needs_shaking("drift_needs_cycle", results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
@@ -180,11 +169,7 @@ def _same_creep_in_c(results: Results) -> Claim:
         warp,
     )
     bound = results.chosen("engine_creep_bound", "the same creep", 25.0, unit="%")
-    return Claim(
-        "same_creep_in_c",
-        at_most(difference, bound),
-        numbers={"c": c, "warp": warp, "bound": bound},
-    )
+    return Claim("same_creep_in_c", at_most(difference, bound), numbers={"c": c, "warp": warp, "bound": bound})
 
 
 def _creep_is_rounding(results: Results) -> Claim:
@@ -218,9 +203,7 @@ def _joint_stands_still(results: Results) -> Claim:
     )
     bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
     return Claim(
-        "joint_stands_still",
-        at_most(followed, bound),
-        numbers={"velocity": warp.joint_velocity_mrad_s, "bound": bound},
+        "joint_stands_still", at_most(followed, bound), numbers={"velocity": warp.joint_velocity_mrad_s, "bound": bound}
     )
 
 

@@ -2,12 +2,12 @@
 
 import pandas as pd
 
-from experiments.case import AS_SHIPPED, STIFF_PADS, Case
-from report.claims import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
-from report.deriving.arithmetic import cell_or_absent
-from report.parts import Section, Table
-from report.quantities import Quantity, absent
-from report.results import Results, Row
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
+from measured_report.claims.claims import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_or_absent
 
 order = 130
 page = "fix"

@@ -8,14 +8,14 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import NEAR_NOISE, Claim, all_of, at_most, within
-from report.deriving.arithmetic import cell_count, share, spread
-from report.figures import INK, SERIES, new_figure
+from measured_report.claims.claims import NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from report.shared.arithmetic import cell_count, share, spread
 
 order = 20
 page = "method"
@@ -130,12 +130,7 @@ def _noise_is_small(results: Results, groups: Sequence[Group], slip_floor: Value
     return Claim(
         "noise_is_small",
         all_of(*(at_most(share, bound) for share in shares.values())),
-        numbers={
-            "slip": slip_floor,
-            "share": shares["slip"],
-            "drift": drift_floor,
-            "drift_share": shares["drift"],
-        },
+        numbers={"slip": slip_floor, "share": shares["slip"], "drift": drift_floor, "drift_share": shares["drift"]},
     )
 
 

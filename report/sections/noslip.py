@@ -4,12 +4,12 @@ from collections.abc import Mapping
 
 import pandas as pd
 
-from report.claims import Claim, at_most
-from report.deriving.arithmetic import told
+from measured_report.claims.claims import Claim, at_most
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.parts import Section, Table
-from report.quantities import Value
-from report.results import Results, Row
+from report.shared.arithmetic import told
 
 order = 75
 page = "cause"
@@ -45,11 +45,7 @@ def _change(results: Results, case: str, without: Row, treated: Row) -> Value:
 
 
 def _does_not_help(
-    results: Results,
-    engine: str,
-    pairs: Mapping[str, tuple[Row, Row]],
-    changes: Mapping[str, Value],
-    bound: Value,
+    results: Results, engine: str, pairs: Mapping[str, tuple[Row, Row]], changes: Mapping[str, Value], bound: Value
 ) -> Claim:
     formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
     of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)

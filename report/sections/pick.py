@@ -6,13 +6,13 @@ from itertools import product
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import departure, difference, extreme, share
-from report.figures import INK, SERIES, is_narrow, new_figure
+from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.parts import Figure, Section, Table
-from report.quantities import Value
-from report.results import Results, Row
+from report.shared.arithmetic import departure, difference, extreme, share
 
 order = 182
 page = "scenes"

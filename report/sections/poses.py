@@ -2,10 +2,10 @@
 
 import pandas as pd
 
-from report.claims import Claim, at_least, at_most, greater
-from report.deriving.arithmetic import noise_floor
-from report.parts import Section, Table
-from report.results import Results
+from measured_report.claims.claims import Claim, at_least, at_most, greater
+from measured_report.parts.parts import Section, Table
+from measured_report.values.results import Results
+from report.shared.arithmetic import noise_floor
 
 order = 25
 label = "see it move"

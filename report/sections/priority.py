@@ -3,14 +3,14 @@
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import HOLDS, Claim, all_of, at_least, at_most, equal_within, greater, within
-from report.deriving.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share, spread
-from report.deriving.variants import is_small
-from report.figures import SERIES, new_figure
+from measured_report.claims.claims import HOLDS, Claim, all_of, at_least, at_most, equal_within, greater, within
+from measured_report.parts.figures import SERIES, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity
-from report.results import Results, Row
+from report.shared.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share, spread
+from report.shared.variants import is_small
 
 order = 100
 page = "fix"

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 import pandas as pd
 from markupsafe import Markup
 
-from report.claims import Claim, Outcome, all_of, at_least, at_most, decided
-from report.deriving.arithmetic import extreme
+from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.parts import Section, Table
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
+from report.shared.arithmetic import extreme
 
 order = 21
 page = "evidence"

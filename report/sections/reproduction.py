@@ -7,9 +7,13 @@ import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from experiments.classify import cycle_increments
-from report.claims import HOLDS, Claim, Outcome, at_least, at_most
-from report.deriving.arithmetic import (
+from experiments.facts.classes import cycle_increments
+from measured_report.claims.claims import HOLDS, Claim, Outcome, at_least, at_most
+from measured_report.parts.figures import INK, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row, Series
+from report.names import cases_html, name_of
+from report.shared.arithmetic import (
     DEVICES,
     NO_DRIFT,
     SETTLES,
@@ -20,11 +24,7 @@ from report.deriving.arithmetic import (
     size_share,
     spread,
 )
-from report.figures import INK, new_figure
-from report.names import cases_html, name_of
-from report.overview import HARDLY, LITTLE
-from report.parts import Figure, Section, Table
-from report.results import Results, Row, Series
+from report.shared.overview import HARDLY, LITTLE
 
 order = 10
 label = "the shake test"
@@ -102,11 +102,7 @@ def _slips(results: Results, shipped: Row) -> Claim:
     return Claim(
         "slips",
         at_least(shipped.slip_mm, bound),
-        numbers={
-            "slip": shipped.slip_mm,
-            "duration": shipped.shake_duration_s,
-            "bound": bound,
-        },
+        numbers={"slip": shipped.slip_mm, "duration": shipped.shake_duration_s, "bound": bound},
     )
 
 
@@ -169,11 +165,7 @@ def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
         unit="%",
     )
     bound = results.chosen("alternation_bound", "steps this unequal alternate", 10.0, unit="%")
-    return Claim(
-        "steps_alternate",
-        at_least(share, bound),
-        numbers={"even": even, "odd": odd},
-    )
+    return Claim("steps_alternate", at_least(share, bound), numbers={"even": even, "odd": odd})
 
 
 def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
@@ -238,11 +230,7 @@ def _listed(things: Sequence[str]) -> Markup:
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     bound = results.chosen("stiff_gain_bound", *SETTLES)
-    return Claim(
-        "stiff_pads_hold",
-        at_least(gain, bound),
-        numbers={"slip": stiff.slip_mm, "gain": gain},
-    )
+    return Claim("stiff_pads_hold", at_least(gain, bound), numbers={"slip": stiff.slip_mm, "gain": gain})
 
 
 def _batch_is_cheap(results: Results) -> Claim:
@@ -251,9 +239,7 @@ def _batch_is_cheap(results: Results) -> Claim:
     device = results.record.machine["device"]
     bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
     return Claim(
-        "batch_is_cheap",
-        at_most(cost, bound),
-        numbers={"worlds": many.world_count, "cost": cost, "bound": bound},
+        "batch_is_cheap", at_most(cost, bound), numbers={"worlds": many.world_count, "cost": cost, "bound": bound}
     )
 
 

@@ -8,13 +8,13 @@ from typing import Any
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most
-from report.deriving.arithmetic import departure, difference, ratio, share
-from report.deriving.timing import cell, decade_axis, draw_line, world_axis
-from report.figures import INK, new_figure
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, at_least, at_most
+from measured_report.parts.figures import INK, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import departure, difference, ratio, share
+from report.shared.timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
 page = "cost"
@@ -37,9 +37,7 @@ def derive(results: Results) -> Section:
         numbers={"ends": ends},
     )
     capacity = Figure(
-        draw=lambda: _draw_capacity(rows),
-        sources=[row.world_substeps_per_s for row in rows],
-        numbers={"ends": ends},
+        draw=lambda: _draw_capacity(rows), sources=[row.world_substeps_per_s for row in rows], numbers={"ends": ends}
     )
     return Section(
         tables={"worlds": _table(results, rows, over_floor)},
@@ -69,12 +67,7 @@ def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value)
     return Claim(
         "near_floor",
         at_most(worst, bound),
-        numbers={
-            "bound": bound,
-            "within": sides[True],
-            "over": sides[False],
-            "measured": sides[False] + sides[True],
-        },
+        numbers={"bound": bound, "within": sides[True], "over": sides[False], "measured": sides[False] + sides[True]},
     )
 
 
@@ -112,9 +105,7 @@ def _rate(results: Results, bound: Value) -> Claim:
         unit="million world-substeps/s",
     )
     return Claim(
-        "rate",
-        at_least(rate, bound),
-        numbers={"worlds": row.worlds if row else "", "rate": rate, "bound": bound},
+        "rate", at_least(rate, bound), numbers={"worlds": row.worlds if row else "", "rate": rate, "bound": bound}
     )
 
 

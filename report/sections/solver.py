@@ -1,10 +1,10 @@
 """Is it the solver? Its convergence, its treatment of friction, and the time step."""
 
-from report.claims import Claim, within
-from report.deriving.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
-from report.parts import Section
-from report.quantities import Value
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, within
+from measured_report.parts.parts import Section
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
+from report.shared.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 50
 label = "solver and time step"
@@ -56,12 +56,7 @@ def _impratio(results: Results, variants: Variants) -> Claim:
     return Claim(
         "impratio_does_not_help",
         within(reduction, variants.floor),
-        numbers=variants.numbers
-        | {
-            "impratio": row.impratio,
-            "slip": row.slip_mm,
-            "reduction": reduction,
-        },
+        numbers=variants.numbers | {"impratio": row.impratio, "slip": row.slip_mm, "reduction": reduction},
     )
 
 

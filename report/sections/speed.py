@@ -6,13 +6,13 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, at_least, at_most, greater, within
-from report.deriving.arithmetic import by_case, departure, ratio, share
-from report.deriving.timing import cell, frame_spread
-from report.figures import INK, SERIES, new_figure, say_value, write
+from measured_report.claims.claims import Claim, at_least, at_most, greater, within
+from measured_report.parts.figures import INK, SERIES, new_figure, say_value, write
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.parts import Figure, Section, Table
-from report.results import Results, Row
+from report.shared.arithmetic import by_case, departure, ratio, share
+from report.shared.timing import cell, frame_spread
 
 order = 160
 page = "cost"

@@ -7,12 +7,12 @@ from typing import Any
 
 import pandas as pd
 
-from report.chapters import Releases
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
-from report.deriving.arithmetic import cell_count
-from report.parts import Section, Table
-from report.quantities import Quantity, absent
-from report.results import Results, Row
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
+from measured_report.deriving.chapters import Releases
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_count
 
 order = 185
 page = "scenes"
@@ -74,10 +74,7 @@ def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row],
     counts = [row.finding_count for row in solved]
     every = cell_count(results, "solved", "examples that MuJoCo solves", counts)
     some = results.value(
-        "found",
-        "of those, how many have a finding",
-        lambda *found: sum(each > 0 for each in found),
-        *counts,
+        "found", "of those, how many have a finding", lambda *found: sum(each > 0 for each in found), *counts
     )
     outcome = decided(bool(found), every, some)
     return Claim("shipped_scenes_have_findings", outcome, {"count": some, "all": every})

@@ -7,14 +7,14 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report import ROOT
-from report.claims import FAILS, Claim, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import cell_count, departure, extreme, size_share
-from report.figures import INK, SERIES, is_narrow, new_figure
+from measured_report import ROOT
+from measured_report.claims.claims import FAILS, Claim, all_of, at_least, at_most, greater
+from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
+from measured_report.parts.parts import Download, Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.parts import Download, Figure, Section, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from report.shared.arithmetic import cell_count, departure, extreme, size_share
 
 order = 141
 page = "cure"

@@ -4,11 +4,11 @@ from collections.abc import Mapping
 
 import pandas as pd
 
-from report.claims import Claim, all_of, at_least, at_most
-from report.deriving.arithmetic import cell_count, extreme, ratio
-from report.parts import Section, Table
-from report.quantities import Value, absent
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.parts.parts import Section, Table
+from measured_report.values.quantities import Value, absent
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_count, extreme, ratio
 
 order = 142
 page = "cure"
@@ -63,11 +63,7 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
     long, short = (growths.get(("mujoco", step)) or lost for step in STEPS)
     numbers = {"growth_long": long, "growth_short": short, "largest": largest, "count": count}
     numbers |= {"long": rows["mujoco", LONG].step_ms, "short": rows["mujoco", SHORT].step_ms}
-    return Claim(
-        "only_here_it_stays",
-        all_of(at_least(mine, least), at_most(largest, most)),
-        numbers=numbers,
-    )
+    return Claim("only_here_it_stays", all_of(at_least(mine, least), at_most(largest, most)), numbers=numbers)
 
 
 def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
-from report.chapters import Chapters
-from report.quantities import Quantity
+from measured_report.deriving.chapters import Chapters
+from measured_report.values.quantities import Quantity
 from report.story.found import Found
 
 

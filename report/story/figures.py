@@ -8,10 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 from matplotlib.patches import Arc, Polygon, Rectangle
 
-from report.figures import FAINT, INK, SERIES, new_figure, write
+from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Series
 from report.names import name_of
-from report.quantities import Quantity
-from report.results import Series
 
 EDGE_MM = 40.0
 """Edge of the cube, for drawings to scale."""

@@ -6,10 +6,10 @@ from typing import Any
 
 from markupsafe import Markup
 
-from report.chapters import Chapters
-from report.claims import FAILS, HOLDS, Claim
-from report.quantities import Quantity, absent
-from report.results import Series
+from measured_report.claims.claims import FAILS, HOLDS, Claim
+from measured_report.deriving.chapters import Chapters
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Series
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from report.chapters import Chapters
-from report.claims import HOLDS, Claim, all_of, greater
-from report.overview import overview
-from report.parts import Figure, Section
+from measured_report.claims.claims import HOLDS, Claim, all_of, greater
+from measured_report.deriving.chapters import Chapters
+from measured_report.parts.parts import Figure, Section
+from report.shared.overview import overview
 from report.story.figures import draw_still
 from report.story.found import Found
 from report.story.shared import gain, substeps, ways
@@ -82,9 +82,7 @@ def _is_mistuned(found: Found) -> Claim:
         "is_better": better == HOLDS,
     }
     return replace(
-        material,
-        outcome=replace(outcome, reads=outcome.reads | better.reads),
-        numbers={**material.numbers, **numbers},
+        material, outcome=replace(outcome, reads=outcome.reads | better.reads), numbers={**material.numbers, **numbers}
     )
 
 

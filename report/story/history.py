@@ -5,14 +5,14 @@ from collections.abc import Sequence
 import pandas as pd
 from markupsafe import Markup
 
-from report.chapters import Releases
-from report.deriving.releases import Headline, TurnList, cell
-from report.format import unit_label
-from report.history import Point, flips, points
-from report.noise import NOISE
-from report.parts import Section, Table
-from report.quantities import Quantity, absent
-from report.question import Question
+from measured_report.changes.history import Point, flips, points
+from measured_report.changes.question import Question
+from measured_report.changes.releases import Headline, TurnList, cell
+from measured_report.deriving.chapters import Releases
+from measured_report.parts.parts import Section, Table
+from measured_report.values.format import unit_label
+from measured_report.values.noise import NOISE
+from measured_report.values.quantities import Quantity, absent
 from report.sections.upgrade.tables import FLOORS, HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
-from report.quantities import Quantity
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
+from measured_report.values.quantities import Quantity
 from report.story.found import Found
 
 

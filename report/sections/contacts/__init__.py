@@ -5,14 +5,14 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.claims import Claim, all_of, at_most, decided, greater
-from report.deriving.arithmetic import by_case, departure, difference, noise_floor, size_share
-from report.figures import INK, SERIES, new_figure
+from measured_report.claims.claims import Claim, all_of, at_most, decided, greater
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row, Series
 from report.names import name_of
-from report.parts import Figure, Section, Table
-from report.quantities import Value
-from report.results import Results, Row, Series
 from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
+from report.shared.arithmetic import by_case, departure, difference, noise_floor, size_share
 
 order = 70
 page = "cause"

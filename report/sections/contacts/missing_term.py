@@ -2,12 +2,12 @@
 
 import pandas as pd
 
-from report.claims import OPPOSITE, Claim, Outcome, all_of, at_least, at_most, greater, same_sign
-from report.deriving.arithmetic import departure, noise_floor, ratio, resolved, size_share
+from measured_report.claims.claims import OPPOSITE, Claim, Outcome, all_of, at_least, at_most, greater, same_sign
+from measured_report.parts.parts import Table
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.parts import Table
-from report.quantities import Quantity
-from report.results import Results, Row
+from report.shared.arithmetic import departure, noise_floor, ratio, resolved, size_share
 
 CASES = ("as-shipped", "stiff-pads")
 

@@ -5,12 +5,11 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
-from report.deriving.arithmetic import departure, noise_floor, share
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
+from measured_report.parts.parts import Figure, Section
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results
 from report.names import some_html
-from report.parts import Figure, Section
-from report.quantities import Quantity, Value, absent
-from report.results import Results
 from report.sections.cure.budget import (
     budget_table,
     closed_count,
@@ -33,6 +32,7 @@ from report.sections.cure.ways import (
     use_table,
     what_to_use,
 )
+from report.shared.arithmetic import departure, noise_floor, share
 
 order = 149  # after all of its page, which it reads
 page = "cure"

@@ -5,20 +5,14 @@ from itertools import product
 
 import pandas as pd
 
-from report.claims import Claim, at_least
-from report.deriving.arithmetic import cell_count, extreme, ratio
-from report.parts import Table
-from report.quantities import Value
-from report.results import Results, Row
+from measured_report.claims.claims import Claim, at_least
+from measured_report.parts.parts import Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.sections.cure.ways import GRASP_MM, WAYS, Way
+from report.shared.arithmetic import cell_count, extreme, ratio
 
-PARTS = {
-    "left_out": "the term",
-    "step": "step",
-    "damping": "damping",
-    "creep": "load",
-    "rounding": "rounding",
-}
+PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts, and what they are called."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
 SHAKES = {"held": "held still", "3cm": "30 mm", "10cm": "100 mm"}

@@ -6,9 +6,9 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.figures import INK, SERIES, new_figure
-from report.quantities import Value
-from report.results import Results
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results
 from report.sections.cure.budget import PARTS
 from report.sections.cure.ways import WAYS
 

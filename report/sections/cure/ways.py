@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import pandas as pd
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_most, greater, within
-from report.deriving.arithmetic import difference, noise_floor
-from report.deriving.timing import CURE_WORLDS
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, greater, within
+from measured_report.parts.parts import Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.parts import Table
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
+from report.shared.arithmetic import difference, noise_floor
+from report.shared.timing import CURE_WORLDS
 
 GRASP_MM = 80.0
 """Farther from where it was, a cube is out of the grasp."""
@@ -40,25 +40,13 @@ class Way:
 
 
 BEST = Way(
-    "all, in normal rows too",
-    "newton-euler-400-shipped",
-    "full-kept",
-    "best",
-    "as above; bodies that roll",
-    "best",
+    "all, in normal rows too", "newton-euler-400-shipped", "full-kept", "best", "as above; bodies that roll", "best"
 )
 WAYS = (
     Way("shipped pads", "newton-implicitfast-50-shipped", "plain-rounded", "as-shipped", "holds nothing for long"),
     Way("stiff pads", "newton-implicitfast-50-stiff", "plain-rounded", "", "long steps"),
     Way("stiff pads, the term", "newton-implicitfast-50-stiff", "term-rounded", "", "as both"),
-    Way(
-        "the term",
-        "newton-implicitfast-50-shipped",
-        "term-rounded",
-        "term",
-        "bodies that roll and spin",
-        "term",
-    ),
+    Way("the term", "newton-implicitfast-50-shipped", "term-rounded", "term", "bodies that roll and spin", "term"),
     Way("the term, RK4", "newton-rk4-50-shipped", "term-rounded", "term-rk4", "the same; time"),
     Way("the term centred, Euler", "newton-euler-50-shipped", "centred-rounded", "", "as the term; damped drives"),
     Way("and a high impratio", "newton-euler-400-shipped", "centred-rounded", "", "the same; few iterations"),

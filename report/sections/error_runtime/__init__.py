@@ -6,11 +6,10 @@ from typing import Any
 import pandas as pd
 from markupsafe import Markup
 
-from report.claims import HOLDS
-from report.deriving.arithmetic import cell_or_absent
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity
-from report.results import Results, Row
+from measured_report.claims.claims import HOLDS
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims
 from report.sections.error_runtime.counting import counts, hit_iteration_limit
 from report.sections.error_runtime.figures import draw_grasp, draw_numerical
@@ -32,21 +31,13 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.sections.error_runtime.worlds import derive_worlds
+from report.shared.arithmetic import cell_or_absent
 
 order = 155
 page = "error"
 label = "error and run time"
 
-PARAMETERS = (
-    "iterations",
-    "ls_iterations",
-    "solver",
-    "cone",
-    "impratio",
-    "integrator",
-    "contacts",
-    "collide_count",
-)
+PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "integrator", "contacts", "collide_count")
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
 
 

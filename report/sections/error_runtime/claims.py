@@ -2,9 +2,8 @@
 
 from collections.abc import Mapping
 
-from report.claims import Claim, Outcome, all_of, at_least, at_most, decided, greater
-from report.deriving.arithmetic import ratio
-from report.quantities import Value
+from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided, greater
+from measured_report.values.quantities import Value
 from report.sections.error_runtime.counting import counts
 from report.sections.error_runtime.runs import (
     ENGINES,
@@ -20,6 +19,7 @@ from report.sections.error_runtime.runs import (
     time_range,
     with_shipped_steps,
 )
+from report.shared.arithmetic import ratio
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -74,11 +74,7 @@ def _rk4(points: Points, name: str, method: str) -> Claim:
     resolved = [greater(before, error, noise=points.floors["as-shipped"])] if method != "c" else []
     numbers = {"cost": cost, "error": error, "before": before}
     numbers |= {"few": points.cell(coarse, "substeps"), "many": points.cell(shipped, "substeps")}
-    return Claim(
-        name,
-        all_of(at_least(gain, enough), at_most(cost, dear), *resolved),
-        numbers=numbers,
-    )
+    return Claim(name, all_of(at_least(gain, enough), at_most(cost, dear), *resolved), numbers=numbers)
 
 
 def _rk4_with_stiff_pads(points: Points) -> Claim:
@@ -101,11 +97,7 @@ def _rk4_with_stiff_pads(points: Points) -> Claim:
 def _first_order(points: Points, observed: Value) -> Claim:
     away = points.results.value("order_away", "distance of the observed order from one", lambda o: abs(o - 1), observed)
     bound = points.results.chosen("order_bound", "counts as one", 0.15)
-    return Claim(
-        "first_order",
-        at_most(away, bound),
-        numbers={"observed": observed},
-    )
+    return Claim("first_order", at_most(away, bound), numbers={"observed": observed})
 
 
 def _reference_converged(points: Points) -> Claim:
@@ -132,11 +124,7 @@ def _reference_converged(points: Points) -> Claim:
 
 def _single_precision(points: Points) -> Claim:
     floor, error = points.floors["as-shipped"], points.cell(SHIPPED, ERROR)
-    return Claim(
-        "single_precision",
-        at_most(floor, error),
-        numbers={"floor": floor, "error": error},
-    )
+    return Claim("single_precision", at_most(floor, error), numbers={"floor": floor, "error": error})
 
 
 def _clamped(points: Points) -> Claim:

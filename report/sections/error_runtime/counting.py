@@ -1,7 +1,7 @@
 """Which runs count, told by what was measured of them: they were timed, hold the cube, and their solver converged."""
 
-from experiments.case import AS_SHIPPED
-from report.results import Row
+from experiments.facts.case import AS_SHIPPED
+from measured_report.values.results import Row
 
 ERROR, TIME = "numerical_error_mm", "ms_per_s"
 LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m

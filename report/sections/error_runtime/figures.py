@@ -7,13 +7,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.deriving.timing import decade_axis, world_axis
-from report.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
+from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, write
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Row
 from report.names import name_of
-from report.quantities import Quantity
-from report.results import Row
 from report.sections.error_runtime.counting import counts
 from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points
+from report.shared.timing import decade_axis, world_axis
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
 NAMES = {backend: name.replace("MuJoCo Warp", "Warp") for backend, name in ENGINES.items()}

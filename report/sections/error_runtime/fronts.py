@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from report.results import Row
+from measured_report.values.results import Row
 
 
 def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozenset[str]:

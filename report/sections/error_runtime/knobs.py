@@ -1,21 +1,12 @@
 """What the points say of the knobs, and of what only the model changes."""
 
-from experiments.case import AS_SHIPPED
-from report.claims import Claim, all_of, at_least, at_most, decided, greater, within
-from report.deriving.arithmetic import departure, difference, noise_floor, other_cell, ratio, share
-from report.quantities import Quantity
-from report.results import Row
+from experiments.facts.case import AS_SHIPPED
+from measured_report.claims.claims import Claim, all_of, at_least, at_most, decided, greater, within
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Row
 from report.sections.error_runtime.counting import counts, hit_iteration_limit
-from report.sections.error_runtime.runs import (
-    ERROR,
-    GRASP,
-    PADS,
-    SHIPPED,
-    TIME,
-    Points,
-    named,
-    with_shipped_steps,
-)
+from report.sections.error_runtime.runs import ERROR, GRASP, PADS, SHIPPED, TIME, Points, named, with_shipped_steps
+from report.shared.arithmetic import departure, difference, noise_floor, other_cell, ratio, share
 
 
 def knob_claims(points: Points) -> list[Claim]:
@@ -124,11 +115,7 @@ def _too_little(points: Points) -> Claim:
     twins = [points.results.row.get(row.case.replace("/c/", "/newton/")) for row in lost]
     measured = [row.iteration_peak_count for row in points.settings if row.iteration_peak_count.value is not None]
     kept = all(twin and twin not in lost and twin[ERROR].value is not None for twin in twins)
-    return Claim(
-        "too_little",
-        decided(bool(lost), *measured),
-        numbers={"lost": named(lost), "warp_keeps": kept},
-    )
+    return Claim("too_little", decided(bool(lost), *measured), numbers={"lost": named(lost), "warp_keeps": kept})
 
 
 def _pyramid(points: Points) -> Claim:
@@ -142,11 +129,7 @@ def _pyramid(points: Points) -> Claim:
         points.cell(SHIPPED, f"{TIME}_p95"),
         unit="ms/s",
     )
-    return Claim(
-        "pyramid",
-        greater(before, time, noise=spread),
-        numbers={"time": time, "before": before},
-    )
+    return Claim("pyramid", greater(before, time, noise=spread), numbers={"time": time, "before": before})
 
 
 def _pads_decide(points: Points) -> Claim:
@@ -206,11 +189,7 @@ def _rest_is_step_error(points: Points) -> Claim:
         numbers |= {f"rest_{name}": rest, f"step_{name}": step}
     largest = results.value("rest_departure", "larger of both departures", max, *departures, unit="%")
     bound = results.chosen("rest_departure_bound", "the same motion", 25.0, unit="%")
-    return Claim(
-        "rest_is_step_error",
-        at_most(largest, bound),
-        numbers=numbers,
-    )
+    return Claim("rest_is_step_error", at_most(largest, bound), numbers=numbers)
 
 
 def _impratio(points: Points) -> Claim:
@@ -256,8 +235,4 @@ def _cone_not_left(points: Points) -> Claim:
         unit="%",
     )
     bound = points.results.chosen("cone_bound", "a clear margin", 10.0, unit="%")
-    return Claim(
-        "cone_not_left",
-        at_least(margin, bound),
-        numbers={"margin": margin, "edge": named(at_edge)},
-    )
+    return Claim("cone_not_left", at_least(margin, bound), numbers={"margin": margin, "edge": named(at_edge)})

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from experiments.case import AS_SHIPPED
-from report.deriving.arithmetic import log_slope
-from report.deriving.timing import cell
-from report.quantities import Quantity, Value
-from report.results import Results, Row
+from experiments.facts.case import AS_SHIPPED
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
+from report.shared.arithmetic import log_slope
+from report.shared.timing import cell
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {

@@ -3,14 +3,14 @@
 import numpy as np
 from markupsafe import Markup
 
-from report.claims import Claim, all_of, contiguous, greater
-from report.deriving.arithmetic import ratio
-from report.deriving.timing import cell
-from report.parts import Figure
-from report.quantities import Value
-from report.results import Row
+from measured_report.claims.claims import Claim, all_of, contiguous, greater
+from measured_report.parts.parts import Figure
+from measured_report.values.quantities import Value
+from measured_report.values.results import Row
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import ENGINES, TIME, Points
+from report.shared.arithmetic import ratio
+from report.shared.timing import cell
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:
@@ -62,10 +62,7 @@ def _rate_range(points: Points, name: str, row: Row) -> Value:
     return points.results.value(
         f"{name}_rate_range",
         "larger of the ranges from the 5th to the 95th percentile of the speed, with these worlds and on one core",
-        lambda worlds, *edge: max(
-            1e3 * worlds * (1 / edge[0] - 1 / edge[1]),
-            1e3 * (1 / edge[2] - 1 / edge[3]),
-        ),
+        lambda worlds, *edge: max(1e3 * worlds * (1 / edge[0] - 1 / edge[1]), 1e3 * (1 / edge[2] - 1 / edge[3])),
         row.worlds,
         row[f"{TIME}_p5"],
         row[f"{TIME}_p95"],

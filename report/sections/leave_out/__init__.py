@@ -4,13 +4,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
-from report.deriving.arithmetic import DEVICES, difference, noise_floor, ratio
-from report.deriving.timing import cell, frame_spread
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
+from measured_report.parts.parts import Section
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results
 from report.names import case_html, cases_html, worlds_name
-from report.parts import Section
-from report.quantities import Value
-from report.results import Results
 from report.sections.leave_out.double import change_in_double, double_table, same_in_double
 from report.sections.leave_out.tables import audit_table, case_table, cost_figure, cost_table, same_table
 from report.sections.leave_out.variants import (
@@ -23,6 +21,8 @@ from report.sections.leave_out.variants import (
     row_of,
     was_compared,
 )
+from report.shared.arithmetic import DEVICES, difference, noise_floor, ratio
+from report.shared.timing import cell, frame_spread
 
 order = 150
 page = "cost"

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 
 import pandas as pd
 
-from report.claims import Claim, at_most
-from report.deriving.arithmetic import difference, friction_rows_differ, noise_floor
+from measured_report.claims.claims import Claim, at_most
+from measured_report.parts.parts import Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, cases_html
-from report.parts import Table
-from report.quantities import Value
-from report.results import Results, Row
 from report.sections.leave_out.variants import REFERENCE, is_identical
+from report.shared.arithmetic import difference, friction_rows_differ, noise_floor
 
 
 def change_in_double(results: Results, row: Row) -> Value:

@@ -7,13 +7,13 @@ import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.deriving.arithmetic import DEVICES
-from report.figures import INK, SERIES, new_figure, say_value, write
+from measured_report.parts.figures import INK, SERIES, new_figure, say_value, write
+from measured_report.parts.parts import Figure, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.parts import Figure, Table
-from report.quantities import Quantity, Value
-from report.results import Results, Row
 from report.sections.leave_out.variants import ALL, REFERENCE, Variant, find, is_identical, reference_of, was_compared
+from report.shared.arithmetic import DEVICES
 
 LEFT_OUT = {
     REFERENCE: "nothing: exactly as shipped",

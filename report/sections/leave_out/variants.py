@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.results import Row
+from measured_report.values.results import Row
 
 REFERENCE, ALL = "untrimmed", "without-all"
 

@@ -7,23 +7,16 @@ import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.deriving.arithmetic import by_case, cell_or_absent
-from report.parts import Figure, Section, Table
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
 from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family
-from report.sections.stability.figures import (
-    draw_loads,
-    draw_long,
-    draw_maps,
-    draw_plateau,
-    draw_sizes,
-    draw_steps,
-)
+from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_plateau, draw_sizes, draw_steps
 from report.sections.stability.passing import DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, passing
+from report.shared.arithmetic import by_case, cell_or_absent
 
 order = 145
 page = "limits"

@@ -1,7 +1,7 @@
 """How a run of section stability ends."""
 
-from experiments import classify
-from report.results import Row
+from experiments.facts import classes as classify
+from measured_report.values.results import Row
 
 CLASSES = classify.CLASSES[::-1]
 """From the best to the worst."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from experiments.case import AS_SHIPPED
-from report.claims import (
+from experiments.facts.case import AS_SHIPPED
+from measured_report.claims.claims import (
     HOLDS,
     Claim,
     Outcome,
@@ -18,13 +18,13 @@ from report.claims import (
     increases,
     within,
 )
-from report.deriving.arithmetic import cell_or_absent, extreme, share
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.quantities import Quantity, Value, absent
-from report.results import Results, Row
 from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, passed
+from report.shared.arithmetic import cell_or_absent, extreme, share
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
@@ -90,11 +90,7 @@ def mass(results: Results) -> Claim:
     light = extreme(results, "mass_least", "least mass that is held", min, [row.cube_mass_kg for row in held])
     heavy = extreme(results, "mass_most", "largest mass that is held", max, [row.cube_mass_kg for row in held])
     return family_claim(
-        results,
-        "masses",
-        rows,
-        also=_unbroken(rows, light, heavy),
-        numbers={"light": light, "heavy": heavy},
+        results, "masses", rows, also=_unbroken(rows, light, heavy), numbers={"light": light, "heavy": heavy}
     )
 
 
@@ -166,11 +162,7 @@ def overlap(results: Results) -> Claim:
     whole = results.chosen("exit_share_bound", "no faster than an undamped spring", 100.0, unit="%")
     deepest = extreme(results, "overlap_deepest", "deepest start", max, [row.overlap_mm for row in rows])
     return family_claim(
-        results,
-        "overlaps",
-        rows,
-        also=at_most(most, whole),
-        numbers={"deepest": deepest, "most": most},
+        results, "overlaps", rows, also=at_most(most, whole), numbers={"deepest": deepest, "most": most}
     )
 
 
@@ -179,12 +171,7 @@ def gravity(results: Results) -> Claim:
     lost = [row for row in rows if not is_stable(row)]
     tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
     text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
-    return family_claim(
-        results,
-        "gravities",
-        rows,
-        numbers={"tried": tried, "lost": text},
-    )
+    return family_claim(results, "gravities", rows, numbers={"tried": tried, "lost": text})
 
 
 def arm_gives_way(results: Results) -> Claim:
@@ -307,11 +294,7 @@ def neighbours(results: Results) -> Claim:
             unit="mm/s",
         )
         floor = batch.creep_floor_mm_s
-    return Claim(
-        "neighbours_unharmed",
-        within(difference, floor),
-        numbers={"difference": difference, "floor": floor},
-    )
+    return Claim("neighbours_unharmed", within(difference, floor), numbers={"difference": difference, "floor": floor})
 
 
 def repeats_agree(results: Results) -> Claim:

@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
-from report.deriving.arithmetic import cell_count
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
 from report.names import case_html, some_html
-from report.quantities import Quantity, Value
-from report.results import Results, Row
 from report.sections.stability.passing import judged_by, passing
+from report.shared.arithmetic import cell_count
 
 
 def family(results: Results, name: str) -> list[Row]:

@@ -11,8 +11,19 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 
-from report.figures import FAINT, INK, MAP_INK, SERIES, is_narrow, new_figure, tick_125, tick_at, tick_decades, write
-from report.results import Row, Series
+from measured_report.parts.figures import (
+    FAINT,
+    INK,
+    MAP_INK,
+    SERIES,
+    is_narrow,
+    new_figure,
+    tick_125,
+    tick_at,
+    tick_decades,
+    write,
+)
+from measured_report.values.results import Row, Series
 from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.passing import NEAR_FACTOR, near_limit
 

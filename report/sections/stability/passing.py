@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from report.quantities import Quantity
-from report.results import Row
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Row
 from report.sections.stability.classes import is_stable
 
 Passing = list[bool | None]

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from experiments.case import AS_SHIPPED, STIFF_PADS
-from report.claims import (
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from measured_report.claims.claims import (
     FAILS,
     OPPOSITE,
     Claim,
@@ -18,12 +18,12 @@ from report.claims import (
     decreases,
     increases,
 )
-from report.deriving.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
-from report.quantities import Value
-from report.results import Results, Row
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.passing import passed
+from report.shared.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
 
 UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 """Ways around the clamp."""

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from experiments.case import AS_SHIPPED
-from report.deriving.arithmetic import by_case
-from report.parts import Figure, Section, Table
-from report.quantities import Value
-from report.results import Results, Row
+from experiments.facts.case import AS_SHIPPED
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results, Row
 from report.sections.stiffness.cause import cause, drift_follows_timeconst, not_creep_under_load
 from report.sections.stiffness.figures import draw_law, draw_sweep
 from report.sections.stiffness.knobs import knob_claims
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, drift_without_slide, is_held
+from report.shared.arithmetic import by_case
 
 order = 90
 page = "cause"

@@ -4,11 +4,11 @@ from statistics import median
 
 from markupsafe import Markup
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
-from report.deriving.arithmetic import noise_floor, other_value, ratio, resolved, told
-from report.quantities import Value
-from report.results import Results
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
+from measured_report.values.quantities import Value
+from measured_report.values.results import Results
 from report.sections.stiffness.runs import SHIPPED, Runs, drift_without_slide, has_slip, is_held
+from report.shared.arithmetic import noise_floor, other_value, ratio, resolved, told
 
 HARDEST = "solimp-dmax-0.9999"
 
@@ -115,10 +115,5 @@ def not_creep_under_load(results: Results) -> Claim:
     return Claim(
         "not_creep_under_load",
         all_of(at_least(stiffer, bound), moves_more),
-        numbers={
-            "dmax": hardest.pad_dmax,
-            "stiffer": stiffer,
-            "before": before,
-            "after": after,
-        },
+        numbers={"dmax": hardest.pad_dmax, "stiffer": stiffer, "before": before, "after": after},
     )

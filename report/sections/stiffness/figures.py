@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from report.figures import INK, SERIES, new_figure, tick_125
-from report.results import Results, Row
+from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
+from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import Runs, drift_without_slide, is_held
 
 ENDS = {"dropped": "v", "not finite": "x", "overflow": "P", "hardly shaken": "s"}

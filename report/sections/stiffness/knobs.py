@@ -4,11 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from report.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, within
-from report.deriving.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
-from report.quantities import Quantity, Value, absent
-from report.results import Results
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, within
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
+from report.shared.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
 
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
@@ -123,13 +123,7 @@ def _together_they_hold(results: Results) -> Claim:
     return Claim(
         "together_they_hold",
         at_least(gain, bound),
-        numbers={
-            "ke": fix.pad_ke,
-            "kd": fix.pad_kd,
-            "slipped": shipped.slip_mm,
-            "slip": fix.slip_mm,
-            "gain": gain,
-        },
+        numbers={"ke": fix.pad_ke, "kd": fix.pad_kd, "slipped": shipped.slip_mm, "slip": fix.slip_mm, "gain": gain},
     )
 
 

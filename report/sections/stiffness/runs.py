@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claims import Outcome, at_least
-from report.deriving.arithmetic import other_cell, other_value
-from report.quantities import Quantity
-from report.results import Results, Row
+from measured_report.claims.claims import Outcome, at_least
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import other_cell, other_value
 
 SHIPPED, FIX = "pad-ke-2.5e3", "pad-ke-2.5e5"
 

@@ -3,9 +3,7 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from report.chapters import Releases
-from report.claims import FAILS, Claim, Outcome, decided
-from report.deriving.releases import (
+from measured_report.changes.releases import (
     Ends,
     Headline,
     Turn,
@@ -18,10 +16,12 @@ from report.deriving.releases import (
     unchanged,
     up_to,
 )
-from report.noise import EDGES
-from report.parts import Section
-from report.quantities import Quantity, Value, absent
-from report.results import Results
+from measured_report.claims.claims import FAILS, Claim, Outcome, decided
+from measured_report.deriving.chapters import Releases
+from measured_report.parts.parts import Section
+from measured_report.values.noise import EDGES
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
 from report.sections.upgrade.tables import (
     FLOORS,

@@ -1,9 +1,9 @@
 """What is new in the live contacts of a release, and whether the old number comes back without it."""
 
-from report.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
-from report.deriving.releases import Ends
-from report.quantities import Quantity, Value
-from report.results import Results
+from measured_report.changes.releases import Ends
+from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
 

@@ -7,14 +7,14 @@ import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from report.chapters import Releases
-from report.deriving.releases import Headline, cell, change, machines_differ, marked
-from report.figures import new_figure, say_value, write
-from report.format import unit_label
-from report.noise import EDGES
-from report.parts import Figure, Table
-from report.quantities import Quantity, Value
-from report.results import Results
+from measured_report.changes.releases import Headline, cell, change, machines_differ, marked
+from measured_report.deriving.chapters import Releases
+from measured_report.parts.figures import new_figure, say_value, write
+from measured_report.parts.parts import Figure, Table
+from measured_report.values.format import unit_label
+from measured_report.values.noise import EDGES
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results
 
 SHIPPED, TAKEN, GIVEN, SWITCHED = (
     "as-shipped",

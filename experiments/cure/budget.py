@@ -1,0 +1,263 @@
+"""What moves a held cube, part by part, predicted from the arm's motion alone.
+
+Let x be the displacement of the cube's centre against the hand's point there, u = J q̇ its velocity and g = J̇ q̇ what is
+left of its acceleration for q̈ = 0. A friction row asks for a = -b u, and less what its regularization yields, R f:
+
+    J q̈ = -b u - R f                  (MuJoCo documentation, "Computation", constraint model)
+
+The solver sees to that for its own q̈. What moves the joints is another one: implicitfast divides by the inertia with
+the damping of a step in it. With e = J (q̈ that moves - q̈ of the solver) the row's velocity after a step of h is
+
+    u' = u + h (J q̈ + e + g),
+
+for the joints' velocities change by h (q̈ + …) and their Jacobian by h J̇. That is at rest where b u = g + e - R f. The
+positions move by h q̇' (semi-implicit), along a path that is curved in x, so that in a step
+
+    Δx = h J q̇' + h² g / 2 = h (u' - h g) + h² g / 2 = h u' - h² g / 2.
+
+Summed over a run, with u' against u a matter of the two ends:
+
+    x = ∫ g/b dt  -  h/2 ∫ g dt  +  ∫ e/b dt  -  ∫ R f/b dt
+        the term      the step      damping       creep under load
+
+Each has its remedy: with the term put back the first is gone; RK4 has neither the second nor the third, Euler not the
+third; centred, the term takes the second along; R goes with 1 / impratio. All four are along the pads: across them the
+normal rows hold the cube. Rounding of positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's
+step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double
+precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted,
+``softness`` where the cone is a pyramid.
+"""
+
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+
+import mujoco
+import numpy as np
+import warp as wp
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case, CaseError
+from experiments.facts.trace import Trace
+from experiments.simulation.scene import PAD_SOLIMP, body_index
+from experiments.simulation.simulation import Simulation
+from experiments.stability.limits import reference_stiffness, solref, step_s
+from newton_lint.compat import kf_is_read
+from newton_lint.creep import impedance_at
+
+BISECTION_COUNT = 50
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Sums over the shake of what a run through C shows, in the axes of the TCP frame, shape [3] each."""
+
+    bias_m_s: np.ndarray
+    """∫ g dt."""
+    damping_m_s: np.ndarray
+    """∫ e dt with implicitfast."""
+    load_m_s: np.ndarray
+    """∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts."""
+    depth_m: float
+    """How deep these are in the end, in the mean."""
+    rounding_m: np.ndarray
+    """What the cube moved less what its velocity says, in single-precision positions."""
+    inverse_mass_1_kg: float
+    """Sum of the engine's inverse weights of a finger and the cube [1/kg]."""
+    failure: str | None = None
+    """Why the sums say nothing, when they don't."""
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A run through MuJoCo's C engine with the term put back, and what each of its frames adds up to."""
+
+    trace: Trace
+    frames: np.ndarray
+    """Shape [frames, Watch.COLUMNS, 3]."""
+    depth_m: float
+    inverse_mass_1_kg: float
+
+    @property
+    def failure(self) -> str | None:
+        """Why nothing can be told from it, when that is so."""
+        if self.trace.failure:
+            return f"in MuJoCo C {self.trace.failure}"
+        return "in MuJoCo C the shake was never reached" if self.trace.phase[-1] != metrics.SHAKE else None
+
+    @property
+    def shaking(self) -> np.ndarray:
+        """Indices of the frames of the shake, from the end of whose first the displacement counts."""
+        return np.flatnonzero(self.trace.phase == metrics.SHAKE)
+
+
+def watched(case: Case) -> Watched:
+    """Run a case through MuJoCo's C engine with the term put back, so that no slide of the cube is in the sums."""
+    case = replace(case, backend="mujoco", contact_bias=True, bias_centred=True)
+    simulation = Simulation([case], wp.get_device("cpu"))
+    watch = Watch(simulation)
+    step = simulation.solver._mujoco.mj_step
+    simulation.solver._mujoco = SimpleNamespace(mj_step=lambda engine, data: watch.step(step, engine, data))
+    frames = np.zeros((case.frame_count, len(Watch.COLUMNS), 3))
+    for frame in range(case.frame_count):
+        watch.sums[:] = 0.0
+        simulation.step()
+        frames[frame] = watch.sums
+    [trace] = simulation.recorder.traces(simulation.frame_dt, case.frame_count, wall_s=0.0)
+    return Watched(trace, frames, watch.depth_m, watch.inverse_mass_1_kg)
+
+
+def measure_motion(case: Case) -> Motion:
+    """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
+    run = watched(case)
+    if run.failure:
+        return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)
+    bias, damping, load, velocity = run.frames[run.shaking[1:]].sum(axis=0)
+    moved = metrics.displacement(run.trace).vector_m[-1]
+    rounding = moved - (velocity - 0.5 * step_s(case) * bias)
+    return Motion(bias, damping, load, run.depth_m, rounding, run.inverse_mass_1_kg)
+
+
+class Watch:
+    """Adds up what each substep shows of the cube against the hand."""
+
+    COLUMNS = ("bias", "damping", "load", "velocity")
+
+    def __init__(self, simulation: Simulation):
+        engine = simulation.solver.mj_model
+        of_newton = simulation.solver.mjc_body_to_newton.numpy()[0].tolist()
+        link = simulation.scene.links["fr3_hand_tcp"]
+        self.hand = of_newton.index(link.body)
+        self.cube = of_newton.index(body_index(simulation.model, "cube"))
+        self.cube_geom = simulation.recorder.cube_geom
+        self.axes = np.zeros(9)
+        mujoco.mju_quat2Mat(self.axes, np.roll(np.array(link.pose.q, dtype=float), 1))
+        self.axes = self.axes.reshape(3, 3)
+        finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
+        self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
+        self.sums = np.zeros((len(self.COLUMNS), 3))
+        self.depth_m = 0.0
+        self.rate = np.zeros((3, engine.nv))
+        self.jacobian = np.zeros((2, 3, engine.nv))
+
+    def step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
+        before = data.qvel.copy()
+        step(engine, data)
+        # The kinematics are still those of the step's beginning.
+        centre, h = data.xpos[self.cube].copy(), engine.opt.timestep
+        mujoco.mj_jac(engine, data, self.jacobian[0], None, centre, self.hand)
+        mujoco.mj_jac(engine, data, self.jacobian[1], None, centre, self.cube)
+        mujoco.mj_jacDot(engine, data, self.rate, None, centre, self.hand)
+        relative = self.jacobian[1] - self.jacobian[0]
+        bias = -self.rate @ before  # a free body's centre has none
+        used = (data.qvel - before) / h
+        into_tcp = (data.xmat[self.hand].reshape(3, 3) @ self.axes).T
+        found = (bias, relative @ (used - data.qacc), self._load(data), relative @ data.qvel + h * bias)
+        for total, value in zip(self.sums, found, strict=True):
+            total += h * (into_tcp @ value)
+
+    def _load(self, data: mujoco.MjData) -> np.ndarray:
+        """R f of the cube's friction rows in the world, mean over the contacts that carry force [m/s²]; their depth is
+        kept."""
+        found, depths_m = [], []
+        for contact in data.contact:
+            row = contact.efc_address
+            if row >= 0 and self.cube_geom in contact.geom and data.efc_force[row] > 0.0:
+                yielded = data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
+                sign = 1.0 if contact.geom[1] == self.cube_geom else -1.0
+                found.append(sign * contact.frame.reshape(3, 3)[1:].T @ yielded)
+                depths_m.append(contact.includemargin - contact.dist)
+        self.depth_m = float(np.mean(depths_m)) if found else 0.0
+        return np.mean(found, axis=0) if found else np.zeros(3)
+
+
+def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
+    """The parts of a case's slip in the axes of the TCP frame [mm], by name; see the module's text.
+
+    Args:
+        motion: Of the same shake in a run through C.
+    """
+    h = step_s(case)
+    b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, motion.inverse_mass_1_kg))
+    left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
+    runge_kutta = case.integrator == "rk4"
+    along = np.array([1.0, 0.0, 1.0])
+    as_watched = replace(case, cone=AS_SHIPPED.cone, impratio=AS_SHIPPED.impratio)
+    parts = {
+        "term": left_out * motion.bias_m_s / b,
+        "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
+        "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
+        "creep": -softness(case, as_watched, motion.depth_m) * motion.load_m_s / b,
+        "rounding": (not case.compensated) * motion.rounding_m,
+    }
+    return {name: 1e3 * along * part for name, part in parts.items()}
+
+
+def softness(case: Case, other: Case, depth_m: float) -> float:
+    """R of a case's friction rows, of what it is in another case with an elliptic cone, which grips as firmly.
+
+    R is in proportion to (1 - d) / (d impratio), and the impedance d to how deep the pads sink in: to the depth r at
+    which the normal rows balance the grip, k d(r) r = R f. Stiffer pads sink in less. A pyramid's rows are normal and
+    friction rows in one, four a contact, with R = 2 μ² (1 + μ²) / impratio of what an elliptic cone's normal row has
+    (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal force, so that these pads sink in less as well.
+
+    Args:
+        depth_m: How deep the contacts of the other case are.
+    """
+    solimp, of_other = solimp_of(case), impedance_at(solimp_of(other), depth_m)
+    pull_m = pad_stiffness(other) / pad_stiffness(case) * of_other * depth_m / yielding(of_other)
+    if case.cone == "pyramidal":
+        pull_m *= case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
+    rows = 1.0 + case.pad_mu**2 if case.cone == "pyramidal" else 1.0
+    found = yielding(impedance_at(solimp, balanced_depth_m(solimp, pull_m)))
+    return rows * other.impratio / case.impratio * found / yielding(of_other)
+
+
+def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
+    """The depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    shallow_m, deep_m = 0.0, pull_m * yielding(solimp[0]) / solimp[0]  # d is never less than solimp's first
+    for _ in range(BISECTION_COUNT):
+        middle_m = 0.5 * (shallow_m + deep_m)
+        d = impedance_at(solimp, middle_m)
+        is_deep = d * middle_m > pull_m * yielding(d)
+        shallow_m, deep_m = (shallow_m, middle_m) if is_deep else (middle_m, deep_m)
+    return deep_m
+
+
+def solimp_of(case: Case) -> tuple[float, ...]:
+    return (PAD_SOLIMP[0], case.pad_dmax, *PAD_SOLIMP[2:])
+
+
+def pad_stiffness(case: Case) -> float:
+    """k of the pads' normal rows [1/s²]."""
+    timeconst_s, dampratio = solref(case.pad_ke, case.pad_kd)
+    return reference_stiffness(timeconst_s, dampratio, 2.0 * step_s(case), case.pad_dmax)
+
+
+def yielding(impedance: float) -> float:
+    """What R is in proportion to."""
+    return (1.0 - impedance) / impedance
+
+
+def contact_timeconst_s(case: Case) -> float:
+    """The timeconst of the pads' contacts, which the engine takes no shorter than two substeps [s].
+
+    Raises:
+        CaseError: The case has it in another way than by ``pad_kd``.
+    """
+    if case.pad_direct or not case.refsafe or case.friction_timeconst_override_s is not None:
+        raise CaseError(f"{case.name} has a timeconst that is not predicted: pad_direct, refsafe or an override")
+    return max(solref(case.pad_ke, case.pad_kd)[0], 2.0 * step_s(case))
+
+
+def friction_timeconst_s(case: Case, inverse_mass_1_kg: float) -> float:
+    """The timeconst of the pads' friction rows, which the engine takes no shorter than two substeps [s].
+
+    Args:
+        inverse_mass_1_kg: As in ``Motion``; for releases in which the friction rows have one of their own, see
+            ``compat.KF_RELEASE``.
+    """
+    of_contacts_s = contact_timeconst_s(case)
+    if kf_is_read() and case.contacts == "newton" and case.cone == "elliptic" and case.pad_kf > 0.0:
+        share = (1.0 - case.pad_dmax) / case.impratio + case.pad_dmax
+        return max(2.0 / (case.pad_kf * inverse_mass_1_kg * share), 2.0 * step_s(case))
+    return of_contacts_s

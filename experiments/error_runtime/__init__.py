@@ -1,0 +1,210 @@
+"""Error against run time: what each numerical setting makes of the same shake, and how long it takes."""
+
+import gc
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from experiments.error_runtime.settings import FRAME_COUNT, PADS, Setting, native_of, reference_of, settings
+from experiments.facts import metrics
+from experiments.facts.case import FIXED, Case, differences
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.simulation import Simulation, run
+from experiments.simulation.task import FRAME_RATE
+from experiments.simulation.timing import (
+    WARMUP_COUNT,
+    batch_invalid_reason,
+    elapsed_ms,
+    frame_ms,
+    invalid_reason,
+    put_in_state_of,
+    spread,
+)
+from measured_report.measuring.batch import Batch, Plan
+
+REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
+"""Of the reference; a second one with half as many tells how far it has converged."""
+WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
+REPEAT_COUNT = 40
+"""Frames that are timed, each by itself."""
+TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
+ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
+TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
+
+
+def measure(conditions: Conditions) -> Plan:
+    (rows, one_core), worlds = yield [
+        Batch("points", measure_points, (conditions,), alone=True),
+        Batch("worlds", measure_worlds, (conditions,), alone=True),
+    ]
+    return Measurement([*rows, *worlds, one_core])
+
+
+def measure_points(conditions: Conditions) -> tuple[list[dict], dict]:
+    """A row for each setting and each reference, all from the same state of the shake, and one of C on one core."""
+    device = wp.get_device(conditions.device)
+    points = settings(conditions.profile, cpu_too=conditions.is_cuda)
+    finest = REFERENCE_SUBSTEPS[conditions.profile]
+    references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
+
+    pilot = pilot_at_shake(PADS.values(), device)
+    shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
+    starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT + TIMED_FRAME_COUNT), strict=True))
+    natives = {
+        point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
+    }
+    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:  # C runs on the CPU, beside the GPU
+        native_traces = pool.map(NativeShake.run, natives.values())
+        traces = run_shakes(shakes)
+        traces |= dict(zip(natives, native_traces, strict=True))
+
+    # Nothing else runs from here on: what is timed has the machine for itself. Each row takes its errors before its
+    # times, since on the CPU a trace is a view of what later frames write to.
+    rows = [point_row(point, shakes | natives, traces, finest) for point in points]
+    rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
+    return rows, one_core_row(starts["stiff"])
+
+
+def measure_worlds(conditions: Conditions) -> list[dict]:
+    """A row for each number of worlds."""
+    device = wp.get_device(conditions.device)
+    pilot = pilot_at_shake(PADS.values(), device)
+    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
+    return [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
+
+
+class WarpShake:
+    """One setting as a simulation of one world, compiled, captured and at the start of the shake."""
+
+    def __init__(self, point: Setting, pilot: Simulation, device: wp.Device):
+        device = wp.get_device(point.case.device) if point.case.device else device
+        built: list[Simulation] = []
+        self.build_ms = elapsed_ms(device, lambda: built.append(Simulation([point.case], device)))
+        [self.simulation] = built
+        world = list(PADS).index(point.pads)
+        put_in_state_of(self.simulation, pilot, world)
+        self.first_frame_ms = elapsed_ms(device, self.simulation.step)
+        # The frame that was captured must not count.
+        put_in_state_of(self.simulation, pilot, world)
+        self.simulation.recorder.cursor.zero_()
+        wp.synchronize_device(device)
+
+    def frame_ms(self, repeat_count: int) -> np.ndarray:
+        return frame_ms(self.simulation, repeat_count)
+
+
+def run_shakes(shakes: dict[Setting, WarpShake]) -> dict[Setting, Trace]:
+    """Run all frames of all settings, those of one device side by side."""
+    traces = {}
+    for device in dict.fromkeys(shake.simulation.device.alias for shake in shakes.values()):
+        mine = {point: shake.simulation for point, shake in shakes.items() if shake.simulation.device.alias == device}
+        results = run(list(mine.values()), title=f"error_runtime on {device}")
+        traces |= {point: trace for point, [trace] in zip(mine, results, strict=True)}
+    return traces
+
+
+def point_row(
+    point: Setting,
+    shakes: dict[Setting, WarpShake | NativeShake],
+    traces: dict[Setting, Trace],
+    reference_substeps: int,
+) -> dict[str, object]:
+    """Errors and time of one setting, and how far it is from the same setting in C."""
+    shake, trace, native = shakes[point], traces[point], native_of(point)
+    row = describe(point, trace, shakes[native])
+    row |= errors(trace, traces[reference_of(point, reference_substeps)])
+    if not point.is_native:
+        row |= number("c_difference_mm", distance_mm(trace, traces[native]))
+        row["backend"] = "warp-cuda" if shake.simulation.device.is_cuda else "warp-cpu"
+        row |= {"build_s": 1e-3 * shake.build_ms, "capture_s": 1e-3 * shake.first_frame_ms}
+    if not row["valid"]:
+        return row | absent(TIME_COLUMNS, f"not timed: {row['invalid_reason']}")
+    return row | time_columns(shake)
+
+
+def reference_row(
+    point: Setting, natives: dict[Setting, NativeShake], traces: dict[Setting, Trace]
+) -> dict[str, object]:
+    """A converged solution; as its error counts how far it is from the solution with twice the step.
+
+    The integrator is of higher than first order, so more than half of the error goes when the step is halved, and what
+    is left is less than what has just gone.
+    """
+    row = describe(point, traces[point], natives[point])
+    row |= errors(traces[point], traces[reference_of(point, point.case.substeps // 2)])
+    return row | absent(TIME_COLUMNS, "a reference runs beside others and is not timed")
+
+
+def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, object]:
+    """What a setting is, and whether its run counts."""
+    case, reason = point.case, invalid_reason(point.case, trace)
+    return {
+        "case": case.name,
+        **differences(case),
+        "backend": "mujoco-c",
+        "pads": point.pads,
+        "method": point.method,
+        "knob": point.knob,
+        "substeps": case.substeps,
+        "substep_ms": 1e3 / FRAME_RATE / case.substeps,
+        "timeconst_ms": 1e3 * native.pad_timeconst_s,
+        "valid": reason is None,
+        "invalid_reason": reason,
+        **number("cone_use_max", float(np.nanmax(trace.column("cone_use")))),
+        "iteration_peak_count": trace.peak_iteration_count,
+        "frame_count": len(trace.phase),
+    }
+
+
+def errors(trace: Trace, reference: Trace) -> dict[str, object]:
+    """Grasp error and numerical error of a run."""
+    grasp = metrics.cycle_drift_mm(metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz)
+    return number("grasp_error_mm_per_cycle", grasp) | number("numerical_error_mm", distance_mm(trace, reference))
+
+
+def distance_mm(trace: Trace, other: Trace) -> float:
+    """How far apart two runs have the cube in the TCP frame, root mean square over the shake [mm]."""
+    paths = (metrics.relative_position(each.poses, metrics.CUBE, metrics.TCP) for each in (trace, other))
+    return metrics.distance_rms_mm(*paths)
+
+
+def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
+    """Wall time per simulated second, from frames in the shake."""
+    return spread("ms_per_s", FRAME_RATE * shake.frame_ms(REPEAT_COUNT))
+
+
+def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[str, object]:
+    """The fixed scene in many worlds at once, timed in the shake."""
+    gc.collect()  # frees the batch before
+    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=TIMED_FRAME_COUNT)
+    simulation = Simulation([case] * world_count, device)
+    put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
+    times = spread("ms_per_s", FRAME_RATE * frame_ms(simulation, REPEAT_COUNT))
+    reason = batch_invalid_reason(simulation)
+    row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)
+    return row | (times if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+
+
+def one_core_row(start: Start) -> dict[str, object]:
+    """The fixed scene in C on one core."""
+    case = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
+    shake = NativeShake(case, start)
+    reason = invalid_reason(case, shake.run())
+    row = timed_only(case, reason, "mujoco-c", world_count=1)
+    return row | (time_columns(shake) if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+
+
+def timed_only(case: Case, invalid: str | None, backend: str, world_count: int) -> dict[str, object]:
+    row = {"case": case.name, **differences(case), "backend": backend, "method": "worlds", "worlds": world_count}
+    row |= {"valid": invalid is None, "invalid_reason": invalid}
+    return row | absent(ERROR_COLUMNS, "only the time is measured here")
+
+
+def number(name: str, value: float) -> dict[str, object]:
+    """A column, with the reason where the number does not exist."""
+    return {name: float(value)} if np.isfinite(value) else absent((name,), "the positions are not finite")

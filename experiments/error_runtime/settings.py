@@ -1,0 +1,114 @@
+"""The points of the diagram of error against run time: which settings, with which pads, through which engine."""
+
+from dataclasses import dataclass, replace
+
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
+from experiments.simulation.reference import ENGINES_AGREE
+
+PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
+SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
+LADDERS = {
+    "full": {
+        "newton": SUBSTEPS,
+        "mujoco": SUBSTEPS,
+        "newton-each-substep": (4, 16),
+        "newton-rk4": (2, 4, 16),
+        "mujoco-rk4": (2, 4),
+        "cpu": (1, 4, 16),
+        "c-rk4": (1, 2, 4, 8, 16, 32),
+    },
+    "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "c-rk4": (1, 2, 4, 8)},
+}
+"""Substeps of each method. What is run in Warp is run in C as well."""
+METHODS = {
+    "newton": {},
+    "newton-each-substep": {},
+    "mujoco": {"contacts": "mujoco"},
+    "newton-rk4": {"integrator": "rk4"},
+    "mujoco-rk4": {"contacts": "mujoco", "integrator": "rk4"},
+    "cpu": {"device": "cpu"},
+    "c-rk4": {"backend": "mujoco", "integrator": "rk4"},
+}
+"""Whose contacts, through which engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
+each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
+KNOBS = {
+    "full": {
+        "as-shipped": {
+            "iterations": (1, 2, 5, 50, 200),
+            "ls_iterations": (5, 20),
+            "solver": ("cg",),
+            "cone": ("pyramidal",),
+            "impratio": (1.0, 1000.0),
+            "integrator": ("euler",),
+        },
+        "stiff": {"iterations": (5, 200), "solver": ("cg",), "cone": ("pyramidal",), "impratio": (1.0,)},
+    },
+    "quick": {"as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)}, "stiff": {}},
+}
+"""What else is varied, one at a time, in the method and with the substeps as shipped."""
+CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}
+MODEL_FIELDS = ("cone", "impratio")
+"""Knobs that make it another model, which converges to another solution."""
+CYCLE_COUNT = 3
+"""Shake cycles: one to settle, and the two after which the whole motion repeats."""
+FRAME_COUNT = 60 * CYCLE_COUNT + 1
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One point of the diagram."""
+
+    case: Case
+    pads: str
+    """Key of PADS."""
+    method: str
+    """Key of METHODS, ``c`` or ``reference``."""
+    knob: str
+    """The parameter that is varied."""
+
+    @property
+    def is_native(self) -> bool:
+        """Whether it runs in MuJoCo's own loop."""
+        return self.case.backend == "mujoco"
+
+
+def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
+    """All points: substeps of each method, the other knobs as shipped, and whatever is in Warp also in C.
+
+    Args:
+        profile: ``full`` or ``quick``.
+        cpu_too: Whether Warp is run on the CPU as well.
+    """
+    points = []
+    for pads, base in PADS.items():
+        for method, ladder in LADDERS[profile].items():
+            if method != "cpu" or cpu_too:
+                points += [setting(by_method(base, method, n), pads, method, "substeps") for n in ladder]
+        for knob, values in KNOBS[profile][pads].items():
+            points += [setting(replace(base, **{knob: value}), pads, "newton", knob) for value in values]
+    return list(dict.fromkeys([*points, *map(native_of, points)]))
+
+
+def by_method(base: Case, method: str, substeps: int) -> Case:
+    collide_count = substeps if method == "newton-each-substep" else 1
+    return replace(base, substeps=substeps, collide_count=collide_count, **METHODS[method])
+
+
+def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
+    value = getattr(case, knob)
+    name = f"{pads}/{method}/{knob}-{value:g}" if isinstance(value, float) else f"{pads}/{method}/{knob}-{value}"
+    return Setting(replace(case, name=name, frame_count=FRAME_COUNT), pads, method, knob)
+
+
+def native_of(point: Setting) -> Setting:
+    """The same setting in MuJoCo's C engine, which makes its own contacts in every step."""
+    case = replace(point.case, backend="mujoco", contacts="newton", collide_count=1, device=None)
+    return setting(case, point.pads, "c-rk4" if case.integrator == "rk4" else "c", point.knob)
+
+
+def reference_of(point: Setting, substeps: int) -> Setting:
+    """The converged solution of the setting's model, in C."""
+    model = {name: getattr(point.case, name) for name in MODEL_FIELDS}
+    case = replace(PADS[point.pads], backend="mujoco", substeps=substeps, frame_count=FRAME_COUNT, **CONVERGED, **model)
+    name = f"{point.pads}/reference/{case.cone}-impratio-{case.impratio:g}-substeps-{substeps}"
+    return Setting(replace(case, name=name), point.pads, "reference", "substeps")

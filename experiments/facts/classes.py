@@ -1,0 +1,122 @@
+"""How a run ends: in exactly one class, by a pure function of its trace; and how it creeps there, cycle by cycle."""
+
+import numpy as np
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.facts.trace import Trace
+
+CLASSES = ("non-finite", "overflow", "exploded", "dropped", "creeping", "holding")
+"""In the order in which they are tested, the worst first."""
+STABLE = ("creeping", "holding")
+
+DRIVE_RATIO = 10.0
+"""A cube this many times as fast as the drive ever is has exploded."""
+DRIVE_SHAPE = np.array([1.0, 1.3, 0.525])
+"""Peak speed of each axis of the shake over A ω: x = sin ωt, y = 0.65 sin 2ωt and z = 0.35 sin 1.5ωt, all of them
+fastest at t = 0."""
+GROWTH_RATIO = 2.0
+"""A cube whose energy against the hand grows by this factor from one cycle to the next has exploded …"""
+GROWTH_SPEED_RATIO = 0.1
+"""… unless it is slower than this part of the drive's peak."""
+
+
+def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
+    """The first of CLASSES that fits.
+
+    Args:
+        creep_floor_mm_s: Rate of creep that cannot be told from none [mm/s].
+    """
+    if not is_finite(trace):
+        return "non-finite"
+    if trace.failure is not None:
+        return "overflow"
+    if is_exploded(case, trace):
+        return "exploded"
+    if metrics.is_dropped(trace):
+        return "dropped"
+    return "creeping" if creep_mm_s(case, trace) > creep_floor_mm_s else "holding"
+
+
+def is_finite(trace: Trace) -> bool:
+    """Whether every pose of every frame is."""
+    return bool(np.isfinite(trace.poses).all())
+
+
+def drive_peak_m_s(case: Case) -> float:
+    """Largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped."""
+    shaken = case if case.shake_amplitude_m > 0.0 else AS_SHIPPED
+    rate = 2.0 * np.pi * shaken.shake_frequency_hz
+    return float(shaken.shake_amplitude_m * rate * np.linalg.norm(DRIVE_SHAPE))
+
+
+def is_exploded(case: Case, trace: Trace) -> bool:
+    """Whether the cube is far faster than the drive, or its energy grows over a cycle while it is in the grasp."""
+    peak = drive_peak_m_s(case)
+    return bool(excess_speed_m_s(case, trace).max() > DRIVE_RATIO * peak or is_energy_growing(case, trace))
+
+
+def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
+    """Speed of the cube in the world [m/s] less what falling from its first frame explains, shape [frames - 1]."""
+    energy = excess_energy(trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt)
+    return np.sqrt(2.0 * energy)
+
+
+def excess_energy(position_m: np.ndarray, gravity_m_s2: float, frame_dt: float) -> np.ndarray:
+    """Kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0; shape [frames - 1].
+
+    What falls freely has none: 1/2 v² = g h. A body that gravity slows counts with its kinetic energy alone.
+
+    Args:
+        position_m: Shape [frames, 3].
+    """
+    position = position_m.astype(np.float64)
+    velocity = np.diff(position, axis=0) / frame_dt
+    middle = 0.5 * (position[1:] + position[:-1])
+    work = -gravity_m_s2 * (middle[:, 2] - position[0, 2])
+    return np.maximum(0.0, 0.5 * (velocity**2).sum(axis=1) - np.maximum(0.0, work))
+
+
+def is_energy_growing(case: Case, trace: Trace) -> bool:
+    """Whether the cube's energy against the hand at least doubles from the last but one shake cycle to the last.
+
+    Only while it is in the grasp in both, and not for motion that is slow against the drive.
+    """
+    cycle = round(1.0 / (case.shake_frequency_hz * trace.frame_dt))
+    poses = trace.poses[trace.phase == metrics.SHAKE][-2 * cycle - 1 :].astype(np.float64)
+    if len(poses) < 2 * cycle + 1:
+        return False
+    position = poses[:, metrics.CUBE, :3] - poses[:, metrics.TCP, :3]
+    if np.linalg.norm(position, axis=1).max() > metrics.DROP_DISTANCE:
+        return False
+    energy = excess_energy(position, case.gravity_m_s2, trace.frame_dt)
+    before, after = energy[:cycle].mean(), energy[cycle:].mean()
+    is_fast = np.sqrt(2.0 * after) > GROWTH_SPEED_RATIO * drive_peak_m_s(case)
+    return bool(is_fast and after >= GROWTH_RATIO * before)
+
+
+def creep_mm_s(case: Case, trace: Trace) -> float:
+    """How fast the cube moves in the grasp [mm/s]: its displacement over the last whole period of the shake.
+
+    The period is 2/f, after which all three axes of the target are where they were, so what the cube only swings drops
+    out; when the shake is shorter than that, all of it counts.
+    """
+    moved = metrics.displacement(trace)
+    period = min(round(2.0 / (case.shake_frequency_hz * trace.frame_dt)), len(moved.time_s) - 1)
+    if period < 1:
+        return 0.0
+    change = moved.vector_m[-1] - moved.vector_m[-1 - period]
+    return 1e3 * float(np.linalg.norm(change)) / (period * trace.frame_dt)
+
+
+def cycle_increments(time_s: np.ndarray, along: np.ndarray, frequency_hz: float) -> np.ndarray:
+    """Change along the shake's main axis over each full shake cycle, at the phase of the first frame, shape [cycles].
+
+    Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
+
+    Args:
+        time_s: Time since the first frame of the shake, shape [frames].
+        along: Displacement along the axis, shape [frames]; the increments are in its unit.
+    """
+    cycle_count = int(np.floor(time_s[-1] * frequency_hz + 1e-9))
+    return np.diff(np.interp(np.arange(cycle_count + 1) / frequency_hz, time_s, along))

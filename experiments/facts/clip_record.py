@@ -1,0 +1,69 @@
+"""The clips of a release: where they lie, what they were made from, and whether that is still what there is."""
+
+import hashlib
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from measured_report.editions.project import Project
+from measured_report.editions.status import State
+from measured_report.files.files import RecordError
+from measured_report.records.identity import Identity, changes, files_digest, identity_at
+from measured_report.records.reading import load_record
+from measured_report.records.record import Record
+from measured_report.records.traces import trace_path
+
+CLIPS = "clips"
+RUNS = {"3cm": ("as-shipped", "stiff-pads"), "10cm": ("as-shipped-10cm", "stiff-pads-10cm")}
+"""The runs of section poses that each clip shows, left and right."""
+FIRST = "3cm"
+STILL = "long-exposure"
+"""The picture of the runs of FIRST."""
+MESHES = "assets/visual"
+
+
+def media_path(project: Project, case: str, suffix: str) -> Path:
+    """Where a clip, its poster or the still lies, beside its record."""
+    return project.results / f"{CLIPS}.{case}.{suffix}"
+
+
+def clips_identity(project: Project) -> Identity:
+    """What the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
+    own = identity_at("experiments.media.clips", project.profile, project.root, packages={})
+    poses = [trace_path(project.record_path("poses"), run) for runs in RUNS.values() for run in runs]
+    files = [*(project.root / MESHES).glob("*.*"), *poses]
+    found = {path.relative_to(project.root).as_posix(): sha256(path) for path in files if path.is_file()}
+    config = hashlib.sha256((own.config + files_digest(files, project.root)).encode()).hexdigest()
+    return replace(own, config=config, files={**own.files, **found})
+
+
+def sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def clips_state(project: Project) -> State:
+    """Whether the clips are there, whole, and made from what there is now."""
+    path = project.record_path(CLIPS)
+    if not path.exists():
+        return State(CLIPS, "missing")
+    try:
+        record = load_record(path)
+    except RecordError as error:
+        return State(CLIPS, "damaged", notes=(str(error),))
+    wrong = [name for name, digest in files_of(record) if _digest(path.with_name(name)) != digest]
+    if wrong:
+        return State(CLIPS, "damaged", notes=tuple(f"{name} is not the file that was made" for name in wrong))
+    changed = changes(record.identity, clips_identity(project))
+    return State(CLIPS, "stale" if changed else "fresh", record, tuple(changed))
+
+
+def files_of(record: Record) -> Iterable[tuple[str, str]]:
+    """Name and digest of each file that was made."""
+    for row in record.rows:
+        yield row["file"], row["file_sha256"]
+        if "poster" in row:
+            yield row["poster"], row["poster_sha256"]
+
+
+def _digest(path: Path) -> str | None:
+    return sha256(path) if path.is_file() else None

@@ -1,0 +1,84 @@
+"""A kept run of section poses: where its links and its cube are, frame by frame."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from experiments.facts.kinematics import link_poses, quaternion_matrices, read_joints, relative_poses
+from measured_report import ROOT
+
+DESCRIPTION = ROOT / "assets/fr3.urdf"
+TCP = "fr3_hand_tcp"
+JOINTS = (*(f"joint_{number}_rad" for number in range(1, 8)), "left_finger_m", "right_finger_m")
+CUBE_PLACE = tuple(f"cube_{axis}_m" for axis in "xyz")
+CUBE_TURN = tuple(f"cube_q{part}" for part in "xyzw")
+MOVED = tuple(f"{axis}_mm" for axis in "xyz")
+
+
+@dataclass(frozen=True)
+class KeptRun:
+    """The frames of a run that were kept. Poses are matrices, shape [frames, 4, 4], in the world [m]."""
+
+    time_s: np.ndarray
+    """Since the shake began, negative before, shape [frames]."""
+    joints: np.ndarray
+    """Positions of the joints [rad or m], shape [frames, 9]."""
+    links: Mapping[str, np.ndarray]
+    cube: np.ndarray
+    cube_in_hand: np.ndarray
+    """Pose of the cube in the TCP frame, shape [frames, 4, 4]."""
+    moved_mm: np.ndarray
+    """Displacement in the TCP frame since the shake began, as it was kept, shape [frames, 3]; NaN before."""
+    contact: Mapping[str, np.ndarray]
+    """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames] each."""
+    cube_edge_m: float
+    left_grasp_s: float | None
+    """When in the shake the cube is out of the grasp; None when it never is."""
+
+    @property
+    def slip_mm(self) -> np.ndarray:
+        """Length of the displacement, shape [frames]; NaN before the shake."""
+        return np.linalg.norm(self.moved_mm, axis=1)
+
+    @property
+    def shake_start(self) -> int:
+        """The first kept frame of the shake."""
+        return int(np.argmax(np.isfinite(self.slip_mm)))
+
+    @property
+    def begin_in_hand(self) -> np.ndarray:
+        """Pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4, 4]."""
+        pose = self.cube_in_hand[self.shake_start].copy()
+        pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
+        return pose
+
+    @property
+    def start(self) -> np.ndarray:
+        """Where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
+        return self.links[TCP] @ self.begin_in_hand
+
+    def in_grasp(self) -> np.ndarray:
+        """Whether the cube is still in the grasp, shape [frames]."""
+        return self.time_s < (np.inf if self.left_grasp_s is None else self.left_grasp_s)
+
+
+def kept_run(row: Mapping[str, Any], poses: pd.DataFrame, description: Path = DESCRIPTION) -> KeptRun:
+    """The run of a row of section poses, with the trace that lies beside its record."""
+    joints = poses[list(JOINTS)].to_numpy()
+    links = link_poses(read_joints(description), joints, np.array([row[f"base_{axis}_m"] for axis in "xyz"]))
+    cube = quaternion_matrices(poses[list(CUBE_PLACE)].to_numpy(), poses[list(CUBE_TURN)].to_numpy())
+    return KeptRun(
+        time_s=poses["frame"].to_numpy() / row["frame_rate_hz"] - row["shake_start_s"],
+        joints=joints,
+        links=links,
+        cube=cube,
+        cube_in_hand=relative_poses(cube, links[TCP]),
+        moved_mm=poses[list(MOVED)].to_numpy(),
+        contact={name: poses[name].to_numpy() for name in ("normal_force_n", "tangential_force_n", "penetration_mm")},
+        cube_edge_m=row["cube_edge_m"],
+        left_grasp_s=row["left_grasp_s"],
+    )

@@ -1,0 +1,202 @@
+"""Metrics of a trace: pure functions of arrays, in the definitions that the report gives."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from experiments.facts.trace import ContactRows, Trace
+
+SHAKE = 4
+"""Task phase in which everything is measured."""
+CUBE, TCP = 0, 1
+MAIN_AXIS = np.array([1.0, 0.0, 0.0])
+"""The shake's main axis in the world."""
+DROP_DISTANCE = 0.08
+"""Farther [m] than this from the TCP the cube has left the grasp."""
+SPAWN_HEIGHT = 0.02
+SPAWN_HEIGHT_TOLERANCE = 0.005
+"""At its spawn height within this [m] the cube lies on the ground: a cube held after the lift is 0.2 m higher."""
+
+
+def rotate_inverse(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
+    """Rotate ``vector`` by the inverse of unit ``quaternion`` (x, y, z, w); shapes [..., 4] and [..., 3]."""
+    imaginary, real = -quaternion[..., :3], quaternion[..., 3:]
+    twice = 2.0 * np.cross(imaginary, vector)
+    return vector + real * twice + np.cross(imaginary, twice)
+
+
+def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
+    """Position [m] of ``body`` in the frame of another body, shape [frames, 3].
+
+    Args:
+        poses: Position and quaternion of each body, shape [frames, bodies, 7].
+    """
+    poses = poses.astype(np.float64)
+    return rotate_inverse(poses[:, frame, 3:], poses[:, body, :3] - poses[:, frame, :3])
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """The cube in the TCP frame since the first frame of the shake."""
+
+    time_s: np.ndarray
+    """Time since the first frame of the shake, shape [frames]."""
+    vector_m: np.ndarray
+    """Displacement in the axes of the TCP frame, shape [frames, 3]."""
+    along_m: np.ndarray
+    """Component along the shake's main axis, shape [frames]."""
+
+
+def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displacement:
+    """Displacement of ``body`` in the frame of another body over the shake; empty if the shake was never reached."""
+    poses = trace.poses[trace.phase == SHAKE].astype(np.float64)
+    if len(poses) == 0:
+        return Displacement(np.zeros(0), np.zeros((0, 3)), np.zeros(0))
+    position = relative_position(poses, body, frame)
+    vector = position - position[0]
+    axis = rotate_inverse(poses[0, frame, 3:], MAIN_AXIS)
+    return Displacement(np.arange(len(poses)) * trace.frame_dt, vector, vector @ axis)
+
+
+def slip_mm(moved: Displacement) -> float:
+    """Length of the displacement in the last frame [mm]."""
+    return 1e3 * float(np.linalg.norm(moved.vector_m[-1]))
+
+
+def fit_line(moved: Displacement) -> tuple[float, float]:
+    """Least-squares slope [m/s] and value at time 0 [m] of the component along the main axis."""
+    slope, offset = np.polyfit(moved.time_s, moved.along_m, 1)
+    return float(slope), float(offset)
+
+
+def drift_mm_s(moved: Displacement) -> float:
+    """Least-squares slope of the component along the main axis over the whole shake [mm/s]."""
+    return 1e3 * fit_line(moved)[0]
+
+
+def oscillation_mm(moved: Displacement) -> float:
+    """Root mean square of what is left about the fitted line [mm]."""
+    slope, offset = fit_line(moved)
+    return 1e3 * float(np.sqrt(np.mean((moved.along_m - slope * moved.time_s - offset) ** 2)))
+
+
+def wander_mm(moved: Displacement) -> float:
+    """Largest distance from the position in the first frame of the shake [mm]."""
+    return 1e3 * float(np.linalg.norm(moved.vector_m, axis=1).max())
+
+
+def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
+    """Length of the mean change in position over a shake cycle, the first cycle and an odd last one left out [mm].
+
+    The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
+    only pairs of cycles count. NaN when there is no pair after the first cycle.
+    """
+    pair_count = int(np.floor((moved.time_s[-1] * frequency_hz - 1.0) / 2.0 + 1e-9)) if len(moved.time_s) else 0
+    if pair_count < 1:
+        return float("nan")
+    ends = np.array([1.0, 1.0 + 2.0 * pair_count]) / frequency_hz
+    first, last = np.stack([np.interp(ends, moved.time_s, column) for column in moved.vector_m.T], axis=1)
+    return 1e3 * float(np.linalg.norm(last - first)) / (2 * pair_count)
+
+
+def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
+    """Root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
+    return 1e3 * float(np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1))))
+
+
+def cube_height_m(trace: Trace) -> float:
+    """Height of the cube's centre in the last frame [m]."""
+    return float(trace.poses[-1, CUBE, 2])
+
+
+def is_dropped(trace: Trace) -> bool:
+    """Whether the cube ends far from the TCP, or on the ground."""
+    cube, tcp = trace.poses[-1, CUBE, :3].astype(np.float64), trace.poses[-1, TCP, :3].astype(np.float64)
+    on_ground = cube[2] < SPAWN_HEIGHT + SPAWN_HEIGHT_TOLERANCE
+    return bool(np.linalg.norm(cube - tcp) > DROP_DISTANCE or on_ground)
+
+
+def shake_mean(trace: Trace, column: str) -> float:
+    """Mean of a frame statistic over the shake; NaN frames are left out."""
+    return float(np.nanmean(trace.column(column)[trace.phase == SHAKE]))
+
+
+def slide_mm(trace: Trace) -> float:
+    """What the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
+    return 1e3 * float(trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt)
+
+
+def total_drift_mm(moved: Displacement) -> float:
+    """Length of the fitted drift of all three components over the whole shake [mm]."""
+    slope = np.polyfit(moved.time_s, moved.vector_m, 1)[0]
+    return 1e3 * float(np.linalg.norm(slope) * moved.time_s[-1])
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """The contacts that carry force in one frame, as numbers."""
+
+    row_count: int
+    """All live contacts, loaded or not."""
+    loaded_row_count: int
+    normal_force_n: float
+    """Sum over the loaded contacts."""
+    tangential_force_n: float
+    cone_use: float
+    """Largest tangential force over friction times normal force; 1 is sliding."""
+    penetration_mm: float
+    """Mean over the loaded contacts."""
+    stiffness_n_m: float
+    """Normal force over penetration, of a loaded contact, mean."""
+    timeconst_s: float
+    dampratio: float
+    friction_timeconst_s: float
+    """Of solreffriction; 0 where the friction rows take the normal row's."""
+    friction_dampratio: float
+    friction: float
+    dmin: float
+    dmax: float
+    dim: int
+    normal_residual_mm: float
+    """Largest position residual of a loaded contact's normal row."""
+    friction_residual_mm: float
+    """Largest position residual of a loaded contact's friction rows."""
+    normal_velocity_mm_s: float
+    friction_velocity_mm_s: float
+    """Largest velocities of those rows."""
+
+
+def grasp(rows: ContactRows) -> Grasp | None:
+    """Summarize the loaded contacts of a frame; None when nothing carries force.
+
+    Solver parameters are those of the contact that carries most force.
+    """
+    normal = rows.force_n[:, 0]
+    loaded = normal > 0.0
+    if not loaded.any():
+        return None
+    tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
+    penetration = -rows.distance_m[loaded]
+    residual, velocity = 1e3 * np.abs(rows.residual_m[loaded]), 1e3 * np.abs(rows.velocity_m_s[loaded])
+    strongest = int(normal.argmax())
+    return Grasp(
+        row_count=len(normal),
+        loaded_row_count=int(loaded.sum()),
+        normal_force_n=float(normal[loaded].sum()),
+        tangential_force_n=float(tangential.sum()),
+        cone_use=float((tangential / (rows.friction[loaded] * normal[loaded])).max()),
+        penetration_mm=1e3 * float(penetration.mean()),
+        stiffness_n_m=float((normal[loaded] / penetration).mean()),
+        timeconst_s=float(rows.solref[strongest, 0]),
+        dampratio=float(rows.solref[strongest, 1]),
+        friction_timeconst_s=float(rows.solreffriction[strongest, 0]),
+        friction_dampratio=float(rows.solreffriction[strongest, 1]),
+        friction=float(rows.friction[strongest]),
+        dmin=float(rows.solimp[strongest, 0]),
+        dmax=float(rows.solimp[strongest, 1]),
+        dim=int(rows.dim[strongest]),
+        normal_residual_mm=float(residual[:, 0].max()),
+        friction_residual_mm=float(residual[:, 1:].max()),
+        normal_velocity_mm_s=float(velocity[:, 0].max()),
+        friction_velocity_mm_s=float(velocity[:, 1:].max()),
+    )

@@ -1,0 +1,236 @@
+"""What the scene pays for and does not need: left out one at a time, then all together."""
+
+import gc
+from collections.abc import Sequence
+from concurrent.futures import Executor, Future
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
+from experiments.facts.trace import Trace
+from experiments.leave_out.audit import audit, audit_rows
+from experiments.leave_out.stages import stage_rows
+from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
+from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
+from experiments.simulation.timing import (
+    batch_invalid_reason,
+    buffer_bytes_per_world,
+    frame_ms,
+    in_the_shake,
+    put_in_state_of,
+    spread,
+)
+from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.failing import is_out_of_memory
+
+WITHOUT = {
+    "buffers": {"contact_max": None, "constraint_max": None},
+    "ik-iterations": {"ik_iterations": AS_SHIPPED.ik_iterations},
+    "ik-in-turn": {"ik_beside": True},
+    "state-sync": {"state_sync": False},
+    "cube-gap": {"cube_gap_m": AS_SHIPPED.robot_gap_m},
+    "hand-box": {"hand_collides": False},
+    "visuals": {"visuals": False},
+    "fixed-joints": {"fixed_joints": False},
+    "broad-phase": {"broad_phase": "explicit"},
+    "sensors": {"sensors": False},
+    "limits": {"limits": False},
+}
+"""What is left out, by name, and the parameters that do it."""
+IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
+"""What of it is in the engine's model. The rest is about how the model is run."""
+UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
+"""Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
+WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
+REPEAT_COUNT = {"cuda": 20, "cpu": 6}
+RUN_COUNT = 8
+"""Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
+AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
+MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
+TIMED = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
+
+
+def variants(quick: bool) -> list[Case]:
+    """The cases; of those that leave out one thing only the one that matters most when ``quick``."""
+    names = ("buffers",) if quick else WITHOUT
+    single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
+    return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
+
+
+def measure(conditions: Conditions) -> Plan:
+    kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
+    counts = {kind: (1,) if conditions.quick else WORLD_COUNTS[kind] for kind in kinds}
+    timings = [(kind, count) for kind in kinds for count in counts[kind]]
+    (trajectories, double_rows), items, *found = yield [
+        Batch("to-end", run_to_end, (conditions, kinds)),
+        Batch("audit", measure_audit, (conditions,)),
+        *(Batch(f"stages-{kind}", measure_stages, (kind,), alone=True) for kind in kinds),
+        *(Batch(f"{kind}-{count}", measure_times, (conditions, kind, count), alone=True) for kind, count in timings),
+    ]
+    stages, timed = dict(zip(kinds, found, strict=False)), dict(zip(timings, found[len(kinds) :], strict=True))
+    rows = []
+    for kind in kinds:
+        for count in counts[kind]:
+            for case in variants(conditions.quick):
+                row = {"case": case.name, "device": kind, "worlds": count}
+                rows.append(row | timed[kind, count][case.name] | trajectories[kind][case.name])
+        rows += stages[kind]
+    return Measurement(rows + double_rows + items)
+
+
+def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
+    """Time frames of every variant in so many worlds on one kind of device; columns by case."""
+    pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
+    return time_cases(variants(conditions.quick), world_count, pilot, REPEAT_COUNT[kind])
+
+
+def measure_stages(kind: str) -> list[dict[str, object]]:
+    return stage_rows(in_the_shake(AS_SHIPPED, wp.get_device(kind)), kind)
+
+
+def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
+    simulation = Simulation([UNTRIMMED], wp.get_device(conditions.device))
+    return audit_rows(audit(simulation, AUDIT_FRAME_COUNT[conditions.profile]))
+
+
+def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> tuple[dict[str, dict], list[dict[str, object]]]:
+    """Every variant run to the end on each kind of device, and in C: columns by kind and case, and rows of C.
+
+    The CPU's runs have processes of their own, beside the GPU. The reference is the untrimmed scene. On the CPU, where
+    the large buffers take minutes, all cases are run without them, and the reference is the one that leaves out nothing
+    else.
+    """
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
+    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick)]
+    on_cpu = [
+        replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases[1:]
+    ]
+    groups = batches(on_cpu)
+    with processes(len(groups) + len(IN_THE_MODEL) + 2) as pool:
+        calls = [([on_cpu[index] for index in members], "cpu") for members in groups]
+        waiting = start(pool, run_batch, calls)
+        doubles, waiting_in_c = start_doubles(conditions, pool)
+        columns = {}
+        if "cuda" in kinds:
+            worlds = [case for case in cases for _ in range(RUN_COUNT)]
+            columns["cuda"] = compared(cases, simulate(worlds, device="cuda", title="leave_out on cuda"), RUN_COUNT)
+        found = gather(waiting, "leave_out on cpu")
+        traces = {
+            index: world
+            for members, worlds in zip(groups, found, strict=True)
+            for index, world in zip(members, worlds, strict=True)
+        }
+        columns["cpu"] = {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}
+        columns["cpu"] |= compared(on_cpu, [traces[index] for index in range(len(on_cpu))], 1)
+        return columns, double_rows(doubles, gather(waiting_in_c, "leave_out in C"))
+
+
+def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
+    """Mean slip, peaks, and whether the trajectory is that of the first case to the last bit, by case.
+
+    Args:
+        traces: ``run_count`` runs of each case, one case after the other.
+    """
+    found = {}
+    for index, case in enumerate(cases):
+        worlds = traces[index * run_count : (index + 1) * run_count]
+        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds])
+        found[case.name] |= likeness(worlds[0], traces[0])
+    return found
+
+
+def start_doubles(conditions: Conditions, pool: Executor) -> tuple[list[Case], list[Future]]:
+    """Start the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
+    out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
+    """
+    wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
+    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick) if case.name in wanted]
+    [at_start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
+    return cases, start(pool, run_native, [(case, at_start) for case in cases])
+
+
+def run_native(case: Case, at_start: Start) -> Trace:
+    return NativeShake(case, at_start).run()
+
+
+def double_rows(cases: Sequence[Case], traces: Sequence[Trace]) -> list[dict[str, object]]:
+    return [
+        {
+            "case": f"double-{case.name}",
+            "of": case.name,
+            "failure": str(trace.failure) if trace.failure else None,
+            **(
+                absent(["slip_mm"], str(trace.failure))
+                if trace.failure
+                else {"slip_mm": metrics.slip_mm(metrics.displacement(trace))}
+            ),
+            **likeness(trace, traces[0]),
+        }
+        for case, trace in zip(cases, traces, strict=True)
+    ]
+
+
+def likeness(trace: Trace, reference: Trace) -> dict[str, object]:
+    """In how many frames any number of a trajectory differs from the reference's, and the largest distance of any body
+    in any frame; None, with the reason, where either has failed."""
+    if failure := trace.failure or reference.failure:
+        return absent(("differing_frame_count", "pose_difference_mm"), str(failure))
+    differing = (trace.poses != reference.poses).reshape(len(trace.poses), -1).any(axis=1)
+    apart = np.abs(trace.poses[..., :3] - reference.poses[..., :3]).max()
+    return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}
+
+
+def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
+    """Slip and drift as means over the runs of a case, and the peaks of all of them."""
+    failure = next((row["failure"] for row in summaries if row["failure"]), None)
+    columns: dict[str, object] = {"failure": failure, "run_count": len(summaries)}
+    for name in ("peak_contact_count", "peak_constraint_count"):
+        columns[name] = max(row[name] for row in summaries)
+    for name in ("slip_mm", "drift_mm_s"):
+        values = [row[name] for row in summaries]
+        missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
+        columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
+    return columns
+
+
+def time_cases(
+    cases: Sequence[Case], world_count: int, pilot: Simulation, repeat_count: int
+) -> dict[str, dict[str, object]]:
+    """Time frames of the shake in ``world_count`` worlds, by case; every number None, with the reason, if memory runs
+    out or the frames do not count. What differs only in how it is run is run by one simulation, one case after the
+    other.
+    """
+    groups: dict[Case, list[Case]] = {}
+    for case in cases:
+        groups.setdefault(build_key(case), []).append(case)
+    found = {}
+    for group in groups.values():
+        simulation = None
+        gc.collect()  # frees the batch before
+        for case in group:
+            try:
+                if simulation is None:
+                    simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
+                simulation.vary(case)
+                found[case.name] = frame_columns(simulation, pilot, repeat_count)
+            except (RuntimeError, MemoryError) as error:
+                if not is_out_of_memory(error):
+                    raise
+                found[case.name] = absent(TIMED, " ".join(str(error).split())[:120])
+    return found
+
+
+def frame_columns(simulation: Simulation, pilot: Simulation, repeat_count: int) -> dict[str, object]:
+    """Time of a frame in the state of the pilot, and memory."""
+    put_in_state_of(simulation, pilot)
+    times = frame_ms(simulation, repeat_count)
+    if reason := batch_invalid_reason(simulation):
+        return absent(TIMED, f"not timed: {reason}")
+    memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
+    return spread("frame_ms", times) | {"buffer_bytes_per_world": memory}

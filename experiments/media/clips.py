@@ -1,0 +1,257 @@
+"""The clips and the long exposure: two kept runs side by side, in step, with their displacement read out."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from matplotlib.ticker import MaxNLocator
+from PIL import Image
+
+from experiments.facts.kept import TCP, KeptRun
+from experiments.media.stage import CUBE, START, Camera, Stage, display
+
+FRAME_RATE = 30
+WIDTH, HEIGHT = 1280, 720
+HEAD = 92
+"""Height of the line above all that has the names and the numbers [pixels]."""
+PANEL_HEIGHT = 448
+"""Of the picture of a run; both stand at the bottom, where the controls of a player cover nothing but ground."""
+GAP = 2
+"""Half the space between the two [pixels]."""
+LEAD_S = 2.5
+"""How long before the shake a clip begins."""
+APPROACH_S = 1.2
+"""How long the camera takes to come close; it has arrived when the shake begins."""
+FALL_S = 4.0
+"""How long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell."""
+STAY_S = 1.0
+"""How long the last picture stays."""
+ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
+JPEG_QUALITY = 85
+
+INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
+COLOURS = ("#f59a5f", "#6db3f2")
+"""Of the two runs, in words and curves: those of the page's dark theme."""
+CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))
+"""Of their cubes."""
+
+WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
+"""Eye, target and vertical field of view [°] of the view of the whole arm, in the world."""
+CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
+"""The same of the view of the grasp, against the TCP: it rides with the hand."""
+
+STILL = (1200, 630)
+"""Size of the long exposure [pixels]: what pages that show links ask for."""
+STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, 0.004), 14.5)
+"""Its view, against the TCP."""
+MAGNIFIED = 5
+
+
+@dataclass(frozen=True)
+class Clip:
+    """Two runs, and what a clip of them shows when."""
+
+    runs: tuple[KeptRun, KeptRun]
+    names: tuple[str, str]
+
+    @property
+    def fall_s(self) -> float:
+        """When in the shake the first cube is out of the grasp; infinite when none ever is."""
+        return min(np.inf if run.left_grasp_s is None else run.left_grasp_s for run in self.runs)
+
+    @cached_property
+    def frames(self) -> np.ndarray:
+        """The kept frame that each frame of the clip shows, the last one as long as it stays."""
+        time_s = self.runs[0].time_s
+        step = round(1.0 / (FRAME_RATE * (time_s[1] - time_s[0])))
+        last = int(np.searchsorted(time_s, self.fall_s + FALL_S)) - 1
+        moving = np.arange(last, np.argmax(time_s >= -LEAD_S), -step)[::-1]
+        return np.append(moving, np.full(round(STAY_S * FRAME_RATE), last))
+
+    def readout(self) -> dict[str, np.ndarray]:
+        """What stands in each frame of the clip: time since the shake began and the displacements; NaN where none is
+        read out, before the shake and once the cube is out of the grasp."""
+        found = {"time_s": self.runs[0].time_s[self.frames]}
+        for name, run in zip(self.names, self.runs, strict=True):
+            found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
+        return found
+
+    def camera(self, frame: int) -> Camera:
+        """The view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
+        run = self.runs[0]
+        time_s = run.time_s[frame]
+        near = _smooth(1.0 + time_s / APPROACH_S) * _smooth(1.0 - (time_s - self.fall_s) / APPROACH_S)
+        hand = run.links[TCP][frame, :3, 3]
+        (wide_eye, wide_target, wide_deg), (eye, target, deg) = WIDE, CLOSE
+        return Camera(
+            eye=(1.0 - near) * np.array(wide_eye) + near * (hand + eye),
+            target=(1.0 - near) * np.array(wide_target) + near * (hand + target),
+            height_deg=wide_deg * (deg / wide_deg) ** near,
+        )
+
+
+def _smooth(share: float) -> float:
+    """From 0 to 1, slow at both ends."""
+    share = np.clip(share, 0.0, 1.0)
+    return float(share * share * (3.0 - 2.0 * share))
+
+
+def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
+    """The frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits."""
+    stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
+    overlay = Overlay(clip)
+    picture = None
+    for number, frame in enumerate(clip.frames):
+        if number == 0 or frame != clip.frames[number - 1]:
+            stage.place([bodies(run, frame) for run in clip.runs])
+            panels = display(stage.picture(clip.camera(frame), WIDTH // 2, PANEL_HEIGHT))
+            picture = overlay.on(panels, number)
+        yield picture
+
+
+def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
+    """Encode frames, shape [HEIGHT, WIDTH, 3], 8 bits, as H.264 in MP4 that plays while it loads; return the last."""
+    import av  # only who makes clips needs it
+
+    with av.open(path, "w", format="mp4", options={"movflags": "+faststart"}) as container:
+        stream = container.add_stream("libx264", rate=FRAME_RATE, options=ENCODER)
+        stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
+        for frame in frames:
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(frame, format="rgb24")))
+        container.mux(stream.encode())
+    return frame
+
+
+def write_image(path: Path, picture: np.ndarray) -> None:
+    """Write a picture, shape [height, width, 3], 8 bits, as JPEG."""
+    Image.fromarray(picture).save(path, format="JPEG", quality=JPEG_QUALITY, optimize=True, progressive=True)
+
+
+def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
+    """Where everything is; the edges that mark the cube's start are there once the shake has begun."""
+    found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
+    return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
+
+
+class Overlay:
+    """Names and numbers of a clip, the plot that grows, and below them the panels."""
+
+    def __init__(self, clip: Clip):
+        self.readout = clip.readout()
+        self.names = clip.names
+        self.sheet = Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
+        axes = self._axes()
+        self.labels, self.curves = [], []
+        for number, (name, colour) in enumerate(zip(clip.names, COLOURS, strict=True)):
+            self.labels.append(self.sheet.name_panel(number, name, colour))
+            style = {"color": colour, "linewidth": 4, "marker": "o", "markersize": 11, "markevery": [-1]}
+            self.curves.append(axes.plot([], [], clip_on=False, **style)[0])
+
+    def on(self, panels: np.ndarray, number: int) -> np.ndarray:
+        """The picture of a frame, shape [HEIGHT, WIDTH, 3], 8 bits; ``panels`` as in ``Sheet.on``."""
+        time_s = self.readout["time_s"][: number + 1]
+        for name, label, curve in zip(self.names, self.labels, self.curves, strict=True):
+            values = self.readout[f"{name}_mm"][: number + 1]
+            label.set_text(reading(values[-1]) if time_s[-1] >= 0.0 else "")
+            curve.set_data(time_s, values)
+        return self.sheet.on(panels)
+
+    def _axes(self) -> Axes:
+        bottom, height = (PANEL_HEIGHT + 46) / HEIGHT, (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT
+        axes = self.sheet.figure.add_axes((0.1, bottom, 0.875, height), facecolor="none")
+        top = max(np.nanmax(self.readout[f"{name}_mm"]) for name in self.names)
+        axes.set_xlim(0.0, self.readout["time_s"][-1] * 1.015)
+        axes.set_ylim(0.0, 1.2 * top)
+        axes.yaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
+        axes.xaxis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
+        axes.xaxis.set_major_formatter(lambda value, _: f"{value:g} s" if value else "")
+        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g} mm" if value else "0")
+        axes.text(0.01, 0.94, "displacement in the grasp", transform=axes.transAxes, color=SOFT, fontsize=19, va="top")
+        axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=6)
+        axes.grid(color=GRID, linewidth=1)
+        for side, spine in axes.spines.items():
+            spine.set(visible=side == "bottom", color=SOFT)
+        return axes
+
+
+class Sheet:
+    """Two panels beside each other, what is written over each in a line above all, and what is drawn and written
+    elsewhere."""
+
+    def __init__(self, width: int, height: int, top: int):
+        self.width, self.height, self.top = width, height, top
+        self.figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="none")
+        self.canvas = FigureCanvasAgg(self.figure)
+
+    def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
+        """Text of ``size`` whose baseline begins at a place [pixels]."""
+        place = left / self.width, 1.0 - top / self.height
+        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
+
+    def name_panel(self, number: int, name: str, colour: str) -> Text:
+        """Write the name of a run above its panel, and return the place of its number, behind it."""
+        left = number * self.width / 2 + 26
+        self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
+        return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
+
+    def on(self, panels: np.ndarray) -> np.ndarray:
+        """The whole picture, shape [height, width, 3], 8 bits.
+
+        Args:
+            panels: The two panels, shape [2, PANEL_HEIGHT, width / 2, 3], from 0 to 1.
+        """
+        self.canvas.draw()
+        drawn = np.asarray(self.canvas.buffer_rgba()) / 255.0
+        below = np.tile(np.array(to_rgb(STRIP)), (self.height, self.width, 1))
+        rows = slice(self.top, self.top + PANEL_HEIGHT)
+        below[rows] = np.concatenate(list(panels), axis=1)
+        below[rows, self.width // 2 - GAP : self.width // 2 + GAP] = to_rgb(STRIP)
+        opacity = drawn[..., 3:]
+        return (255 * (opacity * drawn[..., :3] + (1.0 - opacity) * below) + 0.5).astype(np.uint8)
+
+
+def reading(slip_mm: float) -> str:
+    """The displacement as it is read out."""
+    return "fell out" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
+
+
+def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
+    """The hand as when the shake begins; the cube as then, and in every second cycle, counted from the last kept frame.
+
+    Displacements are drawn MAGNIFIED times as large. Shape [STILL height, STILL width, 3], 8 bits.
+    """
+    stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
+    first = clip.runs[0]
+    times = np.append(np.arange(first.time_s[-1], 0.0, -2.0 / frequency_hz), 0.0)[::-1]
+    start = first.shake_start
+    hand = first.links[TCP][start, :3, 3]
+    eye, target, deg = STILL_VIEW
+    camera = Camera(hand + eye, hand + target, deg)
+    exposures = []
+    for frame in np.searchsorted(first.time_s, times - 1e-9):
+        stage.place([_magnified(run, start, frame) for run in clip.runs])
+        exposures.append(stage.picture(camera, STILL[0] // 2, PANEL_HEIGHT))
+    # A mean alone would leave little of the edges of each.
+    picture = 0.5 * np.mean(exposures, axis=0) + 0.5 * np.max(exposures, axis=0)
+    sheet = Sheet(*STILL, HEAD)
+    for number, (name, run, colour) in enumerate(zip(clip.names, clip.runs, COLOURS, strict=True)):
+        sheet.name_panel(number, name, colour).set_text(reading(run.slip_mm[-1]))
+    words = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
+    sheet.write(26, STILL[1] - 32, words, 34, SOFT)
+    return sheet.on(display(picture))
+
+
+def _magnified(run: KeptRun, start: int, frame: int) -> dict[str, np.ndarray]:
+    """The links as at ``start``, and the cube, with its edges, where it is in the hand at ``frame``."""
+    in_hand = run.cube_in_hand[frame].copy()
+    origin = run.begin_in_hand[:3, 3]
+    in_hand[:3, 3] = origin + MAGNIFIED * (in_hand[:3, 3] - origin)
+    cube = run.links[TCP][start] @ in_hand
+    return {name: poses[start] for name, poses in run.links.items()} | {CUBE: cube, START: cube}

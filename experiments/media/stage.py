@@ -1,0 +1,206 @@
+"""Pictures of kept runs without a window and without a GPU: Newton's tiled camera sensor traces the rays."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import newton
+import numpy as np
+import warp as wp
+from newton import ModelBuilder
+from newton.sensors import SensorTiledCamera
+
+from experiments.media.visual import LINKS, robot_parts
+
+CUBE, START = "cube", "start"
+"""The cube, and the edges of a cube where it was when the shake began."""
+EDGE_M = 0.0005
+"""Width of those edges."""
+GROUND_RGB = (0.40, 0.43, 0.46)
+GRID_RGB = (0.46, 0.49, 0.52)
+EDGE_RGB = (0.98, 0.98, 0.98)
+GRID_STEP_M, GRID_COUNT = 0.2, 20
+GRID_WIDTH_M, GRID_HEIGHT_M = 0.003, 1e-4
+"""Half the width and the height of the lines on the ground."""
+SUN = (-0.42, 0.50, -0.76)
+"""Where the light goes to."""
+EXPOSURE = 0.92
+BACKDROP = (0.10, 0.115, 0.13)
+"""Linear colour of what is far away."""
+FADE_M = (1.6, 6.0)
+"""Where the ground begins and ends to fade into it."""
+SAMPLE_COUNT = 6
+"""Rays of a pixel that an edge goes through; all others have one."""
+CONTRAST = 0.05
+"""A step in brightness that is taken for an edge."""
+NOTHING = 0xFFFFFFFF
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where a picture is taken from."""
+
+    eye: np.ndarray
+    """Position [m], shape [3]."""
+    target: np.ndarray
+    """What is in the middle [m], shape [3]."""
+    height_deg: float
+    """Vertical field of view."""
+
+    @property
+    def pose(self) -> np.ndarray:
+        """Pose of the camera, which looks along its −z, shape [4, 4]."""
+        back = self.eye - self.target
+        back = back / np.linalg.norm(back)
+        right = np.cross((0.0, 0.0, 1.0), back)
+        right /= np.linalg.norm(right)
+        return np.vstack([np.stack([right, np.cross(back, right), back, self.eye], axis=1), (0, 0, 0, 1)])
+
+    def rays(self, x: np.ndarray, y: np.ndarray, width: int, height: int) -> np.ndarray:
+        """Origins and directions, seen from the camera, of rays through places of the picture [pixels]; for arrays of
+        any one shape, shape [..., 2, 3]."""
+        reach = np.tan(np.radians(self.height_deg) / 2)
+        direction = np.stack(
+            [(2 * x - width) / height * reach, (1 - 2 * y / height) * reach, np.full(x.shape, -1.0)], axis=-1
+        )
+        direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
+        return np.stack([np.zeros_like(direction), direction], axis=-2).astype(np.float32)
+
+
+class Stage:
+    """Some runs, each in a world of its own, all seen from the same place."""
+
+    def __init__(self, cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float, device: str):
+        self.world_count = len(cube_rgb)
+        self.bodies = (*LINKS, CUBE, START)
+        self.model = _build(cube_rgb, cube_edge_m).finalize(device=device)
+        self.state = self.model.state()
+        self.sensor = SensorTiledCamera(self.model)
+        self.sensor.default_render_config.enable_shadows = True
+        self.sensor.default_render_config.render_order = SensorTiledCamera.RenderOrder.VIEW_PRIORITY
+        sun = np.array(SUN) / np.linalg.norm(SUN)
+        self.sensor.utils.create_default_light(enable_shadows=True, direction=wp.vec3f(*sun))
+
+    def place(self, poses: Sequence[Mapping[str, np.ndarray]]) -> None:
+        """Put the bodies of each world at ``poses``, of which each is a matrix, shape [4, 4]; one without is hidden."""
+        hidden = np.eye(4)
+        hidden[2, 3] = -100.0
+        self.state.body_q.assign([transform(world.get(body, hidden)) for world in poses for body in self.bodies])
+        self.model.bvh_refit_shapes(self.state)
+
+    def picture(self, camera: Camera, width: int, height: int) -> np.ndarray:
+        """What is seen of each world, linear colours, shape [worlds, height, width, 3]."""
+        x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+        colour, shape = self._trace(camera, camera.rays(x, y, width, height))
+        edge = _is_edge(display(colour).mean(axis=-1), shape)
+        rows, columns = np.nonzero(edge)
+        spots = _spread(SAMPLE_COUNT)
+        rays = camera.rays(columns[:, None] + spots[:, 0], rows[:, None] + spots[:, 1], width, height)
+        if len(rows):
+            colour[:, rows, columns] = display_mean(self._trace(camera, rays)[0])
+        return colour
+
+    def _trace(self, camera: Camera, rays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Linear colour and shape that each ray meets in each world; ``rays`` has shape [rows, columns, 2, 3]."""
+        size = (self.world_count, 1, *rays.shape[:2])
+        device = self.model.device
+        colour, depth, shape = (wp.zeros(size, dtype=dtype, device=device) for dtype in (wp.vec3f, float, wp.uint32))
+        self.sensor.update(
+            self.state,
+            wp.array([[transform(camera.pose)] * self.world_count], dtype=wp.transformf, device=device),
+            wp.array(rays[None], dtype=wp.vec3f, device=device),
+            hdr_color_image=colour,
+            depth_image=depth,
+            shape_index_image=shape,
+        )
+        colour, depth, shape = (array.numpy()[:, 0] for array in (colour, depth, shape))
+        near, far = FADE_M
+        fade = np.where(shape == NOTHING, 1.0, np.clip((depth - near) / (far - near), 0.0, 1.0))[..., None]
+        return EXPOSURE * colour * (1.0 - fade) + np.array(BACKDROP) * fade, shape
+
+
+def display(linear: np.ndarray) -> np.ndarray:
+    """Linear colours as displayed (sRGB), from 0 to 1; those that are nearly white, and brighter, keep some shades."""
+    knee = 0.7
+    over = np.maximum(linear - knee, 0.0)
+    soft = np.where(linear > knee, knee + (1 - knee) * over / (over + 1 - knee), linear)
+    return np.where(soft <= 0.0031308, 12.92 * soft, 1.055 * np.maximum(soft, 0.0031308) ** (1 / 2.4) - 0.055)
+
+
+def display_mean(linear: np.ndarray) -> np.ndarray:
+    """Mean of a pixel's samples, shape [..., samples, 3], in which one that is too bright counts as white."""
+    return np.minimum(linear, 1.0).mean(axis=-2)
+
+
+def transform(matrix: np.ndarray) -> wp.transformf:
+    """A pose, shape [4, 4], as Warp has it."""
+    return wp.transformf(wp.vec3f(*matrix[:3, 3]), wp.quat_from_matrix(wp.mat33f(*matrix[:3, :3].reshape(-1))))
+
+
+def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -> ModelBuilder:
+    """Bodies that only have a place and a look."""
+    parts = [
+        (part, newton.Mesh(part.corners, np.arange(len(part.corners)), normals=part.normals, compute_inertia=False))
+        for part in robot_parts()
+    ]
+    look = ModelBuilder.ShapeConfig(density=0.0, has_shape_collision=False)
+    half = 0.5 * cube_edge_m
+    scene = ModelBuilder()
+    for rgb in cube_rgb:
+        world = ModelBuilder()
+        for link in LINKS:
+            body = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
+            for part, mesh in parts:
+                if part.link == link:
+                    world.add_shape_mesh(body, mesh=mesh, cfg=look, color=part.rgb)
+        cube = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
+        _add_box(world, cube, np.zeros(3), np.full(3, half), look, rgb)
+        start = world.add_body(mass=1.0, inertia=wp.mat33(np.eye(3)))
+        for centre, size in _edges(half):
+            _add_box(world, start, centre, size, look, EDGE_RGB)
+        scene.add_world(world)
+    scene.add_ground_plane(cfg=look, color=GROUND_RGB)
+    reach = 0.5 * GRID_COUNT * GRID_STEP_M
+    for place in np.linspace(-reach, reach, GRID_COUNT + 1):
+        for centre, size in (
+            ((place, 0, 0), (GRID_WIDTH_M, reach, 1e-4)),
+            ((0, place, 0), (reach, GRID_WIDTH_M, 1e-4)),
+        ):
+            _add_box(scene, -1, centre, size, look, GRID_RGB)
+    return scene
+
+
+def _add_box(builder: ModelBuilder, body: int, centre, size, look: ModelBuilder.ShapeConfig, rgb) -> None:
+    hx, hy, hz = map(float, size)
+    builder.add_shape_box(body, xform=wp.transform(wp.vec3(*centre)), hx=hx, hy=hy, hz=hz, cfg=look, color=rgb)
+
+
+def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Centre and half extents of a thin box along each edge of a cube."""
+    found = []
+    for axis in range(3):
+        for first in (-half, half):
+            for second in (-half, half):
+                size = np.full(3, 0.5 * EDGE_M)
+                size[axis] = half + 0.5 * EDGE_M
+                found.append((np.insert([first, second], axis, 0.0), size))
+    return found
+
+
+def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
+    """Pixels that differ from one beside them in any world; shape [height, width]."""
+    edge = np.zeros(brightness.shape, dtype=bool)
+    for axis in (1, 2):
+        ahead = [slice(None)] * 3
+        behind = [slice(None)] * 3
+        ahead[axis], behind[axis] = slice(1, None), slice(None, -1)
+        ahead, behind = tuple(ahead), tuple(behind)
+        step = (np.abs(brightness[ahead] - brightness[behind]) > CONTRAST) | (shape[ahead] != shape[behind])
+        edge[ahead] |= step
+        edge[behind] |= step
+    return edge.any(axis=0)
+
+
+def _spread(count: int) -> np.ndarray:
+    """Places in a pixel, evenly spread in it, shape [count, 2]: the R2 sequence (M. Roberts, 2018)."""
+    step = np.array([0.7548776662466927, 0.5698402909980532])
+    return (0.5 + np.arange(count)[:, None] * step) % 1.0

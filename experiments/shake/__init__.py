@@ -1,0 +1,1 @@
+"""The shake test as an example: ``python -m experiments.shake``."""

@@ -1,0 +1,42 @@
+"""The headline measured once more, for whoever doubts it, into a file of its own and not among the results:
+``python -m experiments.simulation.headline --device cpu --json FILE``."""
+
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation.host import warp_device
+from experiments.simulation.kernels import compile_first
+from experiments.simulation.measurement import Conditions
+from measured_report.measuring.failing import reason_of
+from measured_report.measuring.machine import machine
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        prog="python -m experiments.simulation.headline", description=__doc__.split(":")[0]
+    )
+    parser.add_argument("--device", choices=("cuda", "cpu"), required=True)
+    parser.add_argument("--json", type=Path, required=True, metavar="FILE")
+    arguments = parser.parse_args()
+    try:
+        device = warp_device(arguments.device)
+        start = time.perf_counter()
+        compile_first(device)
+        compiled = time.perf_counter()
+        rows = Conditions(device.alias, quick=False).measure([AS_SHIPPED, STIFF_PADS], "headline").rows
+        seconds = {"compile_s": compiled - start, "measure_s": time.perf_counter() - compiled}
+        arguments.json.write_text(
+            json.dumps({"machine": machine(arguments.device), "rows": rows, **seconds}), encoding="utf-8"
+        )
+    except Exception as error:
+        print(f"measuring failed: {reason_of(error)}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+"""What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
+
+import re
+from importlib.metadata import version
+
+import warp as wp
+from tqdm import tqdm
+
+from experiments.simulation.measurement import Conditions
+from measured_report import ReportError
+from measured_report.editions.devices import NO_CUDA
+from measured_report.measuring.host import Device
+from measured_report.records.identity import package_versions
+
+__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
+
+
+def warp_device(kind: str | None) -> wp.Device:
+    """The Warp device to measure on; ReportError when it is not there.
+
+    Args:
+        kind: ``cuda``, ``cpu``, or None for CUDA where there is one.
+    """
+    if hasattr(wp, "LOG_WARNING"):  # Warp of old releases has none, and they are told what else they lack
+        wp.config.log_level = wp.LOG_WARNING
+    wp.config.enable_backward = False  # before a kernel is met: nothing here asks for gradients, a third of compiling
+    wp.init()
+    if kind is None:
+        kind = "cuda" if wp.is_cuda_available() else "cpu"
+    if kind == "cuda" and not wp.is_cuda_available():
+        raise ReportError(f"DEVICE=cuda: {NO_CUDA}")
+    return wp.get_device("cuda:0" if kind == "cuda" else "cpu")
+
+
+def device(kind: str | None) -> Device:
+    """The device to measure on; see ``warp_device``."""
+    found = warp_device(kind)
+    return Device("cuda", found.name, found.uuid) if found.is_cuda else Device("cpu")
+
+
+def prepare(kind: str) -> None:
+    """Compile what the sections need; ReportError where this release can't run the scene."""
+    from experiments.simulation import kernels  # which brings much that only this needs
+
+    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
+    found = warp_device(kind)
+    if reason := kernels.too_old(found) or kernels.compile_first(found):
+        newton, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
+        raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
+
+
+def be_quiet() -> None:
+    """In a process beside others Warp warns no second time."""
+    wp.config.log_level = wp.LOG_ERROR
+
+
+def explained(error: Exception) -> str:
+    """What an error of Warp means, in a line; it has printed what the compiler says."""
+    said = " ".join(str(error).split())
+    found = NOT_COMPILED.search(said)
+    return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})" if found else ""

@@ -1,0 +1,116 @@
+"""Kernels compiled at once, on all cores, before the first run: one after the other they take minutes on a new machine.
+
+Which modules a run needs shows only when it launches their kernels, so a first frame is built and queued with nothing
+launched, and what would have been compiled for it is compiled in parallel.
+"""
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from unittest import mock
+
+import newton
+import warp as wp
+from tqdm import tqdm
+
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.simulation import recorder
+from experiments.simulation import simulation as simulations
+from experiments.simulation.compiling import load_all
+from experiments.simulation.scene import build_scene
+from experiments.simulation.worlds import WORLDS_BUILT
+from newton_lint.compat import release
+
+OLDEST = (1, 4, 0)
+"""The oldest release that can run the scene."""
+Module = type(wp.get_module(__name__))
+LONGEST_FIRST = (
+    "narrow_phase_gjk",
+    "mujoco_warp._src.smooth",
+    "mujoco_warp._src.sensor",
+    "newton._src.solvers.mujoco.kernels",
+    "_update_gradient_cholesky",
+    "newton._src.sim.articulation",
+    "_tile_cholesky",
+)
+"""How the modules begin that take the longest: large ones, and those with matrices in tiles."""
+
+
+def too_old(device: wp.Device) -> str:
+    """Why a release that is older than the oldest can't build the scene, before minutes go into its kernels."""
+    try:
+        if release() < OLDEST:
+            build_scene([AS_SHIPPED] * (WORLDS_BUILT + 1), device)
+    except Exception as error:  # each of them for a reason of its own
+        return " ".join(str(error).split())[:200]
+    return ""
+
+
+def compile_first(device: wp.Device) -> str:
+    """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
+
+    What else goes wrong here is said, and left to the measurement.
+    """
+    start = time.perf_counter()
+    try:
+        count = compile_for(device)
+    except Exception as error:  # a new release may build its kernels in another way
+        try:
+            simulations.Simulation([replace(AS_SHIPPED, frame_count=1)], device)
+        except (AttributeError, ImportError, TypeError) as missing:
+            return " ".join(str(missing).split())[:200]
+        print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
+        return ""
+    tqdm.write(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
+    return ""
+
+
+def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:
+    """Compile the kernels of a frame of ``case``, or load them from the cache, and return how many modules they are in.
+
+    What does not compile here is compiled when it is met, and fails there with a message of its own.
+    """
+    wanted = modules_of(device, case)
+    load_all([partial(module.load, device, block_dim) for module, block_dim in wanted])
+    return len(wanted)
+
+
+def modules_of(device: wp.Device, case: Case) -> list[tuple[Module, int | None]]:
+    """The modules, with their block sizes, whose kernels a frame of ``case`` launches; none is launched."""
+    wanted: dict[tuple[Module, int | None], None] = {}
+
+    def note(module: Module, device: wp.Device, block_dim: int | None = None) -> None:
+        wanted[module, block_dim] = None
+
+    newton.use_coord_layout_targets = True
+    case = replace(case, frame_count=1)
+    scene = build_scene([case], device)  # few and small kernels, without which the scene makes no sense to the engine
+    with _no_launches(note), mock.patch.object(simulations, "build_scene", lambda cases, device: scene):
+        simulation = simulations.Simulation([case], device)
+        with wp.ScopedDevice(device), wp.ScopedStream(simulation.stream):
+            simulation.frame()
+        wp.synchronize_device(device)
+    return sorted(wanted, key=lambda found: _rank(found[0].name))
+
+
+def _rank(name: str) -> int:
+    ranks = [rank for rank, start in enumerate(LONGEST_FIRST) if name.startswith(start)]
+    return ranks[0] if ranks else len(LONGEST_FIRST)
+
+
+@contextmanager
+def _no_launches(note: Callable) -> Iterator[None]:
+    """Within it a launch notes the module that it needs and does nothing, and a conditional part is queued once."""
+
+    def once(condition: wp.array, body: Callable | None = None, stream: wp.Stream | None = None, **arguments) -> None:
+        (body or arguments.pop("while_body"))(**arguments)
+
+    # The real names are of what a kernel finds out.
+    names = mock.patch.object(recorder, "_geom_names", lambda scene, solver: ["cube"])
+    # What a kernel would have filled is read on the host: the arm's pose, and with it the mass matrix.
+    filled = mock.patch.object(wp, "empty", wp.zeros)
+    with names, filled, mock.patch.object(Module, "load", note), mock.patch.object(wp, "capture_while", once):
+        yield

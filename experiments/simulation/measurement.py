@@ -1,0 +1,118 @@
+"""How sections measure the shake test: which frames are run and looked at, and the row that a run makes."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, fields, replace
+
+import numpy as np
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case, differences
+from experiments.facts.classes import cycle_increments
+from experiments.facts.trace import ContactRows, Trace
+from experiments.simulation.simulation import simulate
+from measured_report.measuring import measurement as conditions
+from measured_report.measuring.measurement import Measurement, absent
+
+QUICK_FRAME_COUNT = 420
+"""Frames of a quick run: the set-up and about 3.5 s of shake."""
+CONTACT_FRAME_STEP = 15
+"""Frames between the three looks at the live contacts: a quarter of a 1 Hz cycle."""
+SETUP_FRAME_COUNT = 212
+"""Frames before the shake when no phase has to wait for the TCP."""
+
+
+class Conditions(conditions.Conditions):
+    """How a section is to be measured."""
+
+    def frame_count(self, full: int) -> int:
+        """``full``, or fewer frames when quick."""
+        return min(full, QUICK_FRAME_COUNT) if self.quick else full
+
+    def contact_frames(self, full: int = AS_SHIPPED.frame_count) -> tuple[int, ...]:
+        """Three frames in the middle of the shake of a run of ``full`` frames."""
+        middle = (SETUP_FRAME_COUNT + self.frame_count(full)) // 2
+        return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
+
+    def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
+        """``simulation.simulate`` on this device, with the runs cut short when quick."""
+        cases = [replace(case, frame_count=self.frame_count(case.frame_count)) for case in cases]
+        return simulate(cases, device=self.device, **options)
+
+    def measure(self, cases: Sequence[Case], title: str) -> Measurement:
+        """The plain kind of section: a row for each case, and nothing else."""
+        traces = self.simulate(cases, title=title)
+        return Measurement([summarize(case, trace) for case, trace in zip(cases, traces, strict=True)])
+
+
+def summarize(case: Case, trace: Trace) -> dict[str, object]:
+    """One row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
+
+    A number that does not exist is None, with a reason under ``<name>_reason``.
+    """
+    row = {"case": case.name, "backend": case.backend, **differences(case)}
+    row |= {"shake_amplitude_m": case.shake_amplitude_m, "shake_frequency_hz": case.shake_frequency_hz}
+    row |= {"failure": str(trace.failure) if trace.failure else None}
+    row |= {"failure_frame": trace.failure.frame} if trace.failure else {}
+    moved = metrics.displacement(trace)
+    reason = str(trace.failure or "")
+    if not reason and len(moved.time_s) < 2:
+        reason = "the shake was never reached"
+    row |= absent(SHAKE_COLUMNS, reason) if reason else _shake_numbers(moved, trace)
+    increments = np.zeros(0) if reason else cycle_increments(moved.time_s, 1e3 * moved.along_m, case.shake_frequency_hz)
+    cycle_reason = reason or "the shake is shorter than one cycle"
+    row |= _cycle_numbers(increments) if len(increments) else absent(CYCLE_COLUMNS, cycle_reason)
+    row["dropped"] = None if trace.failure else metrics.is_dropped(trace)
+    return row | {
+        "frame_count": len(trace.phase),
+        "shake_start_s": float((trace.phase < metrics.SHAKE).sum() * trace.frame_dt),
+        "peak_contact_count": trace.peak_contact_count,
+        "peak_constraint_count": trace.peak_constraint_count,
+        "world_count": trace.world_count,
+        "wall_s": trace.wall_s,
+    }
+
+
+SHAKE_COLUMNS = ("slip_mm", "drift_mm_s", "oscillation_mm", "wander_mm", "cube_height_m", "shake_duration_s")
+CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
+
+
+def _shake_numbers(moved: metrics.Displacement, trace: Trace) -> dict[str, float]:
+    return {
+        "slip_mm": metrics.slip_mm(moved),
+        "drift_mm_s": metrics.drift_mm_s(moved),
+        "oscillation_mm": metrics.oscillation_mm(moved),
+        "wander_mm": metrics.wander_mm(moved),
+        "cube_height_m": metrics.cube_height_m(trace),
+        "shake_duration_s": float(moved.time_s[-1]),
+    }
+
+
+def _cycle_numbers(increments_mm: np.ndarray) -> dict[str, float]:
+    return {
+        "increment_mean_mm": float(increments_mm.mean()),
+        "increment_last_mm": float(increments_mm[-1]),
+        "cycle_count": len(increments_mm),
+    }
+
+
+def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
+    """Displacement of the cube in the TCP frame [mm] over the shake, a column for each axis and one along the shake."""
+    moved = metrics.displacement(trace)
+    vector = 1e3 * moved.vector_m
+    return {
+        "time_s": moved.time_s,
+        "x_mm": vector[:, 0],
+        "y_mm": vector[:, 1],
+        "z_mm": vector[:, 2],
+        "along_mm": 1e3 * moved.along_m,
+    }
+
+
+def grasp_columns(rows: ContactRows) -> dict[str, object]:
+    """``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
+    found = metrics.grasp(rows)
+    if found is not None:
+        return asdict(found)
+    counts = {"row_count": len(rows.distance_m), "loaded_row_count": 0}
+    names = (field.name for field in fields(metrics.Grasp) if field.name not in counts)
+    return counts | absent(names, "no contact carries force")

@@ -1,0 +1,155 @@
+"""The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+import warp as wp
+
+from experiments.facts import metrics
+from experiments.facts.case import Case
+from experiments.facts.trace import FRAME_COLUMNS, Trace
+from experiments.simulation.c_warnings import failure_of
+from experiments.simulation.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.task import FRAME_RATE
+from experiments.simulation.timing import WARMUP_COUNT
+from newton_lint.compat import kf_is_read
+
+ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
+"""What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
+SETUP_FRAME_LIMIT = 600
+BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
+"""Bodies that a trace of the native loop keeps."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where every run of the shake starts, in the solver's coordinates, and what the joints are told from there on."""
+
+    qpos: np.ndarray
+    qvel: np.ndarray
+    qacc_warmstart: np.ndarray
+    targets: np.ndarray
+    """Joint position targets of each frame, shape [frames, 9]."""
+
+
+def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
+    """A world for each case, run to where the shake begins in all of them.
+
+    Raises:
+        RuntimeError: The shake was not reached within SETUP_FRAME_LIMIT frames.
+    """
+    pilot = Simulation([replace(case, frame_count=SETUP_FRAME_LIMIT) for case in cases], device)
+    for _ in range(SETUP_FRAME_LIMIT):
+        pilot.step()
+        wp.synchronize_device(device)
+        if pilot.task.phase.numpy().min() >= metrics.SHAKE:
+            return pilot
+    raise RuntimeError(f"the shake was not reached within {SETUP_FRAME_LIMIT} frames")
+
+
+def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
+    """The state of each of the pilot's worlds, and the targets of the frames that follow: for these it is run on.
+
+    In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
+    """
+    data = pilot.solver.mjw_data
+    state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
+    targets = np.zeros((frame_count, pilot.world_count, ROBOT_DOF_COUNT))
+    for frame in range(frame_count):
+        pilot.step()
+        wp.synchronize_device(pilot.device)
+        targets[frame] = pilot.joint_target.numpy()[:, :ROBOT_DOF_COUNT]
+    return [
+        Start(**{name: values[world] for name, values in state.items()}, targets=targets[:, world])
+        for world in range(pilot.world_count)
+    ]
+
+
+class NativeShake:
+    """One case in MuJoCo's C engine on one core, in the model that Newton makes for it.
+
+    A frame sets the joint targets and calls ``mj_step`` once for all its substeps. Unlike through Newton, the state is
+    never passed through float32. Other threads run while ``mj_step`` does.
+    """
+
+    def __init__(self, case: Case, start: Start):
+        simulation = Simulation([replace(case, backend="mujoco")], wp.get_device("cpu"))
+        solver, links = simulation.solver, simulation.scene.links
+        of_newton = solver.mjc_body_to_newton.numpy()[0].tolist()
+        self.case, self.start = case, start
+        self.model, self.data = solver.mj_model, solver.mj_data
+        self.model.opt.timestep = 1.0 / FRAME_RATE / case.substeps
+        self.bodies = [of_newton.index(links[name].body) for name in BODIES]
+        self.offsets = np.array([links[name].pose for name in BODIES], dtype=float)
+        self.pad = solver.mjc_geom_to_newton_shape.numpy()[0].tolist().index(simulation.scene.pads[0])
+        self.frame_index = 0
+        self.data.qpos[:], self.data.qvel[:] = start.qpos, start.qvel
+        self.data.qacc_warmstart[:] = start.qacc_warmstart
+
+    def frame(self) -> None:
+        """Run the next frame."""
+        self.data.ctrl[:ROBOT_DOF_COUNT] = self.start.targets[self.frame_index]
+        mujoco.mj_step(self.model, self.data, self.case.substeps)
+        self.frame_index += 1
+
+    def run(self) -> Trace:
+        """The next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last substep."""
+        frame_count = self.case.frame_count
+        poses = np.zeros((frame_count, len(BODIES), 7))
+        contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
+        failure, peak_iteration = None, 0
+        for frame in range(frame_count):
+            self.frame()
+            poses[frame] = self._poses()
+            contacts[frame, FRAME_COLUMNS.index("cone_use")] = self._cone_use()
+            peak_iteration = max(peak_iteration, int(self.data.solver_niter.max()))
+            failure = failure or failure_of(self.data, frame)
+        return Trace(
+            frame_dt=1.0 / FRAME_RATE,
+            phase=np.full(frame_count, metrics.SHAKE),
+            poses=poses,
+            contacts=contacts,
+            failure=failure,
+            peak_iteration_count=peak_iteration,
+        )
+
+    def frame_ms(self, repeat_count: int) -> np.ndarray:
+        """Wall time [ms] of each of ``repeat_count`` frames, timed as ``timing.frame_ms`` does."""
+        for _ in range(WARMUP_COUNT):
+            self.frame()
+        times = []
+        for _ in range(repeat_count):
+            start = time.perf_counter()
+            self.frame()
+            times.append(1e3 * (time.perf_counter() - start))
+        return np.array(times)
+
+    @property
+    def pad_timeconst_s(self) -> float:
+        """Time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
+        return float(self.model.geom_solref[self.pad, 0])
+
+    def _poses(self) -> np.ndarray:
+        """Poses of BODIES, in float64; shape [bodies, 7]."""
+        # A step ends with new joint positions; the bodies are still where they were before it.
+        mujoco.mj_kinematics(self.model, self.data)
+        poses, quaternion = np.zeros((len(self.bodies), 7)), np.zeros(4)
+        for pose, body, offset in zip(poses, self.bodies, self.offsets, strict=True):
+            pose[:3] = self.data.xpos[body] + self.data.xmat[body].reshape(3, 3) @ offset[:3]
+            mujoco.mju_mulQuat(quaternion, self.data.xquat[body], np.roll(offset[3:], 1))
+            pose[3:] = np.roll(quaternion, -1)
+        return poses
+
+    def _cone_use(self) -> float:
+        """Largest tangential force over friction times normal force of a contact (1 = sliding)."""
+        force, largest = np.zeros(6), 0.0
+        for index in range(self.data.ncon):
+            mujoco.mj_contactForce(self.model, self.data, index, force)
+            if force[0] > 0.0:
+                friction = self.data.contact[index].friction[0]
+                largest = max(largest, float(np.hypot(force[1], force[2]) / (friction * force[0])))
+        return largest

@@ -1,0 +1,342 @@
+"""From cases to traces: cases that can share a simulation are worlds of one batch."""
+
+import gc
+import sys
+import time
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
+from dataclasses import replace
+from functools import partial
+
+import mujoco
+import newton
+import numpy as np
+import warp as wp
+from newton.solvers import SolverMuJoCo
+from tqdm import tqdm
+
+from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, batch_key, build_key
+from experiments.facts.trace import Trace
+from experiments.simulation.recorder import Recorder
+from experiments.simulation.remedies import install_remedies
+from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
+from experiments.simulation.task import FRAME_RATE, build_task
+from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.failing import is_out_of_memory
+from newton_lint.compat import make_solver, warp_has_noslip
+
+CONTACT_MAX = 64
+CONSTRAINT_MAX = 96
+"""Buffers per world when a case asks for none. The measured peaks are 49 contacts and 50 constraint rows as shipped;
+every record keeps the peaks of its runs, and a run that needs more is marked, not cut."""
+PROGRESS_FRAMES = 30
+"""Frames between two updates of the progress bar, which wait for the devices."""
+
+
+class Simulation:
+    """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
+
+    def __init__(self, cases: Sequence[Case], device: wp.Device):
+        newton.use_coord_layout_targets = True
+        case = cases[0]
+        cases = list(cases)
+        self.case, self.cases = case, cases
+        self.device = device
+        self.world_count = len(cases)
+        self.frame_dt = 1.0 / FRAME_RATE
+        self.substep_dt = self.frame_dt / case.substeps
+        self.stream = wp.Stream(device) if device.is_cuda else None
+        self.stream_beside = wp.Stream(device) if device.is_cuda else None
+        with wp.ScopedDevice(device):
+            self.scene = build_scene(cases, device)
+            self.model = self.scene.model
+            self.task = build_task(self.scene, cases)
+            self._start_at_approach_pose()
+            self.pipeline, self.contacts = self._build_collision()
+            self.solver = self._build_solver()
+            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, case.frame_count)
+            if case.ik_beside:
+                self.task.plan(self.body_q)
+                self.task.solve()
+        wp.synchronize_device(device)  # what was built on the device's own stream is used on another
+        self._start_uncaptured()
+
+    def _start_uncaptured(self) -> None:
+        self.parts = [self.queue_targets, self.queue_physics]
+        self.part_beside = self.task.solve if self.case.ik_beside else None
+        self.captured = False
+
+    def vary(self, case: Case) -> None:
+        """Go on as another case, which may differ in RUN_TIME_FIELDS only; its first step is captured anew.
+
+        The state stays as it is: see ``timing.put_in_state_of``.
+        """
+        case = replace(case, frame_count=self.case.frame_count)
+        if build_key(case) != build_key(self.case):
+            raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
+        self.case = case
+        self.task = replace(self.task, ik_iterations=case.ik_iterations)
+        self.solver.update_data_interval = _update_data_interval(case)
+        self._set_flags(self.solver)
+        self._start_uncaptured()
+
+    def _start_at_approach_pose(self) -> None:
+        model = self.model
+        joint_q = model.joint_q.numpy().reshape(self.world_count, -1)
+        joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
+        model.joint_q.assign(joint_q.reshape(-1))
+        self.state = model.state()
+        self.state.body_f = None  # no external forces, so none are written before every substep
+        self.control = model.control()
+        wp.copy(self.control.joint_target_q, model.joint_q)
+        newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
+        self.body_q = self.state.body_q.reshape((self.world_count, -1))
+        self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
+        tcp = self.scene.links["fr3_hand_tcp"]
+        poses, world = np.unique(self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True)
+        starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
+        self.task.phase_start.assign(starts[world.reshape(-1)])
+
+    def _build_collision(self):
+        if self.case.contacts == "mujoco" or self.case.backend == "mujoco":
+            return None, None
+        pipeline = newton.CollisionPipeline(
+            self.model,
+            broad_phase=self.case.broad_phase,
+            reduce_contacts=True,
+            rigid_contact_max=self.world_count * (self.case.contact_max or CONTACT_MAX),
+        )
+        return pipeline, pipeline.contacts()
+
+    def _build_solver(self) -> SolverMuJoCo:
+        case = self.case
+        if case.noslip_iterations and case.backend == "warp" and not warp_has_noslip():
+            raise CaseError("noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip")
+        solver = make_solver(
+            self.model,
+            friction_timeconst_s=case.friction_timeconst_override_s,
+            solver=case.solver,
+            integrator=case.integrator,
+            iterations=case.iterations,
+            ls_iterations=case.ls_iterations,
+            tolerance=case.tolerance,
+            ls_tolerance=case.ls_tolerance,
+            cone=case.cone,
+            impratio=case.impratio,
+            nconmax=case.contact_max or CONTACT_MAX,
+            njmax=case.constraint_max or CONSTRAINT_MAX,
+            use_mujoco_contacts=self.pipeline is None,
+            use_mujoco_cpu=case.backend == "mujoco",
+            update_data_interval=_update_data_interval(case),
+        )
+        self._set_flags(solver)
+        if case.noslip_iterations:
+            for option in _options(solver):
+                option.noslip_iterations = case.noslip_iterations
+        install_remedies(solver, self.cases)
+        if not solver.update_data_interval:
+            solver.reset(self.state)  # the engine starts all worlds as the first
+        return solver
+
+    def _set_flags(self, solver: SolverMuJoCo) -> None:
+        """Switch each stage of the engine off or on, as the case says."""
+        bits = mujoco.mjtDisableBit
+        stages = {"refsafe": bits.mjDSBL_REFSAFE, "sensors": bits.mjDSBL_SENSOR, "limits": bits.mjDSBL_LIMIT}
+        for option in _options(solver):
+            for name, bit in stages.items():
+                kept = option.disableflags & ~int(bit)
+                option.disableflags = kept | (0 if getattr(self.case, name) else int(bit))
+
+    def queue_targets(self) -> None:
+        """Queue the joint targets of this frame."""
+        if self.case.ik_beside:
+            self.task.command(self.body_q, self.joint_target)
+            self.task.plan(self.body_q)
+        else:
+            self.task.plan(self.body_q)
+            self.task.solve()
+            self.task.command(self.body_q, self.joint_target)
+
+    def queue_physics(self) -> None:
+        """Queue collisions, substeps and recording of one frame."""
+        case = self.case
+        self.recorder.begin_frame()
+        for substep in range(case.substeps):
+            if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
+                self.pipeline.collide(self.state, self.contacts)
+            # Without a control the engine keeps the targets that it has.
+            control = self.control if substep == 0 or case.state_sync else None
+            self.solver.step(self.state, self.state, control, self.contacts, self.substep_dt)
+            self.recorder.watch_substep()
+        self.recorder.end_frame(self.body_q, self.task.phase)
+
+    def frame(self) -> None:
+        """Queue one frame: targets, substeps and recording, and beside them the IK of the next frame."""
+        command, physics = self.parts
+        command()
+        if self.part_beside is not None:
+            self._wait(self.stream_beside, self.stream)
+            with wp.ScopedStream(self.stream_beside):
+                self.part_beside()  # first: a device that has the long graph queued starts no other beside it
+        physics()
+        if self.part_beside is not None:
+            self._wait(self.stream, self.stream_beside)
+
+    def step(self) -> None:
+        """Run one frame, as graphs from the second on: a first step must not happen inside a capture.
+
+        What runs beside the physics is a graph of its own: the solver's loops are conditional nodes, and Warp cannot
+        capture those while a second stream is part of the capture. Warp replays graphs on the CPU as well, which saves
+        the cost of launching from Python; MuJoCo's C engine is no kernel and is called frame by frame.
+        """
+        with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
+            self.frame()
+            if self.case.graph and not self.solver.use_mujoco_cpu and not self.captured:
+                self.parts = [captured(part) for part in self.parts]
+                self.part_beside = self.part_beside and captured(self.part_beside)
+                self.captured = True
+
+    @staticmethod
+    def _wait(stream: wp.Stream | None, other: wp.Stream | None) -> None:
+        """Let what is queued next on ``stream`` wait for what is queued on ``other``; the CPU has no streams."""
+        if stream is not None:
+            stream.wait_stream(other)
+
+
+def _options(solver: SolverMuJoCo) -> tuple:
+    """The options of the engine in C, and of the one in Warp where there is one."""
+    return (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt)
+
+
+def _update_data_interval(case: Case) -> int:
+    """Only by being written at every step does Newton's start reach MuJoCo's C engine."""
+    return 1 if case.state_sync or case.backend == "mujoco" else 0
+
+
+def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
+    """Run all frames of all simulations side by side and return the traces of each one's worlds.
+
+    On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap. For
+    the same reason the frames of a shorter simulation are spread over all of the longest.
+
+    Args:
+        title: What the progress bar says.
+        contact_frames: Frames of the longest after which all live contacts are kept.
+    """
+    for simulation in simulations:
+        simulation.step()  # compiles and captures, so the clock starts after it
+    _synchronize(simulations)
+    start = time.perf_counter()
+    frame_count = max((simulation.case.frame_count for simulation in simulations), default=0)
+    for frame in tqdm(range(frame_count), desc=title, unit="frame", delay=3.0, miniters=PROGRESS_FRAMES):
+        for simulation in simulations:
+            if is_due(frame, simulation.case.frame_count, frame_count):
+                simulation.step()
+        if frame in contact_frames:
+            _synchronize(simulations)
+            for simulation in simulations:
+                simulation.recorder.keep_contact_rows(frame)
+        if (frame + 1) % PROGRESS_FRAMES == 0:
+            _synchronize(simulations)
+    _synchronize(simulations)
+    wall_s = time.perf_counter() - start
+    return [
+        simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s)
+        for simulation in simulations
+    ]
+
+
+def is_due(frame: int, count: int, longest: int) -> bool:
+    """Whether frame ``frame`` of the longest simulation is one for a simulation of ``count`` frames too.
+
+    The first frame of all is not: it is run before.
+    """
+    return frame * count // longest > max(0, frame - 1) * count // longest
+
+
+def simulate(
+    cases: Sequence[Case], *, device: str | None = None, contact_frames: Sequence[int] = (), title: str = ""
+) -> list[Trace]:
+    """Run every case and return its trace, in the order of the cases.
+
+    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the
+    CPU. To time a case, run it in a call of its own: simulations of one call run side by side, and next to a GPU those
+    on the CPU in processes of their own.
+
+    Args:
+        device: Warp device; None takes CUDA where there is one.
+        contact_frames: Frames after which all live contacts are kept in the traces.
+        title: What the progress bar says.
+    """
+    here: list[list[int]] = []
+    away: list[list[int]] = []
+    main = wp.get_device(device)
+    for members in batches(cases):
+        # The CPU's runs have processes of their own, beside the GPU and one another.
+        is_away = main.is_cuda and not contact_frames and _device_of(cases[members[0]], device) == "cpu"
+        (away if is_away else here).append(members)
+    with processes(len(away)) if away else nullcontext() as pool:
+        waiting = start(pool, run_batch, [([cases[index] for index in members], "cpu") for members in away])
+        groups = [[cases[index] for index in members] for members in here]
+        found = run_in_memory(groups, device, title, contact_frames) + gather(waiting, f"{title}, on the CPU")
+    traces: dict[int, Trace] = {}
+    for members, worlds in zip(here + away, found, strict=True):
+        traces.update(zip(members, worlds, strict=True))
+    return [traces[index] for index in range(len(cases))]
+
+
+def batches(cases: Sequence[Case]) -> list[list[int]]:
+    """Indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one each."""
+    found: dict[object, list[int]] = {}
+    for index, case in enumerate(cases):
+        found.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
+    return list(found.values())
+
+
+def _device_of(case: Case, device: str | None) -> str | None:
+    return "cpu" if case.backend == "mujoco" else case.device or device
+
+
+def run_in_memory(
+    groups: Sequence[Sequence[Case]], device: str | None, title: str = "", contact_frames: Sequence[int] = ()
+) -> list[list[Trace]]:
+    """Run groups of cases, those of a group with the same ``batch_key``, side by side: where the memory is too small
+    for that, in two halves one after the other. Worlds know nothing of each other, so the traces are the same."""
+    try:
+        simulations = [Simulation(group, wp.get_device(_device_of(group[0], device))) for group in groups]
+        return run(simulations, title, contact_frames)
+    except (RuntimeError, MemoryError) as error:
+        if not is_out_of_memory(error) or max(len(groups), *map(len, groups)) < 2:
+            raise
+    simulations = []
+    gc.collect()  # frees what did not fit; the error, which holds on to it, is gone
+    tqdm.write(f"{title}: the memory is too small for all at once; one half after the other", file=sys.stderr)
+    middle = len(groups) // 2
+    if middle:
+        return [
+            traces
+            for half in (groups[:middle], groups[middle:])
+            for traces in run_in_memory(half, device, title, contact_frames)
+        ]
+    [group] = groups
+    middle = len(group) // 2
+    halves = [run_in_memory([half], device, title, contact_frames) for half in (group[:middle], group[middle:])]
+    return [[trace for [traces] in halves for trace in traces]]
+
+
+def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
+    """Run cases with the same ``batch_key`` and return their traces; for a process of its own."""
+    [traces] = run_in_memory([cases], device)
+    return traces
+
+
+def captured(queue: Callable[[], None]) -> Callable[[], None]:
+    """What replays ``queue`` as a graph on the current stream."""
+    with wp.ScopedCapture() as capture:
+        queue()
+    return partial(wp.capture_launch, capture.graph)
+
+
+def _synchronize(simulations: Sequence[Simulation]) -> None:
+    for alias in {simulation.device.alias for simulation in simulations}:
+        wp.synchronize_device(alias)

@@ -1,0 +1,240 @@
+"""The task: approach, descend, grasp, lift, shake; its state lives on the device, one entry per world."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from experiments.facts.case import Case
+from experiments.simulation.arm_ik import ArmSolver, arm_solver
+from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Link, Scene
+
+FRAME_RATE = 60
+APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
+PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)
+"""Least time of each phase [s]; the shake has no end."""
+
+FINGER_OPEN = wp.constant(0.035)
+APPROACH_HEIGHT = wp.constant(0.10)
+LIFT_HEIGHT = wp.constant(0.20)
+SHAKE_RATIO_Y = wp.constant(0.65)
+SHAKE_RATIO_Z = wp.constant(0.35)
+POSITION_TOLERANCE = wp.constant(0.005)
+ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
+FRAME_DT = wp.constant(1.0 / FRAME_RATE)
+APPROACH_SOLVE_COUNT = 30
+"""Warm-started IK solves from the ready pose to the approach pose."""
+
+
+@wp.func
+def tool_down() -> wp.quat:
+    return wp.quat(1.0, 0.0, 0.0, 0.0)
+
+
+@wp.kernel
+def set_targets(
+    body_q: wp.array2d[wp.transform],
+    cube: int,
+    phase_start: wp.array[wp.transform],
+    phase: wp.array[int],
+    phase_seconds: wp.array[float],
+    amplitude: wp.array[float],
+    frequency: wp.array[float],
+    in_hand: wp.array[bool],
+    finger_closed: wp.array[float],
+    finger_shake: wp.array[float],
+    elapsed: wp.array[float],
+    goal: wp.array[wp.transform],
+    target_position: wp.array[wp.vec3],
+    target_rotation: wp.array[wp.vec4],
+    target_finger: wp.array[float],
+):
+    """Advance the phase clock by a frame and say where the TCP and the fingers should be now."""
+    world = wp.tid()
+    t = elapsed[world] + FRAME_DT
+    elapsed[world] = t
+
+    start = phase_start[world]
+    start_position = wp.transform_get_translation(start)
+    position = start_position
+    rotation = wp.transform_get_rotation(start)
+    cube_position = wp.transform_get_translation(body_q[world, cube])
+    finger_start = FINGER_OPEN
+    finger_end = FINGER_OPEN
+
+    now = phase[world]
+    if now == APPROACH:
+        position = cube_position + wp.vec3(0.0, 0.0, APPROACH_HEIGHT)
+        rotation = tool_down()
+    elif now == DESCEND:
+        position = cube_position
+        rotation = tool_down()
+    elif now == GRASP:
+        finger_end = finger_closed[world]
+    elif now == LIFT:
+        position = start_position + wp.vec3(0.0, 0.0, wp.where(in_hand[world], 0.0, LIFT_HEIGHT))
+        finger_start = finger_closed[world]
+        finger_end = finger_closed[world]
+    else:
+        angle = 2.0 * wp.pi * frequency[world] * t
+        position = start_position + amplitude[world] * wp.vec3(
+            wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
+        )
+        finger_start = finger_shake[world]
+        finger_end = finger_shake[world]
+
+    goal[world] = wp.transform(position, rotation)
+    blend = float(1.0)
+    if now < SHAKE:
+        progress = wp.min(1.0, t / phase_seconds[now])
+        blend = progress * progress * (3.0 - 2.0 * progress)
+    blended = wp.quat_slerp(wp.transform_get_rotation(start), rotation, blend)
+    target_position[world] = (1.0 - blend) * start_position + blend * position
+    target_rotation[world] = wp.vec4(blended[0], blended[1], blended[2], blended[3])
+    target_finger[world] = (1.0 - blend) * finger_start + blend * finger_end
+
+
+@wp.kernel
+def apply_targets(
+    body_q: wp.array2d[wp.transform],
+    tcp_body: int,
+    tcp_pose: wp.transform,
+    phase_seconds: wp.array[float],
+    in_hand: wp.array[bool],
+    goal: wp.array[wp.transform],
+    solution: wp.array2d[float],
+    target_finger: wp.array[float],
+    joint_target: wp.array2d[float],
+    phase: wp.array[int],
+    elapsed: wp.array[float],
+    phase_start: wp.array[wp.transform],
+):
+    """Command the joints and end the phase when its time is up and the TCP is where the phase wants it."""
+    world = wp.tid()
+    for dof in range(ARM_DOF_COUNT):
+        joint_target[world, dof] = solution[world, dof]
+    for dof in range(ARM_DOF_COUNT, ROBOT_DOF_COUNT):
+        joint_target[world, dof] = target_finger[world]
+
+    now = phase[world]
+    if now == SHAKE:
+        return
+    if elapsed[world] < phase_seconds[now]:
+        return
+    pose = body_q[world, tcp_body] * tcp_pose
+    distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
+    between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
+    angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
+    # A cube in the hand is only held still before the shake, and may be heavy enough to pull the arm down.
+    if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
+        phase[world] = now + 1
+        elapsed[world] = 0.0
+        phase_start[world] = pose
+
+
+@dataclass(frozen=True)
+class Task:
+    """State of the task, one entry per world, and the inverse kinematics that serves it."""
+
+    phase: wp.array
+    """Current phase, shape [worlds], int."""
+    elapsed: wp.array
+    """Time since the phase began [s], shape [worlds]."""
+    phase_start: wp.array
+    """Pose of the TCP when the phase began, shape [worlds], transform."""
+    phase_seconds: wp.array
+    amplitude: wp.array
+    """Shake amplitude [m], shape [worlds]."""
+    frequency: wp.array
+    """Shake frequency [Hz], shape [worlds]."""
+    in_hand: wp.array
+    """Whether the run starts with the cube in the hand, shape [worlds]."""
+    finger_closed: wp.array
+    finger_shake: wp.array
+    """Finger joint targets [m] that hold the cube and in the shake, shape [worlds]."""
+    goal: wp.array
+    """Where the phase ends, shape [worlds], transform."""
+    target_position: wp.array
+    target_rotation: wp.array
+    target_finger: wp.array
+    """Finger joint target [m], shape [worlds]."""
+    solver: ArmSolver
+    solution: wp.array
+    """Last IK solution, shape [worlds, 9]; the next solve starts from it."""
+    ik_iterations: int
+    tcp: Link
+    cube: Link
+
+    def command(self, body_q: wp.array, joint_target: wp.array) -> None:
+        """Queue the joint targets that were solved for this frame, and the end of the phase when it has come.
+
+        Args:
+            body_q: Body poses, shape [worlds, bodies].
+            joint_target: Joint position targets to write, shape [worlds, coordinates].
+        """
+        wp.launch(
+            apply_targets,
+            dim=body_q.shape[0],
+            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
+            + [self.target_finger],
+            outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
+            device=body_q.device,
+        )
+
+    def plan(self, body_q: wp.array) -> None:
+        """Queue where the TCP and the fingers should be in the next frame."""
+        wp.launch(
+            set_targets,
+            dim=body_q.shape[0],
+            inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
+            + [self.amplitude, self.frequency, self.in_hand, self.finger_closed, self.finger_shake],
+            outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
+            device=body_q.device,
+        )
+
+    def solve(self) -> None:
+        """Queue the inverse kinematics of what was planned, from the last solution."""
+        self.solver.step(self.solution, self.ik_iterations)
+
+
+def build_task(scene: Scene, cases: list[Case]) -> Task:
+    """Set up the task with the arm solved to the approach pose (in ``solution``)."""
+    device = scene.model.device
+    world_count = len(cases)
+    cube, tcp = scene.links["cube"], scene.links["fr3_hand_tcp"]
+
+    def floats(values) -> wp.array:
+        return wp.array(list(values), dtype=wp.float32, device=device)
+
+    in_hand = np.array([case.cube_in_hand for case in cases])
+    cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, cube.body, :3]
+    above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
+    starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
+    target_position = wp.array(starts, dtype=wp.vec3, device=device)
+    target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=device)
+    solver = arm_solver(scene.robot, tcp.body, tcp.pose, target_position, target_rotation)
+    solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=wp.float32, device=device)
+    for _ in range(APPROACH_SOLVE_COUNT):
+        solver.step(solution, cases[0].ik_iterations)
+    return Task(
+        phase=wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=device),
+        elapsed=wp.zeros(world_count, dtype=wp.float32, device=device),
+        phase_start=wp.zeros(world_count, dtype=wp.transform, device=device),
+        phase_seconds=floats(PHASE_SECONDS),
+        amplitude=floats(case.shake_amplitude_m for case in cases),
+        frequency=floats(case.shake_frequency_hz for case in cases),
+        in_hand=wp.array(in_hand, dtype=bool, device=device),
+        finger_closed=floats(case.finger_closed_m for case in cases),
+        finger_shake=floats(
+            case.finger_closed_m if case.finger_shake_m is None else case.finger_shake_m for case in cases
+        ),
+        goal=wp.zeros(world_count, dtype=wp.transform, device=device),
+        target_position=target_position,
+        target_rotation=target_rotation,
+        target_finger=wp.zeros(world_count, dtype=wp.float32, device=device),
+        solver=solver,
+        solution=solution,
+        ik_iterations=cases[0].ik_iterations,
+        tcp=tcp,
+        cube=cube,
+    )

@@ -1,0 +1,290 @@
+"""Where the grasp holds, creeps, drops and explodes: extreme cases, and the largest step for each stiffness."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from experiments.facts import metrics
+from experiments.facts.case import Case
+from experiments.facts.classes import (
+    CLASSES,
+    STABLE,
+    classify,
+    creep_mm_s,
+    cycle_increments,
+    excess_speed_m_s,
+    is_exploded,
+    is_finite,
+)
+from experiments.facts.trace import Trace
+from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.scene import cube_start
+from experiments.simulation.simulation import simulate
+from experiments.simulation.task import FRAME_RATE
+from experiments.stability import families as stability_families
+from experiments.stability.families import (
+    DAMPING,
+    HOLD_FRAME_COUNT,
+    REFERENCE_SUBSTEPS,
+    SHAKE_FRAME_COUNT,
+    Probe,
+    grid_cell,
+)
+from experiments.stability.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
+
+OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
+"""Starts of the repeats: the cube's shift in the hand."""
+FLOOR_FAMILY = "steps"
+"""The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
+SINGLE_FAMILIES = ("buffers", "long")
+TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
+TRIAL_FRAME_COUNT = 30
+BISECTION_ROUNDS = {"full": 3, "quick": 1}
+HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)
+"""Frames in which the grip at rest is measured."""
+GONE_M = 0.005
+"""A cube that has moved farther in the hand by the end of the hold is sliding out."""
+EXIT_FRAMES = 15
+FREED_FRAMES = 30
+"""Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
+
+
+def measure(conditions: Conditions) -> Measurement:
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
+    runs = [replace_frames(found, frame_count) for found in stability_families.probes(conditions.profile)]
+    runs += [*stability_families.buffers(frame_count), stability_families.long_run(conditions.profile)]
+    traces = simulate_repeats(conditions, runs, title="stability")
+    floor = creep_floor_mm_s(
+        [
+            [creep_mm_s(case, trace) for case, trace in group]
+            for run, group in zip(runs, traces, strict=True)
+            if run.family == FLOOR_FAMILY and run.case.substeps == REFERENCE_SUBSTEPS
+        ]
+    )
+    rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
+    [(long, long_trace)] = traces[-1]
+    rows[-1] |= long_columns(long_trace, long, rows[-1]["class"])
+    searched = search_steps(conditions, rows, floor)
+    return Measurement([row | {"creep_floor_mm_s": floor} for row in rows + searched], {"long": long_table(long_trace)})
+
+
+def replace_frames(run: Probe, frame_count: int) -> Probe:
+    return replace(run, case=replace(run.case, frame_count=frame_count))
+
+
+def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) -> list[list[tuple[Case, Trace]]]:
+    """Every repeat of every run, all of them side by side.
+
+    What explodes does so at once, and then costs the most solver iterations that there are, of which all worlds of its
+    batch wait for the last. So the runs that may are tried for some frames first, and not run on where that is enough.
+    """
+    groups = [[replace(run.case, cube_offset_m=offset) for offset in offsets_m(conditions, run)] for run in runs]
+    cases = [case for group in groups for case in group]
+    tried = [
+        replace(case, frame_count=TRIAL_FRAME_COUNT)
+        for run, group in zip(runs, groups, strict=True)
+        for case in group
+        if run.family in TRIED_FAMILIES
+    ]
+    trials = zip(
+        tried, simulate(tried, device=conditions.device, title=f"{title}, trial") if tried else [], strict=True
+    )
+    ended = {
+        (case.name, case.cube_offset_m): trace
+        for case, trace in trials
+        if not is_finite(trace) or is_exploded(case, trace)
+    }
+    waiting = [case for case in cases if (case.name, case.cube_offset_m) not in ended]
+    traces = iter(simulate(waiting, device=conditions.device, title=title))
+    return [[(case, ended.get((case.name, case.cube_offset_m)) or next(traces)) for case in group] for group in groups]
+
+
+def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
+    """The starts of a run's repeats; what is as certain as an overflow, or as long as the long run, has one."""
+    if run.family in SINGLE_FAMILIES:
+        return (0.0,)
+    offsets = OFFSETS_M[conditions.profile]
+    return OFFSETS_M["full"][:2] if run.family == FLOOR_FAMILY and conditions.quick else offsets
+
+
+def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
+    """How far apart the repeats of one case come out at most [mm/s]."""
+    return max(max(group) - min(group) for group in groups)
+
+
+def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
+    """What is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
+    kind = classify(case, trace, floor)
+    finite = is_finite(trace)
+    row = {"class": kind, "finite": finite, "failure": str(trace.failure) if trace.failure else None}
+    moved = metrics.displacement(trace)
+    reached = len(moved.time_s) > 2
+    row |= numbers(
+        "" if kind in STABLE and reached else f"the run ended as {kind}",
+        drift_mm_s=lambda: metrics.drift_mm_s(moved),
+        creep_mm_s=lambda: creep_mm_s(case, trace),
+        penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[HOLD_END])),
+        cone_use=lambda: float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
+    )
+    row |= numbers(
+        "" if finite else "the run ended as non-finite",
+        excess_speed_mm_s=lambda: 1e3 * float(excess_speed_m_s(case, trace).max()),
+        hand_sink_mm=lambda: 1e3 * hand_sink_m(trace),
+    )
+    grip = grip_force_n(trace) if finite and reached and case.cube_in_hand else 0.0
+    row |= numbers(
+        "" if grip > 0.0 else "no grip force was measured",
+        grip_force_n=lambda: grip,
+        load=lambda: friction_load(case, demand_m_s2(case, trace), grip),
+    )
+    if case.start_overlap_m:
+        row |= numbers(
+            "" if finite else "the run ended as non-finite",
+            exit_speed_mm_s=lambda: 1e3 * exit_speed_m_s(case, trace),
+            exit_bound_mm_s=lambda: 1e3 * exit_bound_m_s(case),
+        )
+    if case.finger_shake_m is not None:
+        row |= freed_columns(trace)
+    peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
+    return row | peaks | {"step_ms": 1e3 * step_s(case)}
+
+
+def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
+    """The value of each function under its name; with a reason, None for each and the reason beside it."""
+    if not reason:
+        return {name: function() for name, function in functions.items()}
+    return absent(functions, reason)
+
+
+def worst(run: Probe, observed: Sequence[Mapping[str, object]]) -> dict[str, object]:
+    """One row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
+    ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
+    row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0]}
+    return row | {"repeat_count": len(observed), "classes": ", ".join(found["class"] for found in ranked)}
+
+
+def exit_speed_m_s(case: Case, trace: Trace) -> float:
+    """Largest speed [m/s] of the cube on its way out of what it starts in, √(v² + 2 g h) where it has risen by h above
+    contact."""
+    start = np.array(cube_start(case))
+    touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
+    position = np.vstack([start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)])
+    velocity = np.diff(position, axis=0) / trace.frame_dt
+    height = 0.5 * (position[1:, 2] + position[:-1, 2]) - touching
+    return float(np.sqrt((velocity**2).sum(axis=1) + 2.0 * case.gravity_m_s2 * np.maximum(0.0, height)).max())
+
+
+def grip_force_n(trace: Trace) -> float:
+    """Sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube is then
+    sliding out already."""
+    place = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
+    is_gone = np.linalg.norm(place[-1] - place[0]) > GONE_M
+    force = trace.column("normal_force_n")
+    return float(force[0] if is_gone else np.median(force[HOLD_END]))
+
+
+def hand_sink_m(trace: Trace) -> float:
+    """How far the hand comes down [m] in the time of the hold, in which it should not move."""
+    height = trace.poses[:HOLD_FRAME_COUNT, metrics.TCP, 2].astype(np.float64)
+    return float(height[0] - height[-1])
+
+
+def freed_columns(trace: Trace) -> dict[str, object]:
+    """How fast a freed cube is when the fingers have opened and at the end, root mean square, and how many times its
+    kinetic energy grows in between; a cube that lies still has no energy to compare with."""
+    position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
+    energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
+    first, last = energy[FREED_FRAMES : 2 * FREED_FRAMES].mean(), energy[-FREED_FRAMES:].mean()
+    reason = "" if is_finite(trace) else "the run ended as non-finite"
+    columns = numbers(
+        reason,
+        freed_speed_first_mm_s=lambda: 1e3 * float(first**0.5) / trace.frame_dt,
+        freed_speed_last_mm_s=lambda: 1e3 * float(last**0.5) / trace.frame_dt,
+    )
+    reason = reason or ("" if first > 0.0 else "the cube lay still when the fingers had opened")
+    return columns | numbers(reason, energy_growth=lambda: float(last / first))
+
+
+def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
+    """How far the cube creeps per cycle in the first and in the last tenth of the long run.
+
+    The first two cycles, in which the cube settles, are left out.
+    """
+    moved = metrics.displacement(trace)
+    # The shake repeats every second cycle of its main axis.
+    increments = cycle_increments(moved.time_s, 1e3 * moved.along_m, 0.5 * case.shake_frequency_hz)[1:] / 2.0
+    tenth = max(1, len(increments) // 10)
+    first, last = (float(np.abs(part.mean())) for part in (increments[:tenth], increments[-tenth:]))
+    columns = numbers(
+        "" if kind in STABLE else f"the run ended as {kind}",
+        slip_mm=lambda: metrics.slip_mm(moved),
+        increment_first_mm_per_cycle=lambda: first,
+        increment_last_mm_per_cycle=lambda: last,
+    )
+    return columns | {"shake_duration_s": float(moved.time_s[-1])}
+
+
+def long_table(trace: Trace) -> dict[str, np.ndarray]:
+    """The long run once a second."""
+    moved = metrics.displacement(trace)
+    every = slice(None, None, FRAME_RATE)
+    vector = 1e3 * moved.vector_m[every]
+    names = ("x_mm", "y_mm", "z_mm")
+    return {"time_s": moved.time_s[every], "along_mm": 1e3 * moved.along_m[every]} | dict(
+        zip(names, vector.T, strict=True)
+    )
+
+
+def bracket(stable: Mapping[int, bool]) -> tuple[int, int] | None:
+    """The number of substeps that fails last and the next that was seen to hold, from what was found for some numbers.
+
+    0 for the first when even the least number holds; None when the largest does not.
+    """
+    counts = sorted(stable)
+    failing = [count for count in counts if not stable[count]]
+    if not stable[counts[-1]]:
+        return None
+    last = failing[-1] if failing else 0
+    return last, next(count for count in counts if count > last)
+
+
+def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) -> list[dict[str, object]]:
+    """For each stiffness of the grids, the least number of substeps that holds the cube, by bisection.
+
+    All stiffnesses are searched together: one round is one ``simulate``.
+    """
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT["quick"]
+    cells: dict[tuple[str, float], dict[int, Mapping]] = {}
+    for row in rows:
+        if row["family"] in DAMPING:
+            cells.setdefault((row["family"], row["pad_ke"]), {})[row["substeps"]] = row
+    for _ in range(BISECTION_ROUNDS[conditions.profile]):
+        wanted = []
+        for (family, ke), found in cells.items():
+            ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
+            if ends and ends[0] > 0 and ends[1] - ends[0] > 1:
+                wanted.append(replace_frames(grid_cell(family, ke, sum(ends) // 2), frame_count))
+        if not wanted:
+            break
+        traces = simulate_repeats(conditions, wanted, title="stability, largest step")
+        for run, group in zip(wanted, traces, strict=True):
+            row = worst(run, [observe(*one, floor) for one in group])
+            cells[run.family, run.parameters["pad_ke"]][run.case.substeps] = row
+    return [largest_step_row(family, ke, found) for (family, ke), found in cells.items()]
+
+
+def largest_step_row(family: str, ke: float, found: Mapping[int, Mapping]) -> dict[str, object]:
+    """The run with the largest step that holds, and by which step the next larger one that was tried fails."""
+    ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
+    least = ends[1] if ends else max(found)
+    row = dict(found[least]) | {"case": f"largest-step-{family}-{ke:.3g}", "family": "largest-step", "of": family}
+    fails_at = ends[0] if ends else least
+    row |= numbers(
+        "" if ends else f"it holds at none of the steps: {row['class']} at the smallest",
+        largest_step_ms=lambda: 1e3 / FRAME_RATE / least,
+        substeps_least=lambda: least,
+    )
+    return row | numbers(
+        "" if fails_at else "no step that was tried fails", failing_step_ms=lambda: 1e3 / FRAME_RATE / fails_at
+    )

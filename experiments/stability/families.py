@@ -1,0 +1,233 @@
+"""The families of section stability: which cases each has."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
+from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
+from experiments.stability.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
+
+HOLD_FRAME_COUNT = 91
+"""Frames in which a cube that starts in the hand is held still."""
+SHAKE_FRAME_COUNT = {"full": 241, "quick": 121}
+"""Two periods of the shake as shipped, or one."""
+LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
+
+BASE = replace(LEAN, cube_in_hand=True, contact_max=64, constraint_max=192)
+"""Room for more than a grasp needs, so that no overflow is made by the buffers: an arm that falls to the ground has
+more contacts."""
+PADS = {"as-shipped": {}, "stiff": {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd}}
+REFERENCE_SUBSTEPS = AS_SHIPPED.substeps
+
+STEPS = {"full": (1, 2, 4, 8, 16, 32, 64, 128), "quick": (4, 16)}
+GRID_STEPS = {"full": STEPS["full"], "quick": (2, 4)}
+GRID_KE = {"full": np.logspace(1, 9, 25), "quick": (1e4, 1e6)}
+DAMPING = {"ke-critical": lambda ke: 2.0 * ke**0.5, "ke-kd-100": lambda ke: 100.0}
+"""kd of the two grids over ke: with the damping ratio kept at 1, and left at its import default."""
+TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
+SHAKE_MU = 0.0187
+"""Friction with which the pads carry the cube as shipped, at the grip as shipped, 1.4 times over when nothing moves."""
+SHAKES = {
+    "full": [(a, 2.0) for a in (0.01, 0.02, 0.03, 0.04, 0.045, 0.05, 0.055, 0.06, 0.07, 0.08, 0.1)]
+    + [(0.05, f) for f in (0.5, 1.0, 1.5, 1.75, 2.25, 2.5, 3.0)],
+    "quick": [(0.02, 2.0)],
+}
+"""Amplitude [m] and frequency [Hz]."""
+GRIP_MU = 0.1
+GRIPS = {"full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0), "quick": (0.5,)}
+"""Grip force over what the shake as shipped needs."""
+FRICTIONS = {"full": (0.0, 1e-3, 0.1, 1.0, 2.0, 100.0), "quick": (0.0, 100.0)}
+MASSES_KG = {"full": np.geomspace(1e-3, 10.0, 9), "quick": (10.0,)}
+EDGES_M = {"full": (0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.03, 0.04, 0.06, 0.08), "quick": (0.08,)}
+OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
+GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
+FREED = {"finger_shake_m": 0.035, "shake_amplitude_m": 0.01}
+"""The fingers open and the shake is smaller than the room that they leave."""
+SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
+"""Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
+BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})
+"""None, then less than the grasp needs."""
+OVERFLOW_FRAME_COUNT = 4
+"""An overflow shows in the first frame."""
+FINGER_FORCE_N = 1.0
+"""Grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass."""
+
+
+@dataclass(frozen=True)
+class Probe:
+    """One case of a family, to be run some times with a perturbed start."""
+
+    family: str
+    case: Case
+    parameters: Mapping[str, object]
+    """What the family varies, as columns of the row."""
+
+
+def probe(family: str, name: str, changes: Mapping[str, object], **parameters) -> Probe:
+    case = replace(BASE, name=f"{family}-{name}", **changes)
+    columns = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd, "substeps": case.substeps}
+    return Probe(family, case, columns | parameters)
+
+
+def probes(profile: str) -> list[Probe]:
+    """All families, but for the search of the largest step, which builds on the grids."""
+    return [
+        *steps(profile),
+        *grids(profile),
+        *without_clamp(profile),
+        *shakes(profile),
+        *grips(profile),
+        *frictions(profile),
+        *masses(profile),
+        *sizes(profile),
+        *overlaps(profile),
+        *gravities(profile),
+    ]
+
+
+def steps(profile: str) -> list[Probe]:
+    return [
+        probe("steps", f"{pads}-{count}", changes | {"substeps": count}, pads=pads)
+        for pads, changes in PADS.items()
+        for count in STEPS[profile]
+    ]
+
+
+def grids(profile: str) -> list[Probe]:
+    return [
+        grid_cell(family, float(ke), count)
+        for family in DAMPING
+        for ke in GRID_KE[profile]
+        for count in GRID_STEPS[profile]
+    ]
+
+
+def grid_cell(family: str, ke: float, substeps: int) -> Probe:
+    changes = {"pad_ke": ke, "pad_kd": DAMPING[family](ke), "substeps": substeps}
+    cell = probe(family, f"{ke:.3g}-{substeps}", changes)
+    return replace(cell, parameters=cell.parameters | {"clamped": is_clamped(cell.case)})
+
+
+def without_clamp(profile: str) -> list[Probe]:
+    """Damping ratio 1 and a timeconst of so many steps, once with the clamp off and once as a direct solref."""
+    found = []
+    for way, changes in (("off", {"refsafe": False}), ("direct", {"pad_direct": True})):
+        for count in TIMECONST_STEPS[profile]:
+            rate = 1.0 / (count * step_s(BASE))
+            stiff = {"pad_ke": rate**2, "pad_kd": 2.0 * rate}
+            found.append(probe("clamp", f"{way}-{count:.3g}", changes | stiff, clamp=way, timeconst_steps=float(count)))
+    return found
+
+
+def shakes(profile: str) -> list[Probe]:
+    return [
+        probe(
+            "shake",
+            f"{1e3 * a:g}mm-{f:g}hz",
+            PADS["stiff"] | {"pad_mu": SHAKE_MU, "shake_amplitude_m": a, "shake_frequency_hz": f},
+            shake_amplitude_m=a,
+            shake_frequency_hz=f,
+        )
+        for a, f in SHAKES[profile]
+    ]
+
+
+def grips(profile: str) -> list[Probe]:
+    needed = cube_mass_kg(BASE) * target_demand_m_s2(BASE) / GRIP_MU / 2.0
+    return [
+        probe(
+            "grip",
+            f"{ratio:g}",
+            PADS["stiff"] | {"pad_mu": GRIP_MU, "finger_closed_m": closed_m(BASE.cube_edge_m, ratio * needed)},
+            grip_ratio=ratio,
+        )
+        for ratio in GRIPS[profile]
+    ]
+
+
+def frictions(profile: str) -> list[Probe]:
+    return [probe("friction", f"{mu:g}", PADS["stiff"] | {"pad_mu": mu}, pad_mu=mu) for mu in FRICTIONS[profile]]
+
+
+def masses(profile: str) -> list[Probe]:
+    found = []
+    for mass in (float(mass) for mass in MASSES_KG[profile]):
+        changes = {"cube_density_kg_m3": mass / BASE.cube_edge_m**3}
+        changes["finger_closed_m"] = closed_m(BASE.cube_edge_m, carrying_force_n(mass))
+        found.append(probe("mass", f"{mass:.3g}kg", PADS["stiff"] | changes, cube_mass_kg=mass))
+    return found
+
+
+def sizes(profile: str) -> list[Probe]:
+    """Cubes of one density, in the grip as shipped and in one that goes with their mass."""
+    found = []
+    as_shipped_n = TARGET_KE * (0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m)
+    for edge in EDGES_M[profile]:
+        mass = BASE.cube_density_kg_m3 * edge**3
+        for grip, force in (("as-shipped", as_shipped_n), ("scaled", carrying_force_n(mass))):
+            changes = PADS["stiff"] | {"cube_edge_m": edge, "finger_closed_m": closed_m(edge, force)}
+            found.append(probe("size", f"{1e3 * edge:g}mm-{grip}", changes, cube_edge_mm=1e3 * edge, grip=grip))
+    return found
+
+
+def overlaps(profile: str) -> list[Probe]:
+    """Too deep in both pads, or in the ground with the cube as shipped and with one that makes the contact springy."""
+    starts = {f"pads-{pads}": changes for pads, changes in PADS.items()}
+    if profile == "full":  # a quick run ends before a cube from the ground is shaken
+        starts["ground"] = {"cube_in_hand": False}
+        starts["ground-springy"] = starts["ground"] | SPRINGY
+    return [
+        probe(
+            "overlap",
+            f"{start}-{1e3 * overlap:g}mm",
+            changes | {"start_overlap_m": overlap},
+            start=start,
+            overlap_mm=1e3 * overlap,
+        )
+        for start, changes in starts.items()
+        for overlap in OVERLAPS_M[profile]
+    ]
+
+
+def gravities(profile: str) -> list[Probe]:
+    found = []
+    for gravity in GRAVITIES[profile]:
+        held = PADS["stiff"] | {"gravity_m_s2": gravity}
+        found.append(probe("gravity", f"{gravity:g}", held, gravity_m_s2=gravity, freed=False))
+    for pads, changes in PADS.items():
+        freed = changes | FREED | {"gravity_m_s2": 0.0}
+        found.append(probe("gravity", f"0-freed-{pads}", freed, gravity_m_s2=0.0, freed=True))
+    return found
+
+
+def long_run(profile: str) -> Probe:
+    """One world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
+    room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
+    changes = PADS["stiff"] | room | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
+    return probe("long", "stiff", changes, run_on="cpu")
+
+
+def buffers(frame_count: int) -> list[Probe]:
+    return [
+        probe(
+            "buffers",
+            "-".join(f"{name.removesuffix('_max')}-{count}" for name, count in room.items()) or "ample",
+            PADS["stiff"] | room | {"frame_count": OVERFLOW_FRAME_COUNT if room else frame_count},
+            contact_max=room.get("contact_max", BASE.contact_max),
+            constraint_max=room.get("constraint_max", BASE.constraint_max),
+        )
+        for room in BUFFERS
+    ]
+
+
+def carrying_force_n(mass_kg: float) -> float:
+    """Force [N] of each finger that has friction carry ``mass_kg`` twice over in the shake as shipped, and a bit more;
+    no more than the fingers' effort limit."""
+    return min(mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N, EFFORT_LIMIT[-1])
+
+
+def closed_m(edge_m: float, force_n: float) -> float:
+    """Position target [m] with which a finger presses on a cube of that edge with ``force_n``."""
+    return 0.5 * edge_m + PAD_FACE - force_n / TARGET_KE

@@ -1,0 +1,82 @@
+"""What theory says of the runs of section stability: formulas, as pure functions."""
+
+import numpy as np
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.facts.trace import Trace
+from experiments.simulation.task import FRAME_RATE, SHAKE_RATIO_Z
+
+GRAVITY = AS_SHIPPED.gravity_m_s2
+PAD_DMAX = AS_SHIPPED.pad_dmax
+
+
+def step_s(case: Case) -> float:
+    return 1.0 / FRAME_RATE / case.substeps
+
+
+def solref(ke: float, kd: float) -> tuple[float, float]:
+    """timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd and kd / (2 √ke) (newton's MuJoCo solver,
+    ``convert_solref``)."""
+    return 2.0 / kd, 0.5 * kd / ke**0.5
+
+
+def is_clamped(case: Case) -> bool:
+    """Whether the engine lengthens the timeconst to two steps (mujoco_warp, ``_efc_row``)."""
+    return case.refsafe and not case.pad_direct and solref(case.pad_ke, case.pad_kd)[0] < 2.0 * step_s(case)
+
+
+def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX) -> float:
+    """k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
+
+    k = 1 / (dmax² timeconst² dampratio²): MuJoCo documentation, "Modeling", solver parameters.
+    """
+    return 1.0 / (dmax * max(timeconst_s, shortest_s) * dampratio) ** 2
+
+
+def cube_mass_kg(case: Case) -> float:
+    return case.cube_density_kg_m3 * case.cube_edge_m**3
+
+
+def target_demand_m_s2(case: Case) -> float:
+    """Largest acceleration [m/s²] that friction would have to give a cube that follows the target of the shake.
+
+    The pads press along y. Friction carries the two other axes: |(a_x, g + a_z)|.
+    """
+    rate, time = 2.0 * np.pi * case.shake_frequency_hz, np.linspace(0.0, 2.0 / case.shake_frequency_hz, 1000)
+    size = case.shake_amplitude_m * rate**2
+    x, z = size * np.sin(rate * time), 2.25 * float(SHAKE_RATIO_Z) * size * np.sin(1.5 * rate * time)
+    return float(np.hypot(x, case.gravity_m_s2 + z).max())
+
+
+def demand_m_s2(case: Case, trace: Trace) -> float:
+    """The same for the motion that the hand made, in the last whole period of the shake.
+
+    The acceleration of the TCP is the second difference of its positions. What it has along the line on which the pads
+    press, the y axis of the hand, they carry by pressing.
+    """
+    poses = trace.poses[trace.phase == metrics.SHAKE][:, metrics.TCP].astype(np.float64)
+    period = round(2.0 / (case.shake_frequency_hz * trace.frame_dt))
+    poses = poses[-period - 2 :]
+    acceleration = np.diff(poses[:, :3], 2, axis=0) / trace.frame_dt**2 + [0.0, 0.0, case.gravity_m_s2]
+    in_hand = metrics.rotate_inverse(poses[1:-1, 3:], acceleration)
+    return float(np.linalg.norm(in_hand[:, [0, 2]], axis=1).max())
+
+
+def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
+    """Friction that is needed over what two pads can give, m |a| / (μ Σ N); above 1 the cube slides.
+
+    Coulomb's law, which the engine's elliptic cone imposes on each contact (MuJoCo documentation, "Computation",
+    friction cones); the pads have priority, so their coefficient counts alone.
+    """
+    return cube_mass_kg(case) * demand / (max(case.pad_mu, 1e-5) * grip_force_n)
+
+
+def exit_bound_m_s(case: Case) -> float:
+    """Speed [m/s] at which an undamped spring throws the cube out of ``start_overlap_m``: overlap √k."""
+    parts = [(case.pad_ke, case.pad_kd)]
+    if not case.cube_in_hand:
+        # Cube and ground have the same priority: the engine takes the mean of their solrefs.
+        parts = [(case.cube_ke, case.cube_kd), (AS_SHIPPED.pad_ke, AS_SHIPPED.pad_kd)]
+    timeconst, dampratio = np.mean([solref(*part) for part in parts], axis=0)
+    return case.start_overlap_m * reference_stiffness(timeconst, dampratio, 2.0 * step_s(case)) ** 0.5

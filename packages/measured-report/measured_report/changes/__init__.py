@@ -1,0 +1,1 @@
+"""Changes: what editions have differently."""

@@ -1,0 +1,216 @@
+"""Alarm: what a comparison and a check found, for people, for a pull request and for a program; worst first.
+
+docs/alarm.md says what the JSON holds.
+"""
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from measured_report.changes.compare import Comparison, Flip, Move
+from measured_report.changes.faults import Fault, faults_of
+from measured_report.claims.claims import Claim
+from measured_report.deriving.editions import Edition
+from measured_report.values.quantities import Quantity
+
+SCHEMA = 1
+
+MARKDOWN_LIMIT = 60_000
+"""Characters; a comment on GitHub holds 65,536."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """All claims of one edition, and what can't be trusted of it."""
+
+    release: str
+    faults: list[Fault]
+    claims: list[tuple[str, Claim]]
+    """With the section of each."""
+    absent: list[tuple[str, str]]
+    """Sections that nothing is said of, and why."""
+
+    @property
+    def is_alarm(self) -> bool:
+        return bool(self.faults)
+
+
+def check(edition: Edition) -> Check:
+    """What an edition says, each claim once."""
+    claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
+    absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
+    return Check(edition.project.release, faults_of(edition), claims, absent)
+
+
+def check_said(found: Check, form: str) -> str:
+    """The check as text, markdown or json."""
+    if form == "json":
+        return _json("check", found.is_alarm, newton=found.release, **_check_parts(found))
+    if form == "markdown":
+        lines = [f"### Newton {found.release}: {_counted(Counter(claim.outcome.said for _, claim in found.claims))}"]
+        lines += _faults_in_markdown(found.faults)
+        told = [(f"{section}.{claim.name}", claim) for section, claim in found.claims if claim.outcome.name != "holds"]
+        lines += _table(("claim", "outcome", "says"), [(name, claim.outcome.said, claim.text) for name, claim in told])
+        return _cut("\n".join(lines))
+    lines = [fault.text for fault in found.faults]
+    for section, claim in found.claims:
+        lines.append(f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}")
+    lines += [f"{'absent':12} {section}: {reason}" for section, reason in found.absent]
+    return "\n".join(lines)
+
+
+def _check_parts(found: Check) -> dict[str, Any]:
+    claims = [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in found.claims]
+    absent = [{"section": section, "reason": reason} for section, reason in found.absent]
+    return {"faults": [vars(fault) for fault in found.faults], "claims": claims, "absent": absent}
+
+
+def diff_said(found: Comparison, form: str, *, all_values: bool) -> str:
+    """The comparison as text, markdown or json, every value that moved in it or only how many did."""
+    if form == "json":
+        return _json("diff", found.is_alarm, **_diff_parts(found))
+    return _diff_in_markdown(found) if form == "markdown" else _diff_in_text(found, all_values=all_values)
+
+
+def _diff_parts(found: Comparison) -> dict[str, Any]:
+    return {
+        "a": found.releases[0],
+        "b": found.releases[1],
+        "faults": [vars(fault) for fault in found.faults],
+        "flips": [_flip_data(flip) for flip in found.flips],
+        "moved": _sums(found.moves),
+        "moves": [_move_data(move) for move in found.moves],
+        "notes": found.notes,
+    }
+
+
+def upgrade_said(found: Comparison, verdict: Sequence[str], form: str) -> str:
+    """The verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+    if form == "json":
+        return _json("upgrade", found.is_alarm, verdict=list(verdict), **_diff_parts(found))
+    if form == "markdown":
+        return _cut("\n".join([*(f"- {_escaped(line)}" for line in verdict), "", _diff_in_markdown(found)]))
+    return "\n".join(verdict)
+
+
+def _diff_in_text(found: Comparison, *, all_values: bool) -> str:
+    lines = [f"newton {found.releases[0]} → newton {found.releases[1]}", verdict_line(found)]
+    lines += [fault.text for fault in found.faults]
+    lines += [flip.text for flip in found.flips]
+    lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
+    if all_values:
+        for section in dict.fromkeys(move.section for move in found.moves):
+            lines += ["", section, *(f"  {move.text}" for move in found.moves if move.section == section)]
+    elif found.moves:
+        lines += ["VALUES=all lists them"]
+    lines += ["", *(f"not compared: {note}" for note in found.notes)]
+    return "\n".join(lines).rstrip()
+
+
+def verdict_line(found: Comparison) -> str:
+    """How many of what there are, in one line."""
+    near = sum(move.is_near for move in found.moves)
+    return (
+        f"can't be trusted: {len(found.faults)}; claims that flipped: {len(found.flips)}; "
+        f"values that moved beyond the noise: {len(found.moves)}, of these near it: {near}"
+    )
+
+
+def _diff_in_markdown(found: Comparison) -> str:
+    lines = [f"### Newton {found.releases[0]} → {found.releases[1]}", "", verdict_line(found).capitalize() + "."]
+    lines += _faults_in_markdown(found.faults)
+    flipped = [
+        (
+            f"{flip.section}.{flip.before.name}",
+            f"{flip.before.outcome.said} → {flip.after.outcome.said}",
+            flip.after.text,
+        )
+        for flip in found.flips
+    ]
+    lines += _table(("claim that flipped", "outcome", "now"), flipped)
+    sums = [(section, *sums.values()) for section, sums in _sums(found.moves).items()]
+    lines += _table(("section", "moved", "better", "worse", "near the noise"), sums)
+    if found.notes:
+        lines += ["", "<details><summary>Not compared</summary>", "", *(f"- {_escaped(note)}" for note in found.notes)]
+        lines += ["", "</details>"]
+    return _cut("\n".join(lines))
+
+
+def _faults_in_markdown(faults: Iterable[Fault]) -> list[str]:
+    found = [
+        (fault.kind, fault.release, f"{fault.section}.{fault.claim}".rstrip("."), fault.reason) for fault in faults
+    ]
+    return _table(("can't be trusted", "newton", "where", "why"), found)
+
+
+def _table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> list[str]:
+    """Lines of a table, after an empty one; none without rows."""
+    if not rows:
+        return []
+    lines = [f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows]
+    return ["", f"| {' | '.join(heads)} |", f"|{'---|' * len(heads)}", *lines]
+
+
+def _escaped(cell: Any) -> str:
+    """Text that no Markdown is made of: records may hold any."""
+    text = " ".join(str(cell).split())
+    for mark in "\\`*_[]<>|@#":
+        text = text.replace(mark, f"\\{mark}" if mark != "@" else "@\u200b")
+    return text
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= MARKDOWN_LIMIT else f"{text[:MARKDOWN_LIMIT].rpartition(chr(10))[0]}\n\n… and more\n"
+
+
+def _sums(moves: Iterable[Move]) -> dict[str, dict[str, int]]:
+    """By section: how many values moved, how many of them for better and worse, and how many are near the noise."""
+    sums: dict[str, dict[str, int]] = {}
+    for move in moves:
+        found = sums.setdefault(move.section, {"moved": 0, "better": 0, "worse": 0, "near": 0})
+        found["moved"] += 1
+        found["near"] += move.is_near
+        if move.verdict and not move.is_near:
+            found[move.verdict] += 1
+    return sums
+
+
+def _sum_line(section: str, sums: Mapping[str, int]) -> str:
+    parts = [f"{sums[name]} {words}" for name, words in (("better", "better"), ("worse", "worse")) if sums[name]]
+    parts += [f"{sums['near']} near the noise"] if sums["near"] else []
+    return f"{section}: {sums['moved']} values moved" + (f" ({', '.join(parts)})" if parts else "")
+
+
+def _counted(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {name}" for name, count in counts.items())
+
+
+def _claim_data(claim: Claim) -> dict[str, str]:
+    return {"outcome": claim.outcome.name, "said": claim.outcome.said, "text": claim.text}
+
+
+def _flip_data(flip: Flip) -> dict[str, Any]:
+    sides = {"before": _claim_data(flip.before), "after": _claim_data(flip.after)}
+    return {"section": flip.section, "claim": flip.before.name, **sides}
+
+
+def _move_data(move: Move) -> dict[str, Any]:
+    before, after = (cell.value if isinstance(cell, Quantity) else cell for cell in (move.before, move.after))
+    return {
+        "section": move.section,
+        **move.place,
+        "column": move.column,
+        "before": before,
+        "after": after,
+        "unit": move.before.unit if isinstance(move.before, Quantity) else None,
+        "noise": move.noise,
+        "noise_is_chosen": move.is_chosen,
+        "is_near": move.is_near,
+        "verdict": move.verdict,
+    }
+
+
+def _json(kind: str, is_alarm: bool, **parts: Any) -> str:
+    return json.dumps({"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}, indent=1, ensure_ascii=False)

@@ -1,0 +1,51 @@
+"""Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
+
+import re
+from collections.abc import Collection, Mapping
+from functools import cache
+from typing import Any
+
+from measured_report.claims.claims import Claim
+from measured_report.deriving.chapters import Chapters
+from measured_report.records.record import Record
+from measured_report.values.noise import NOISE
+
+COST = re.compile(
+    r"(frame|mjw_step)_ms(_p[0-9]+)?|ms_per_s(_p[0-9]+)?|(frames|world_substeps)_per_s|realtime_factor"
+    r"|(wall|build|capture)_s|(.*_)?bytes(_per_world)?"
+)
+"""Columns of costs; a length of a time step is none."""
+RUN_COLUMNS = ("frame_count", "world_count", "worlds")
+"""How much was run, which no cost is comparable without."""
+
+
+@cache
+def is_cost(column: str) -> bool:
+    return bool(COST.fullmatch(column))
+
+
+def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
+    """What two costs must share to be compared: the machine, and how many frames and worlds."""
+    return record.machine_for_speed, *(row.get(column) for column in RUN_COLUMNS)
+
+
+def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
+    """What a claim turns on that is of the machine and not of the release: of costs, what they were measured on and
+    with; of the noise, the processor. Empty for a claim that has nothing of either."""
+    if section == NOISE:
+        return frozenset({(chapters[section].results.record.processor,)})
+    costs = [pointer for pointer in claim.outcome.reads if is_cost(pointer.rpartition("/")[2])]
+    return frozenset(cost_terms(record, row) for record, row, _ in cells(costs, chapters))
+
+
+def cells(pointers: Collection[str], chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
+    """Record, row and column of each of these that is a cell of the edition's own records."""
+    found = []
+    for pointer in sorted(pointers):
+        source, _, place = pointer.partition("#/rows/")
+        index, _, column = place.partition("/")
+        chapter = chapters.get(source.rpartition("/")[2].removesuffix(".json"))
+        if place and chapter and chapter.results.source == source:
+            record = chapter.results.record
+            found.append((record, record.rows[int(index)], column))
+    return found

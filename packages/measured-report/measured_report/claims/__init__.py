@@ -1,0 +1,1 @@
+"""Claims: tests on values, and the words for each outcome."""

@@ -1,0 +1,84 @@
+"""Statements from documentation or source code, which are not measured here and say where they are from.
+
+    {% stated kd_to_solref %} Newton makes the timeconst from kd alone. {% endstated %}
+
+``templates/sources.toml`` has a table for each name: ``url``, or ``package``, ``version``, ``file`` below its folder
+and an ``excerpt`` that the file must hold.
+"""
+
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+from jinja2 import Environment, nodes
+from jinja2.ext import Extension
+from jinja2.parser import Parser
+from markupsafe import Markup
+
+from measured_report import ReportError
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+NAME = "sources.toml"
+
+
+@dataclass(frozen=True)
+class Reference:
+    """Where a statement is from: an address, or a line in a file of a package."""
+
+    url: str = ""
+    package: str = ""
+    version: str = ""
+    file: str = ""
+    excerpt: str = ""
+    """One line of the file, or a part of one."""
+
+    def __html__(self) -> Markup:
+        if self.url:
+            return Markup('<a href="{0}">{1}</a>').format(self.url, self.url.partition("://")[2].partition("#")[0])
+        return Markup("read in {} {}, <code>{}</code>").format(self.package, self.version, self.file)
+
+
+def references(templates: Path) -> Mapping[str, Reference]:
+    """The references of a folder of templates by name; ReportError, one line, for one that is not whole."""
+    path = templates / NAME
+    if not path.is_file():
+        return {}
+    try:
+        found = {name: Reference(**fields) for name, fields in tomllib.loads(path.read_text(encoding="utf-8")).items()}
+    except (tomllib.TOMLDecodeError, TypeError) as error:
+        raise ReportError(f"templates/{NAME}: {error}") from None
+    for name, reference in found.items():
+        if not (reference.url or all((reference.package, reference.version, reference.file, reference.excerpt))):
+            raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file and excerpt")
+    return found
+
+
+def _known(environment: Environment) -> Mapping[str, Reference]:
+    return cast(Mapping[str, Reference], environment.globals["references"])
+
+
+class StatedTag(Extension):
+    """The tag; an environment that has it has ``references`` among its globals."""
+
+    tags = {"stated"}  # noqa: RUF012, as Jinja has it
+
+    def parse(self, parser: Parser) -> nodes.Node:
+        line = next(parser.stream).lineno
+        name = parser.stream.expect("name")
+        if name.value not in _known(self.environment):
+            parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
+        body = parser.parse_statements(("name:endstated",), drop_needle=True)
+        call = self.call_method("_stated", [nodes.Const(name.value)])
+        return nodes.CallBlock(call, [], [], body).set_lineno(line)
+
+    def _stated(self, name: str, caller) -> Markup:
+        reference = _known(self.environment)[name]
+        words = Markup(" ".join(caller().split()))
+        html = '<span class="stated">{} <span class="source">[not measured here: {}]</span></span>\n'
+        return Markup(html).format(words, reference)

@@ -1,0 +1,241 @@
+"""Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import accumulate, groupby
+from typing import Any
+
+from markupsafe import Markup
+
+from measured_report.claims.words import Wording
+from measured_report.values.format import ABSENT
+from measured_report.values.quantities import Quantity, mixed
+
+NEAR_NOISE = 2.0
+"""Chosen: beyond the noise, but up to so many times it, a difference can't tell. The noise is the largest difference
+among some tens of runs, and measured again some other pair differs more."""
+
+
+LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
+"""How a number that is not there is printed, with its reason."""
+
+NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
+"""A number as it is printed, with its unit."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a test on the results found: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
+
+    name: str
+    reason: str = ""
+    """Why it is unknown."""
+    is_near: bool = False
+    """Whether that is for being near the noise, so that the same measured again may be decided."""
+    is_opposite: bool = field(default=False, compare=False)
+    """Whether it fails because the opposite is shown, and not for want of what would show it."""
+    reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
+    """Pointers to all that the test compared, and to what that was computed from."""
+
+    def having_read(self, *quantities: Quantity) -> "Outcome":
+        """The same, for a test that looked at these as well."""
+        return replace(self, reads=self.reads.union(*(quantity.reads for quantity in quantities)))
+
+    @property
+    def said(self) -> str:
+        """One of four: holds, the opposite, not shown, cannot tell."""
+        if self.name == "fails":
+            return "the opposite" if self.is_opposite else "not shown"
+        return {"unknown": "cannot tell"}.get(self.name, self.name)
+
+
+HOLDS = Outcome("holds")
+FAILS = Outcome("fails")
+OPPOSITE = Outcome("fails", is_opposite=True)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One checked sentence: its test's outcome, and what its wording can name."""
+
+    name: str
+    outcome: Outcome
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Quantities, and texts and flags."""
+    wording: Wording | None = None
+    """What the section's template says of it, once that is known."""
+    says_missing: bool = False
+    """Whether its words say what is missing, so that they can stand with a number that is not there."""
+
+    @cached_property
+    def sentence(self) -> Markup:
+        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why."""
+        if self.outcome.is_opposite and (opposite := self.said("opposite")):
+            return opposite
+        if self.outcome.name != "unknown":
+            return self.said(self.outcome.name)
+        asked = self.said("asks")
+        sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
+        return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
+
+    def settled(self) -> "Claim":
+        """The same; where its sentence would print a number that is not there, it can't tell, and says why."""
+        lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
+        if not lost or self.says_missing:
+            return self
+        reason = Markup(lost[1]).unescape()
+        return replace(self, outcome=replace(self.outcome, name="unknown", reason=reason, is_opposite=False))
+
+    @property
+    def text(self) -> str:
+        return self.sentence.striptags().replace("\xa0", " ")
+
+    @property
+    def wordless(self) -> str:
+        """The sentence with a mark in the place of each number."""
+        return " ".join(NUMBER.sub("#", str(self.sentence)).split())
+
+    def html(self, section: str) -> Markup:
+        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}"{}>{}</span>')
+        opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
+        html = claim.format(section, self.name, self.outcome.name, opposite, self.sentence)
+        because = self.said("because") if self.outcome == HOLDS else ""
+        return html + Markup(" {}").format(because) if because else html
+
+    def said(self, part: str) -> Markup:
+        """One part of its wording; ``because`` is said only when the claim holds."""
+        assert self.wording, f"the claim {self.name} has no words yet"
+        return self.wording(part, self.numbers)
+
+
+def decided(is_so: bool, *quantities: Quantity) -> Outcome:
+    """Holds or fails by a condition that was computed from these; cannot tell where one of them is missing."""
+    return (_undecided(*quantities) or (HOLDS if is_so else FAILS)).having_read(*quantities)
+
+
+def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
+    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
+    return _by_sign(lambda: a.value - b.value, noise, a, b)
+
+
+def _by_sign(difference: Callable[[], float], noise: Quantity, *quantities: Quantity) -> Outcome:
+    """Holds where the difference is above the noise; below it is the opposite."""
+    found = _undecided(*quantities, noise)
+    if not found and abs(size := difference()) <= noise.value:
+        found = Outcome("unknown", "the difference is within the noise")
+    return (found or (HOLDS if size > 0 else OPPOSITE)).having_read(*quantities, noise)
+
+
+def increases(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+    """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
+    before; falling so all the way is the opposite."""
+    return _trend(sequence, noise, 1.0)
+
+
+def decreases(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+    """``increases``, the other way round."""
+    return _trend(sequence, noise, -1.0)
+
+
+def _trend(sequence: Sequence[Quantity], noise: Quantity, way: float) -> Outcome:
+    if undecided := _undecided(*sequence, noise):
+        return undecided.having_read(*sequence, noise)
+    values = [way * quantity.value for quantity in sequence]
+    if len(values) < 2:
+        found = Outcome("unknown", "it takes two values to see a trend")
+    elif abs(values[-1] - values[0]) <= noise.value:
+        found = Outcome("unknown", "the difference is within the noise")
+    elif _never_turns(values, noise.value):
+        found = HOLDS
+    else:
+        found = OPPOSITE if _never_turns([-value for value in values], noise.value) else FAILS
+    return found.having_read(*sequence, noise)
+
+
+def _never_turns(values: Sequence[float], noise: float) -> bool:
+    """Whether the last is above the first, and none below one before, by more than the noise."""
+    highest = list(accumulate(values, max))
+    return values[-1] - values[0] > noise and all(
+        top - value <= noise for top, value in zip(highest, values, strict=True)
+    )
+
+
+def equal_within(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+    """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
+    found = _undecided(*sequence, noise)
+    if not found and not sequence:
+        found = Outcome("unknown", "there is nothing to compare")
+    if not found:
+        values = [quantity.value for quantity in sequence]
+        found = within(replace(sequence[0], value=max(values) - min(values)), noise)
+    return found.having_read(*sequence, noise)
+
+
+def same_sign(*quantities: Quantity, noise: Quantity) -> Outcome:
+    """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
+    found = _undecided(*quantities, noise)
+    if not found and any(abs(quantity.value) <= noise.value for quantity in quantities):
+        found = Outcome("unknown", "one of them is within the noise")
+    if not found:
+        found = HOLDS if len({quantity.value > 0 for quantity in quantities}) == 1 else OPPOSITE
+    return found.having_read(*quantities, noise)
+
+
+def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
+    """Whether those that are true stand together, in the order given; the quantities are what they were decided by."""
+    runs = sum(1 for flag, _ in groupby(flags) if flag)
+    found = _undecided(*quantities) or (HOLDS if runs == 1 else FAILS)
+    return found.having_read(*quantities)
+
+
+def within(difference: Quantity, noise: Quantity) -> Outcome:
+    """Whether a difference is no more than noise; one that is little more can't tell."""
+    found = _undecided(difference, noise)
+    if not found:
+        found = HOLDS if difference.value <= noise.value else beyond(difference, noise)
+    return found.having_read(difference, noise)
+
+
+def beyond(difference: Quantity, noise: Quantity) -> Outcome:
+    """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    if found := _absent(difference, noise):
+        return found.having_read(difference, noise)
+    if abs(difference.value) > NEAR_NOISE * noise.value:
+        return OPPOSITE.having_read(difference, noise)
+    # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller one.
+    reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
+    near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
+    return near.having_read(difference, noise)
+
+
+def at_least(a: Quantity, bound: Quantity) -> Outcome:
+    """Whether a bound is reached; one that is missed shows nothing."""
+    return decided(None not in (a.value, bound.value) and a.value >= bound.value, a, bound)
+
+
+def at_most(a: Quantity, bound: Quantity) -> Outcome:
+    """Whether a bound is kept; one that is not shows nothing."""
+    return decided(None not in (a.value, bound.value) and a.value <= bound.value, a, bound)
+
+
+def _undecided(*quantities: Quantity) -> Outcome | None:
+    """Why these can't be compared, when they can't."""
+    reason = mixed(*(quantity.origins for quantity in quantities))
+    return _absent(*quantities) or (Outcome("unknown", reason) if reason else None)
+
+
+def _absent(*quantities: Quantity) -> Outcome | None:
+    return next((Outcome("unknown", quantity.reason) for quantity in quantities if quantity.value is None), None)
+
+
+def all_of(*outcomes: Outcome) -> Outcome:
+    """Holds when all hold; one that fails decides, otherwise one that can't tell.
+
+    Of those that fail one that is not shown comes first: no more is said than the weakest of them allows.
+    """
+    reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
+    order = ("not shown", "the opposite", "cannot tell", "holds")
+    found = min(outcomes, key=lambda outcome: order.index(outcome.said), default=HOLDS)
+    return replace(found, reads=reads)

@@ -1,0 +1,164 @@
+"""Words: what a template says of claims, figures and tables, found before anything is rendered.
+
+    {% claim slips %}
+    {% holds %} The cube slips {{ slip }}.
+    {% fails %} The cube does not slip.
+    {% asks %} whether the cube slips
+    {% because %} Its contact rows leave out an acceleration.
+    {% endclaim %}
+
+    {% figure way %} The way of the cube. {% alt %} It goes {{ slip }} in all. {% endfigure %}
+
+    {% table cases %} All cases. {% endtable %}
+
+A claim may have ``{% opposite %}`` beside ``{% fails %}``, for a test that shows it.
+Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from jinja2 import Environment, TemplateSyntaxError, nodes
+from jinja2.ext import Extension
+from jinja2.meta import find_undeclared_variables
+from jinja2.parser import Parser
+from markupsafe import Markup
+
+from measured_report import ReportError
+
+PARTS = {
+    "claim": ("holds", "fails", "opposite", "asks", "because"),
+    "figure": ("caption", "alt"),
+    "table": ("caption",),
+}
+"""The parts of each kind. ``caption`` is what follows the opening tag; the others have a tag of their own."""
+OPTIONAL = {"opposite", "because"}
+SEPARATOR = "__"
+"""Between kind, name and part in the name of the block that Jinja keeps a part as."""
+
+
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
+TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|µm|ms|kg|Hz|[Ns%°×])(?!\w)")
+"""A number with the unit of one that is measured."""
+
+CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
+"""Names that Jinja has for itself, so that what is given under them is never said."""
+
+Part = Callable[[Mapping[str, Any]], Markup]
+"""One part as a function of what it can name."""
+
+
+@dataclass(frozen=True)
+class Wording:
+    """What a template says of one claim, figure or table."""
+
+    place: str
+    """File and line."""
+    parts: Mapping[str, Part]
+    names: frozenset[str]
+    """All that the parts name."""
+
+    def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
+        """A part with its numbers; empty where the template has no such part."""
+        return self.parts[part](numbers) if part in self.parts else Markup("")
+
+    def refuse_unknown(self, what: str, numbers: Mapping[str, Any]) -> None:
+        """ReportError when the wording names something that it is not given, or could not name what it is given."""
+        if taken := sorted(CONSTANTS & set(numbers)):
+            raise ReportError(f"{self.place}: {what} is given {taken[0]}, which is a constant in a template: rename it")
+        if unknown := sorted(self.names - set(numbers)):
+            there = ", ".join(sorted(numbers)) or "none"
+            raise ReportError(f"{self.place}: {what} names {unknown[0]}, which it is not given; it is given: {there}")
+
+
+class WordTags(Extension):
+    """The tags: each part becomes a block that is printed by name, and the whole a call that prints it in place."""
+
+    tags = set(PARTS)  # noqa: RUF012, as Jinja has it
+
+    def parse(self, parser: Parser) -> list[nodes.Node]:
+        kind = next(parser.stream)
+        name = parser.stream.expect("name").value
+        parts = PARTS[kind.value]
+        ends = [*(part for part in parts if part != "caption"), f"end{kind.value}"]
+        part, line, blocks = "caption", kind.lineno, []
+        while part != ends[-1]:
+            body = parser.parse_statements(tuple(f"name:{end}" for end in ends))
+            if part in parts:
+                label = SEPARATOR.join((kind.value, name, part))
+                blocks.append(nodes.Block(label, body, False, False, lineno=line))
+            elif not _is_blank(body):
+                parser.fail(f"{kind.value} {name}: what it says belongs behind one of its tags", line)
+            token = next(parser.stream)
+            part, line = token.value, token.lineno
+        missing = [part for part in parts if part not in OPTIONAL and not _has_part(blocks, part)]
+        if missing:
+            parser.fail(f"{kind.value} {name} has no {{% {missing[0]} %}}", kind.lineno)
+        call = nodes.Call(nodes.Name(kind.value, "load"), [nodes.Const(name)], [], None, None)
+        # Jinja keeps every block of a template, those as well that are never reached where they stand.
+        # The line behind the last tag ends there, and a sentence must not run into the next.
+        shown = nodes.Output([call, nodes.TemplateData("\n")], lineno=kind.lineno)
+        return [nodes.If(nodes.Const(False), blocks, [], [], lineno=kind.lineno), shown]
+
+
+def refuse_typed(source: str) -> None:
+    """TemplateSyntaxError for a number that is typed into the words of a template, where a measured one belongs."""
+    words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
+    if found := TYPED.search(words):
+        line = words.count("\n", 0, found.start()) + 1
+        number = " ".join(found[0].split())
+        raise TemplateSyntaxError(f"{number} is typed; name the number that was measured or chosen", line)
+
+
+def _is_blank(body: list[nodes.Node]) -> bool:
+    found = [node for output in body for node in getattr(output, "nodes", [output])]
+    return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
+
+
+def _has_part(blocks: list[nodes.Block], part: str) -> bool:
+    return any(block.name.rpartition(SEPARATOR)[2] == part for block in blocks)
+
+
+@dataclass(frozen=True)
+class Worded:
+    """What a template says of one claim, figure or table, before it is known how that is rendered."""
+
+    place: str
+    blocks: Mapping[str, str]
+    """Names of its blocks by part."""
+    names: frozenset[str]
+
+    def wording(self, render: Callable[[str, Mapping[str, Any]], Markup]) -> Wording:
+        """The same with its parts; ``render`` renders the block of the given name with the given names."""
+        return Wording(self.place, {part: partial(render, block) for part, block in self.blocks.items()}, self.names)
+
+
+def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Worded]:
+    """What a parsed template says, by kind and name.
+
+    Args:
+        environment: What it was parsed with.
+        parsed: The template.
+        place: Its path, to name in errors.
+    """
+    found: dict[tuple[str, str], Worded] = {}
+    for kind, name, part, block in _blocks(parsed):
+        body = nodes.Template(block.body)
+        body.set_environment(environment)
+        names = find_undeclared_variables(body)
+        known = found.get((kind, name), Worded(f"{place}:{block.lineno}", {}, frozenset()))
+        if part in known.blocks:
+            raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
+        found[kind, name] = Worded(known.place, {**known.blocks, part: block.name}, known.names | names)
+    return found
+
+
+def _blocks(parsed: nodes.Template) -> Iterator[tuple[str, str, str, nodes.Block]]:
+    for block in parsed.find_all(nodes.Block):
+        kind, _, rest = block.name.partition(SEPARATOR)
+        if kind in PARTS:
+            name, _, part = rest.rpartition(SEPARATOR)
+            yield kind, name, part, block

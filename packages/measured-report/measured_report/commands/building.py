@@ -1,0 +1,150 @@
+"""Commands that make something: measured sections, the site, its clips, and what serves or publishes it."""
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from experiments.facts.clip_record import clips_state
+from measured_report import ReportError, UsageError
+from measured_report.editions.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
+from measured_report.editions.environment import add_group
+from measured_report.editions.project import Project
+from measured_report.editions.stack import Stack
+from measured_report.editions.status import states_of, status_matrix, status_table
+from measured_report.measuring.measure import machines_besides, measure
+
+if TYPE_CHECKING:
+    from measured_report.deriving.editions import Edition
+    from measured_report.site.site import Built
+
+
+def report(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure what is not fresh, where that may be done unasked, and build the site."""
+    device = _measuring_device(project, arguments)
+    if not device:
+        refuse_unmeasured(project, arguments.stack)
+    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
+    failed = False
+    if stale and device:
+        try:
+            project = measure(project, arguments.stack, stale, device, arguments.cluster)
+        except UsageError:
+            raise
+        except ReportError as error:
+            print(error, file=sys.stderr)
+            failed = True
+    damaged, lacking = build_site(project, arguments.address)
+    if lacking and not device:
+        print(f"{NO_CUDA}, in up to hours")
+    return int(failed or damaged)
+
+
+def rerun(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure one section, fresh or not, and build the site."""
+    section = arguments.section
+    device = _measuring_device(project, arguments) if needs_gpu(section, project.root) else "cpu"
+    if not device:
+        raise UsageError(NO_CUDA)
+    project = measure(project, arguments.stack, [section], device, arguments.cluster)
+    return int(build_site(project, arguments.address)[0])
+
+
+def _measuring_device(project: Project, arguments: argparse.Namespace) -> str | None:
+    """The device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
+    if arguments.cluster and not arguments.cluster.is_here:
+        return arguments.device or "cuda"
+    return measuring_device(arguments.device, project.profile)
+
+
+def page(project: Project, arguments: argparse.Namespace) -> int:
+    """Build the site from what is measured, and measure nothing."""
+    refuse_unmeasured(project, arguments.stack)
+    return int(build_site(project, arguments.address)[0])
+
+
+def status(project: Project, arguments: argparse.Namespace) -> int:
+    """Print which sections of which releases are fresh, and what changed for those that are not."""
+    refuse_unmeasured(project, arguments.stack)
+    print(status_matrix(project))
+    print(f"\nnewton {project.release}")
+    print(status_table([*states_of(project), clips_state(project)], project.profile))
+    return 0
+
+
+def clips(project: Project, arguments: argparse.Namespace) -> int:
+    """Make the clips of a release from its kept poses."""
+    add_group("clips", project.root)
+    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
+    given = [f"--{name}={value}" for name, value in options.items() if value]
+    command = [sys.executable, "-m", "experiments.media.render", *given]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
+
+
+def publish(project: Project, arguments: argparse.Namespace) -> int:
+    """Put a checked copy of the site at the target."""
+    from measured_report.site.publish import publish as publish_site
+
+    print(f"published at {publish_site(project.site, arguments.target)}")
+    return 0
+
+
+def serve(project: Project, arguments: argparse.Namespace) -> int:
+    """Serve the site until Ctrl-C, and build it again whenever something changes."""
+    from measured_report.site.serving import Server
+
+    refuse_unmeasured(project, arguments.stack)
+    server = Server(project.site, arguments.port)
+    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    # In a process of its own, since what changes may be the program.
+    command = [sys.executable, "build.py", "page", "--newton", arguments.stack.asked, "--profile", project.profile]
+    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
+    return 0
+
+
+def build_site(project: Project, address: str) -> tuple[bool, bool]:
+    """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
+    from measured_report.site.site import build
+
+    releases = build(project, address)
+    built = releases[project.release]
+    missing = [state.section for state in built.left_out if state.kind == "missing"]
+    lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
+    for words, names in (("not measured", missing), ("stale", built.stale)):
+        if names:
+            print(f"{words}: {', '.join(names)}")
+    if lacking:
+        print(_hint(project, lacking[0]))
+    print(f"built {project.site / 'index.html'}")
+    return say_damage(releases.values()), bool(lacking)
+
+
+def _hint(project: Project, section: str) -> str:
+    """Which command measures a section for this report; a CPU's results never stand with those of a GPU."""
+    if has_cuda():
+        return f"{project.rerun(section)} measures one of them"
+    if not needs_gpu(section, project.root) or not machines_besides(project, "cpu"):
+        return f"{project.rerun(section, 'cpu')} measures one of them"
+    hint = f"{project.rerun(section)} measures one of them on a GPU"
+    if project.label.machine:
+        return hint
+    return f"{hint}; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
+
+
+def say_damage(releases: "Iterable[Edition | Built]") -> bool:
+    """Name each record that can't be trusted; whether there is one."""
+    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
+    for state in damaged:
+        print(f"damaged: {state.words}", file=sys.stderr)
+    return bool(damaged)
+
+
+def refuse_unmeasured(project: Project, stack: Stack) -> None:
+    """Where nothing is to be measured, an edition that has no results is taken for a mistake; the own one is not."""
+    if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
+        there = ", ".join(release for release in project.releases if release != project.release) or "none"
+        measuring = f"make upgrade NEWTON={stack.asked} measures what decides"
+        raise UsageError(f"NEWTON={stack.asked} has no results (there are: {there}); {measuring}")

@@ -1,0 +1,109 @@
+"""Options of the command line: what each may be. Each refuses what makes no sense, in one line."""
+
+from argparse import Namespace
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
+
+from measured_report import ROOT, UsageError
+from measured_report.editions.devices import DEVICES
+from measured_report.editions.project import PROFILES, own_release
+from measured_report.editions.stack import Stack, stack_of
+from measured_report.files.near import near
+from measured_report.measuring.where import read_cluster
+from measured_report.records.identity import sections
+
+
+def _section(name: str) -> str:
+    if name not in sections():
+        fault = f"SECTION={name} is no section" if name else "SECTION is missing"
+        if name.isidentifier() and (ROOT / "experiments" / f"{name}.py").is_file():
+            fault += f": there is no report/sections/{name}.py"
+        else:
+            fault += near(name, sections())
+        raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
+    return name
+
+
+def _edition(option: str, asked: str) -> Stack:
+    return stack_of(asked, option=option)
+
+
+def _pins(text: str) -> str:
+    stack_of(own_release(), text)
+    return text
+
+
+def _one_of(option: str, names: Iterable[str], name: str) -> str:
+    if name not in names:
+        raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
+    return name
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
+        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
+    return int(text)
+
+
+def _address(address: str) -> str:
+    if address and not address.startswith(("https://", "http://")):
+        raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/shake/")
+    return f"{address.rstrip('/')}/" if address else ""
+
+
+def flag(value: str) -> str:
+    if value != "1":
+        raise UsageError(f"a switch is on as =1 or left out, not ={value}")
+    return value
+
+
+def refuse_lacking_ends(arguments: Namespace, command: str) -> None:
+    """Two editions are compared, so that both must be named, as ``command`` does it."""
+    lacking = [name.upper() for name in ("a", "b") if getattr(arguments, name) is None]
+    if lacking:
+        raise UsageError(f"{' and '.join(lacking)} {'are' if len(lacking) > 1 else 'is'} missing: {command}")
+
+
+FORMATS = ("text", "markdown", "json")
+VALUES = ("sums", "all")
+# An option's type checks its default as well, so one that must be given has a default that is refused.
+OPTIONS: dict[str, dict[str, Any]] = {
+    "section": {"type": _section, "default": "", "help": "section to measure"},
+    "newton": {
+        "type": partial(_edition, "NEWTON"),
+        "help": "Newton, where not the project's own: a release, a checkout, a wheel, git+https://…@ref or a label",
+    },
+    "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as warp-lang==1.19.0"},
+    "a": {"type": partial(_edition, "A"), "help": "edition to compare from"},
+    "b": {"type": partial(_edition, "B"), "help": "edition to compare with it"},
+    "since": {"type": partial(_edition, "SINCE"), "help": "edition to compare with; default: the one before"},
+    "claim": {"type": str, "default": "", "help": "claim, as reproduction.slips"},
+    "first": {"type": str, "default": "", "help": "what the first end answers"},
+    "last": {"type": str, "default": "", "help": "what the last end answers"},
+    "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
+    "cluster": {
+        "type": read_cluster,
+        "help": "who measures: local (all GPUs of this host), local:2, ssh:hosts.txt or tcp://scheduler:8786",
+    },
+    "profile": {
+        "type": partial(_one_of, "PROFILE", PROFILES),
+        "default": "full",
+        "help": "quick: small grids and short runs, kept apart",
+    },
+    "value": {
+        "type": str,
+        "default": "",
+        "help": "value of the page, as stiffness.improvement, or one of a row, as reproduction.as-shipped.slip_mm",
+    },
+    "format": {
+        "type": partial(_one_of, "FORMAT", FORMATS),
+        "default": "text",
+        "help": "text, markdown (a comment on a pull request) or json (docs/alarm.md)",
+    },
+    "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
+    "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
+    "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
+    "port": {"type": _port, "default": "8000", "help": "where to serve"},
+    "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
+}

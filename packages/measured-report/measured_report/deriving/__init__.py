@@ -1,0 +1,1 @@
+"""Deriving: what section modules make of records, kept from build to build."""

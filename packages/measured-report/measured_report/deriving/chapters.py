@@ -1,0 +1,55 @@
+"""Chapters: what a section of a release makes of its record, and the words for it; nothing is drawn yet."""
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+
+from measured_report.editions.status import State
+from measured_report.pages.page import Prose
+from measured_report.pages.pages import Page
+from measured_report.parts.parts import Section
+from measured_report.values.results import Results
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A section of one release."""
+
+    state: State
+    results: Results
+    section: Section
+    names: Mapping[str, Any]
+    """What its template can name, and other templates through ``sections``."""
+    prose: Prose | None
+    """None for a section that compares releases until it has them."""
+    page: Page
+    """Where it is shown."""
+    compares: bool = False
+    """Whether it compares releases, so that what it derives is of one page alone."""
+    digest: str = ""
+    """Of all that it was made from, as far as others read it; empty where nothing is kept."""
+
+    @property
+    def name(self) -> str:
+        return self.state.section
+
+    @property
+    def values(self) -> dict[str, dict]:
+        """What the site's values file says of it."""
+        return {name: value.entry for name, value in self.results.derived.items()}
+
+
+def values_text(chapters: Iterable[Chapter]) -> str:
+    """The site's values file: what each chapter derived, by its name, a field a line."""
+    values = {chapter.name: chapter.values for chapter in chapters}
+    # Python's own indenting takes three times as long, and a build writes this a dozen times.
+    return msgspec.json.format(json.dumps(values, ensure_ascii=False, allow_nan=False), indent=1) + "\n"
+
+
+Chapters = Mapping[str, Chapter]
+"""The chapters of one release by name, in the order of the page."""
+Releases = Mapping[str, Chapters]
+"""The chapters of every release that has results, oldest first."""

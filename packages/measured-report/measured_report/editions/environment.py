@@ -1,0 +1,259 @@
+"""Environments: the project's own, and one of its own for each other edition, which leaves the lock alone.
+
+Each is made aside and put in place whole, so that one that is there can be used. Run as a program, by a Python that has
+nothing yet, this makes the project's own.
+"""
+
+import ast
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from datetime import date, timedelta
+from functools import partial
+from pathlib import Path
+
+from measured_report import ROOT, ReportError, UsageError
+from measured_report.editions.stack import Stack, release_date
+from measured_report.files.files import locked
+from measured_report.files.processes import end_with
+from measured_report.records.identity import MISSING, package_versions
+from measured_report.records.sources import EDITED
+
+VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
+REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
+NAME = re.compile(r"[A-Za-z0-9-]+")
+EXTRA = re.compile(r"^cluster = (\[.+\])$", re.MULTILINE)
+"""What a cluster takes, in pyproject.toml."""
+PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
+"""How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
+OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
+NEVER = "2100-01-01"
+"""No package is newer than that."""
+READY = ".ready"
+"""In an environment: the digest of what it was made from."""
+
+
+def own_environment(root: Path = ROOT) -> None:
+    """Make ``.venv`` as the lock says, unless it is there already."""
+    sources = [root / "pyproject.toml", root / "uv.lock"]
+    folder = root / ".venv"
+    _make(folder, ".venv", b"".join(path.read_bytes() for path in sources), partial(_fill_from_lock, root), root)
+    # Make goes by times: what was made is newer than what it was made from, whatever the clock says.
+    newest = max(path.stat().st_mtime for path in [*sources, folder / READY])
+    os.utime(folder / READY, (newest, newest))
+
+
+def add_group(group: str, root: Path = ROOT) -> None:
+    """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
+    tools = root / ".venv.tools"
+    if Path(sys.prefix) != root / ".venv":
+        return
+    with locked(root):
+        try:
+            uv = _uv(root, tools, group)
+            _run([uv, "sync", "--frozen", "--inexact", "--group", group, "--project", str(root)], group)
+        finally:
+            _remove(tools)
+
+
+def add_cluster(python: Path, root: Path = ROOT) -> None:
+    """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
+    asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
+    requirements = ast.literal_eval(EXTRA.search((root / "pyproject.toml").read_text(encoding="utf-8"))[1])
+    names = [NAME.match(requirement)[0] for requirement in requirements]
+    if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
+        return
+    folder = python.parent.parent
+    if folder.parent != root:
+        raise UsageError(f"CLUSTER takes {' and '.join(names)}, which {python} lacks; install them there")
+    tools = root / ".venv.tools"
+    with locked(root):
+        try:
+            uv = _uv(root, tools, "cluster")
+            own = [uv, "sync", "--frozen", "--inexact", "--extra", "cluster", "--project", str(root)]
+            _run(
+                own if folder.name == ".venv" else [uv, "pip", "install", "--python", str(python), *requirements],
+                "cluster",
+            )
+        finally:
+            _remove(tools)
+
+
+def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
+    """The Python that has a stack; its environment is made when it is not there.
+
+    Args:
+        stack: Newton, and what was asked for with it.
+        packages: Version by package that its earlier measurements were made with, to be installed again; a package
+            that is ``missing`` there gets the version that Newton asked for when it came out.
+    """
+    installed = package_versions()
+    if installed["newton"] == stack.label.newton and dict(stack.label.pins).items() <= installed.items():
+        return Path(sys.executable)
+    if not stack.newton:
+        raise UsageError(
+            f"NEWTON={stack.label} does not say where its code is; a path or git+https://HOST/newton.git@COMMIT does"
+        )
+    folder = environment_of(stack, root)
+    project = (root / "pyproject.toml").read_text(encoding="utf-8")
+    wanted = requirements(project, {**packages, **dict(stack.label.pins), "newton": stack.label.version})
+    named = f"newton[sim]=={stack.label.version}"
+    rest = [requirement for requirement in wanted if requirement != named]
+    source = "\n".join([stack.newton, *rest]).encode()
+    if stack.checkout:
+        source += (stack.checkout / "pyproject.toml").read_bytes()
+    if stack.checkout or not (folder / READY).exists():
+        _make(folder, f"NEWTON={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
+    _refuse_other(folder / "bin" / "python", stack, root)
+    return folder / "bin" / "python"
+
+
+def environment_of(stack: Stack, root: Path = ROOT) -> Path:
+    """Where the environment of a stack lies; that of a checkout serves all that is edited in it."""
+    name = str(replace(stack.label, machine=""))
+    if stack.checkout:
+        pins = "".join(f"+{part}" for part in name.split("+")[2:])
+        name = f"{stack.checkout.name}-{hashlib.sha256(str(stack.checkout).encode()).hexdigest()[:7]}{pins}"
+    return root / f".venv-newton-{name}"
+
+
+def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
+    """UsageError unless what is installed is what was asked for."""
+    code = "import json; from report.records.identity import package_versions; print(json.dumps(package_versions()))"
+    done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise UsageError(f"NEWTON={stack.asked}: {python} does not run; remove its folder and it is made anew")
+    installed = json.loads(done.stdout)
+    wanted = {**dict(stack.label.pins), "newton": stack.label.newton}
+    for package, version in wanted.items():
+        found = installed[package]
+        if found.partition(f"{EDITED}.")[0] != version.removesuffix(EDITED):
+            folder = python.parent.parent.name
+            raise UsageError(f"{folder} has {package} {found} in place of {version}; remove it and it is made anew")
+
+
+def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
+    """The project's requirements with these versions of the simulator's packages in the place of its own.
+
+    Args:
+        project: Text of pyproject.toml, in which each requirement is a line of its own.
+        packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
+    """
+    named = {"newton": "newton[sim]", "warp-lang": "warp-lang", "mujoco-warp": "mujoco-warp", "mujoco": "mujoco"}
+    for name, version in packages.items():
+        if name not in named or (not VERSION.fullmatch(version) and version != MISSING):
+            raise ReportError(f"{name} {version!r:.60} is no package of the simulator with a plain version")
+    own = [line for line in REQUIREMENT.findall(project) if NAME.match(line)[0] not in packages]
+    return own + [f"{named[name]}=={version}" for name, version in packages.items() if version != MISSING]
+
+
+def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> None:
+    """Make the environment ``folder``, which was asked for as ``name``: aside, and then put in place.
+
+    Args:
+        source: What it is made from; when it was made from the same before, it is there.
+        fill: Gives the commands, and settings for each, that install what it needs.
+    """
+    digest = hashlib.sha256(source).hexdigest()
+    new, old, tools = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old", ".tools"))
+    with locked(root):
+        ready = folder / READY
+        if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
+            return
+        try:
+            _remove(new, old, tools)  # of one that was killed
+            uv = _uv(root, tools, name)
+            # Its programs are found from where they lie, so that it can be moved.
+            _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
+            for command, settings in fill(uv, new):
+                _run(command, name, settings)
+            (new / READY).write_text(digest, encoding="utf-8")
+            if os.path.lexists(folder):
+                os.rename(folder, old)
+            os.rename(new, folder)
+        except OSError as error:
+            raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
+        finally:
+            _remove(new, old, tools)
+
+
+def _remove(*folders: Path) -> None:
+    for folder in folders:
+        if folder.is_symlink():
+            folder.unlink()
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _uv(root: Path, tools: Path, name: str) -> str:
+    """The program that makes environments; where there is none it is installed for the time being."""
+    uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
+    if not uv:
+        _run([sys.executable, "-m", "venv", str(tools)], name)
+        _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
+    return uv or str(tools / "bin" / "uv")
+
+
+def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
+    yield [uv, "sync", "--frozen", "--project", str(root)], {"UV_PROJECT_ENVIRONMENT": str(new)}
+    # Environments of other releases need it, and what the documents say to type.
+    yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
+
+
+def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":
+    """Install Newton and the rest: packages that nobody named are those of the day on which it came out."""
+    pins = dict(stack.label.pins)
+    overrides = new / "overrides.txt"
+    overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
+    options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
+    options += ["--overrides", str(overrides)] if pins else []
+    if day := release_date(stack):
+        print(f"NEWTON={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
+        after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
+        options += ["--exclude-newer", after]
+        named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
+        options += [word for name in named for word in ("--exclude-newer-package", f"{name}={NEVER}")]
+    newton = ["--editable", f"{stack.checkout}[sim]"] if stack.checkout else [stack.newton]
+    yield [uv, "pip", "install", *options, *rest, *newton], {}
+
+
+def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:
+    """Run a program, which takes a while, and pass on what it says of its progress."""
+    with subprocess.Popen(
+        command,
+        stderr=subprocess.STDOUT,
+        stdout=subprocess.PIPE,
+        text=True,
+        errors="replace",
+        env={**os.environ, **(settings or {})},
+        preexec_fn=partial(end_with, os.getpid()),
+    ) as program:
+        lines = []
+        for line in program.stdout:
+            lines.append(line.strip(" ×╰─▶\t\n"))
+            if PROGRESS.match(line):
+                print(f"{name}: {line.strip()}", flush=True)
+    if program.returncode:
+        said = [line for line in lines if line]
+        offline = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
+        raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}{offline}")
+
+
+Commands = Iterator[tuple[list[str], Mapping[str, str]]]
+Fill = Callable[[str, Path], Commands]
+
+
+if __name__ == "__main__":
+    try:
+        own_environment()
+    except KeyboardInterrupt:
+        sys.exit("stopped; make begins again")
+    except ReportError as failure:
+        print(failure, file=sys.stderr)
+        sys.exit(2)

@@ -1,0 +1,161 @@
+"""Status: which sections of which releases are fresh, and what changed for those that aren't."""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from measured_report.editions.project import Project
+from measured_report.files.cache import Cache
+from measured_report.files.files import RecordError
+from measured_report.records.code import unchanged_files
+from measured_report.records.identity import MISSING, changes, identity_of, package_versions, sections
+from measured_report.records.reading import load_record
+from measured_report.records.record import Record
+from measured_report.records.sources import EDITED, checkout_source
+
+HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
+
+
+@dataclass(frozen=True)
+class State:
+    """How a section's record stands against the code that would measure it now."""
+
+    section: str
+    kind: str
+    """``fresh``, ``stale``, ``missing`` or ``damaged``."""
+    record: Record | None = None
+    notes: tuple[str, ...] = ()
+    """What changed since the measurement, or what is wrong with the record."""
+
+    @property
+    def summary(self) -> str:
+        """The state in a few words: of a stale record, which parts of its identity changed."""
+        parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.kind == "stale" else ()
+        return f"{self.kind}: {', '.join(parts)}" if parts else self.kind
+
+    @property
+    def words(self) -> str:
+        """The notes in one line."""
+        return in_words(self.notes)
+
+
+def states_of(project: Project) -> list[State]:
+    """The state of every section of one release."""
+    with unchanged_files():
+        states = [_kept(project, section) for section in sections(project.root)]
+        packages = expected_packages(project, [state.record for state in states if state.record])
+        return [_judged(project, state, packages) for state in states]
+
+
+def state_of(project: Project, section: str) -> State:
+    """The state of one section."""
+    return _judged(project, _kept(project, section), expected_packages(project))
+
+
+def _kept(project: Project, section: str) -> State:
+    """What there is of a section, not yet judged."""
+    path = project.record_path(section)
+    if not os.path.lexists(path):
+        return State(section, "missing")
+    try:
+        return State(section, "fresh", load_record(path, Cache(project.root)))
+    except RecordError as error:
+        return State(section, "damaged", notes=(str(error),))
+
+
+def _judged(project: Project, state: State, packages: Mapping[str, str]) -> State:
+    """The same, stale where its record was not measured by what there is now, with ``packages``."""
+    if not state.record:
+        return state
+    changed = changes(state.record.identity, identity_of(state.section, project.profile, project.root, packages))
+    return replace(state, kind="stale", notes=tuple(changed)) if changed else state
+
+
+def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
+    """The package versions that the records of an edition should have been measured with; ``records`` are those that
+    were read already.
+
+    Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
+    its newest record says which versions of the other packages belong to it, so that a section measured with others
+    before is stale. A checkout counts as it lies there now.
+    """
+    label, installed = project.label, package_versions()
+    pins = dict(label.pins)
+    if installed["newton"] == label.newton and pins.items() <= installed.items():
+        return installed
+    kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(label, machine=""))))]
+    newest = max(kept, key=lambda record: record.measured["date"], default=None)
+    others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
+    return {**others, **pins, "newton": newton_now(project)}
+
+
+def newton_now(project: Project) -> str:
+    """The version of an edition's Newton; of a checkout with edits, with the digest of its code."""
+    label, manifest = project.label, project.manifest
+    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.newton)).is_dir():
+        return f"{label.version}+{checkout_source(folder)}"
+    return label.newton
+
+
+def records_of(project: Project) -> Iterator[Record]:
+    """The records of an edition that can be read."""
+    for section in sections(project.root):
+        try:
+            yield load_record(project.record_path(section))
+        except RecordError:
+            continue
+
+
+def status_matrix(project: Project) -> str:
+    """The state of every section, in a column for each release that has results."""
+    with unchanged_files():
+        columns = {release: states_of(project.of(release)) for release in project.releases}
+    lines = [("section", *(f"newton {release}" for release in columns))]
+    for states in zip(*columns.values(), strict=True):
+        lines.append((states[0].section, *(state.summary for state in states)))
+    return _aligned(lines)
+
+
+def status_table(states: Iterable[State], profile: str) -> str:
+    """The state of every section of one release, with all that changed; what did for several has a number there and is
+    said once, below."""
+    shown = list(states)
+    shared = _shared_changes([state for state in shown if state.kind == "stale"])
+    numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
+    lines = [HEADINGS]
+    for state in shown:
+        record = state.record
+        where, when = (record.processor, record.time_text) if record else ("–", "–")
+        marks = [mark for mark, notes in numbered.items() if notes[0] in state.notes]
+        own = in_words(note for note in state.notes if not any(note in notes for notes in shared))
+        lines.append((state.section, state.kind, where, when, profile, " ".join([*marks, own])))
+    said = [f"{mark} {in_words(notes)}" for mark, notes in numbered.items()]
+    return "\n".join([_aligned(lines), *(["", *said] if said else [])])
+
+
+def _shared_changes(states: Iterable[State]) -> list[list[str]]:
+    """The changes that several sections have, those of the same sections together; what most have comes first."""
+    sections_of: dict[str, list[str]] = {}
+    for state in states:
+        for note in state.notes:
+            sections_of.setdefault(note, []).append(state.section)
+    changes_of: dict[tuple[str, ...], list[str]] = {}
+    for note, names in sorted(sections_of.items()):
+        changes_of.setdefault(tuple(names), []).append(note)
+    shared = [names for names in changes_of if len(names) > 1]
+    return [changes_of[names] for names in sorted(shared, key=len, reverse=True)]
+
+
+def in_words(notes: Iterable[str]) -> str:
+    """Changes in one line, with each kind, as code, said once."""
+    kinds: dict[str, list[str]] = {}
+    for note in notes:
+        kind, _, what = note.partition(": ")
+        kinds.setdefault(kind, []).extend([what] if what else [])
+    return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
+
+
+def _aligned(lines: Sequence[Sequence[str]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

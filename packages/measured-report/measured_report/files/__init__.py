@@ -1,0 +1,1 @@
+"""Files, the cache and processes: what all other rooms stand on."""

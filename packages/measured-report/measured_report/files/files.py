@@ -1,0 +1,155 @@
+"""Files: read only as what they should be, and written whole, together and by one process at a time."""
+
+import errno
+import fcntl
+import json
+import os
+import shutil
+import stat
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from measured_report import ReportError
+
+WHOLE, NEW, PART = ".whole", ".new", ".part"
+"""How the folders of files end that wait to be put in place, and that are still being written."""
+
+
+class RecordError(ReportError):
+    """A record or trace that can't be trusted; the message is one line that names its release and file."""
+
+
+def place_of(path: Path) -> str:
+    """A record or a trace as messages name it: its release and its file."""
+    return f"{path.parent.name}/{path.name}"
+
+
+def is_own_file(path: Path) -> bool:
+    """Whether a regular file lies at ``path``: no link, pipe or device."""
+    with suppress(OSError):
+        return stat.S_ISREG(path.lstat().st_mode)
+    return False
+
+
+def read_own_file(path: Path, byte_limit: int) -> bytes:
+    """What the regular file at ``path`` holds; RecordError for a link, a pipe or a device, and for too much."""
+    place = place_of(path)
+    try:
+        # A pipe that nobody writes to would keep us waiting.
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        with os.fdopen(descriptor, "rb") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise RecordError(f"{place} is no regular file")
+            content = file.read(byte_limit + 1)
+    except FileNotFoundError:
+        raise RecordError(f"there is no {place}") from None
+    except OSError as error:
+        reason = (
+            "is a link, not a file of its own" if error.errno == errno.ELOOP else f"can't be read: {error.strerror}"
+        )
+        raise RecordError(f"{place} {reason}") from None
+    if len(content) > byte_limit:
+        raise RecordError(f"{place} has more than {byte_limit >> 20} MiB")
+    return content
+
+
+@contextmanager
+def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
+    """Hold ``folder`` alone, or with others that only read; whoever has to wait for it says so."""
+    try:
+        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    except FileNotFoundError:
+        yield
+        return
+    mode = fcntl.LOCK_EX if alone else fcntl.LOCK_SH
+    try:
+        try:
+            fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
+        except BlockingIOError:
+            print(f"waiting for another process that is at work in {folder.name}/", file=sys.stderr, flush=True)
+            fcntl.flock(descriptor, mode)
+        except OSError:
+            pass  # a file system without locks: one process at a time is then up to its users
+        yield
+    finally:
+        os.close(descriptor)
+
+
+def put_record(record: Path, files: Mapping[str, bytes]) -> None:
+    """Put a record and its traces, contents by file name, beside each other at ``record``: all of them, or none.
+
+    They are written to a folder aside, and its new name says that they are whole. From then on a process that is
+    killed has lost nothing: ``settle`` does what is left to do.
+    """
+    folder = record.parent
+    folder.mkdir(parents=True, exist_ok=True)
+    with locked(folder.parent):
+        _settle(folder)
+        new = folder / f".{record.stem}{NEW}"
+        new.mkdir()
+        try:
+            for name, content in files.items():
+                with (new / name).open("wb") as file:
+                    file.write(content)
+                    file.flush()
+                    os.fsync(file.fileno())
+        except BaseException:
+            shutil.rmtree(new, ignore_errors=True)
+            raise
+        os.rename(new, folder / f".{record.stem}{WHOLE}")
+        _settle(folder)
+
+
+@contextmanager
+def atomic_file(path: Path) -> Iterator[Path]:
+    """A path to write to, which takes the place of ``path`` once the block has ended well."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.name}{PART}")
+    try:
+        yield temporary
+        with temporary.open("rb") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def settle(results: Path) -> None:
+    """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest."""
+    for folder in {path.parent for ending in (WHOLE, NEW) for path in results.glob(f"newton-*/.*{ending}")}:
+        with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
+            _settle(folder)
+
+
+def _settle(folder: Path) -> None:
+    for unfinished in folder.glob(f".*{NEW}"):
+        shutil.rmtree(unfinished)
+    for whole in folder.glob(f".*{WHOLE}"):
+        record = folder / f"{whole.name[1 : -len(WHOLE)]}.json"
+        # The record goes last: what waits is whole as long as it is there.
+        with suppress(FileNotFoundError):
+            _remove_others(record, json.loads((whole / record.name).read_bytes()).get("traces"))
+        for path in sorted(whole.iterdir(), key=lambda path: path.name == record.name):
+            os.replace(path, folder / path.name)
+        whole.rmdir()
+
+
+def _remove_others(record: Path, cases: Mapping[str, object] | None) -> None:
+    """Remove the traces beside ``record`` of cases that are no more; None: it does not say which there are."""
+    if cases is not None:
+        for path in record.parent.glob(f"{record.stem}.*.csv.gz"):
+            if path.name[len(record.stem) + 1 : -len(".csv.gz")] not in cases:
+                path.unlink()
+
+
+def refuse_unwritable(results: Path) -> None:
+    """ReportError when nothing could be kept below ``results``: better said before measuring than after."""
+    try:
+        results.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=results) as probe:
+            probe.write(b" ")
+    except OSError as error:
+        raise ReportError(f"{results}: {error.strerror}; what is measured could not be kept there") from None

@@ -1,0 +1,61 @@
+"""Processes that share a piece of work: one that is killed is noticed, and none outlives the one that started it."""
+
+import ctypes
+import os
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from multiprocessing import active_children, get_context
+
+from measured_report import ReportError
+
+PR_SET_PDEATHSIG = 1
+"""From linux/prctl.h: which signal a process gets when the one that started it ends."""
+
+
+@contextmanager
+def workers(count: int, method: str, begin: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
+    """A pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``begin`` first.
+
+    When one of them is killed, as the system does for want of memory, ReportError says so; when the block is left by
+    any other error, or by Ctrl-C, the work that is still under way is dropped.
+    """
+    pool = ProcessPoolExecutor(count, get_context(method), _begin, (os.getpid(), begin))
+    try:
+        yield pool
+    except BaseException as error:
+        for process in active_children():
+            process.kill()
+        if isinstance(error, BrokenProcessPool):
+            raise ReportError("a process was killed, perhaps for want of memory; nothing was changed") from None
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin(parent: int, begin: Callable[[], None] | None) -> None:
+    end_with(parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever started it is who answers Ctrl-C
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    if begin:
+        begin()
+
+
+def obey(parent: int) -> None:
+    """Let this process, which is to become a program, end with ``parent`` and leave Ctrl-C to it.
+
+    Of a Ctrl-C while it imports what it needs a Python program would say more than anybody wants to know.
+    """
+    end_with(parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def end_with(parent: int) -> None:
+    """Let this process end as soon as the process ``parent``, which started it, has; on Linux alone."""
+    prctl = getattr(ctypes.CDLL(None), "prctl", None)
+    if prctl:
+        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:  # it ended before this was said
+            os._exit(1)

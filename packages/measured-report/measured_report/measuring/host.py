@@ -1,0 +1,51 @@
+"""The host: what a report's own simulator has to do with the machine that it measures on.
+
+``report.toml`` names a module that has these under the same names; without one a report measures on the CPU, with
+nothing to prepare.
+"""
+
+from dataclasses import dataclass
+from importlib import import_module
+from types import ModuleType
+
+from measured_report import ReportError
+from measured_report.files.config import config
+from measured_report.measuring.measurement import Conditions
+
+__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare"]
+
+
+@dataclass(frozen=True)
+class Device:
+    """What measures."""
+
+    kind: str
+    """``cuda`` or ``cpu``."""
+    name: str | None = None
+    uuid: str | None = None
+    """Of a GPU."""
+
+
+def device(kind: str | None) -> Device:
+    """The device to measure on, or, without a ``kind``, the best that there is; ReportError when it is not there."""
+    if kind == "cuda":
+        raise ReportError("DEVICE=cuda: this report measures on the CPU; DEVICE=cpu does")
+    return Device("cpu")
+
+
+def prepare(kind: str) -> None:
+    """Make ready what all sections need on a kind of device; ReportError when it can't be."""
+
+
+def be_quiet() -> None:
+    """Say nothing in a process beside others, which have said it."""
+
+
+def explained(error: Exception) -> str:
+    """What an error of the simulator means, in a line; empty where its own text has to do."""
+    return ""
+
+
+def host() -> ModuleType:
+    """The module that the report names."""
+    return import_module(config().host)

@@ -1,0 +1,171 @@
+"""Measuring, which another process does: nothing here knows the simulator."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from measured_report import ReportError, UsageError
+from measured_report.editions.devices import machine_name, machine_of, needs_gpu, slug
+from measured_report.editions.environment import add_cluster, python_of
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.project import Project
+from measured_report.editions.stack import Stack, release_date
+from measured_report.editions.status import expected_packages, records_of
+from measured_report.files.files import locked, refuse_unwritable
+from measured_report.files.processes import obey
+from measured_report.measuring.where import Cluster
+from measured_report.records.identity import sections as all_sections
+
+UNFIT = 2
+"""Exit status of a measurement that could not begin, because of what was asked for."""
+STOP_S = 4.0
+"""How long a measurement has to stop after a Ctrl-C."""
+BATCH = re.compile(r"(batch|alone)_(.+)_s")
+"""Under what a record has the time of a batch."""
+
+
+def measure(
+    project: Project, stack: Stack, sections: Sequence[str], device: str, cluster: Cluster | None = None
+) -> Project:
+    """Measure the sections, in one process or on a cluster; ReportError if any failed.
+
+    Returns the report that has the results: they are kept apart when those that are there are of another machine.
+    """
+    machine, options = "cpu", ["--profile", project.profile]
+    if cluster:
+        python = python_of(stack, expected_packages(project), project.root)
+        add_cluster(python, project.root)
+        options += ["--cluster", cluster.asked]
+    if device == "cuda":
+        is_here = cluster is None or cluster.is_here
+        machine = machine_name(device) if is_here else _gpu_of(cluster, python, project.root)
+        options += ["--processor", machine]
+    kept = kept_by(project, machine, sections)
+    refuse_unwritable(kept.results)
+    try:
+        options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
+        options += [] if cluster else ["--processes", str(_batches_at_once(project, device))]
+        _run(kept, stack, "measured_report.measuring.run", device, *sections, *options)
+    finally:
+        _note_measured(kept, stack)
+    return kept
+
+
+def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
+    """How long these sections will take [s], by the last time on such a device and in this profile; 0 unless all are
+    known."""
+    found = seconds_each(project, device)
+    known = [found[section] for section in sections if section in found]
+    if len(known) < len(sections):
+        return 0.0
+    return max(max(known), sum(known) / _batches_at_once(project, device))
+
+
+def _batches_at_once(project: Project, device: str) -> int:
+    """How many batches are measured at once: one, but for quick runs on a CPU, of which each takes one core."""
+    return (os.cpu_count() or 1) if device == "cpu" and project.profile == "quick" else 1
+
+
+def seconds_each(project: Project, device: str) -> Mapping[str, float]:
+    """How long each section took the last time [s], and each batch, as ``section/batch``, on such a device."""
+    found = {}
+    for release in project.releases:
+        for record in records_of(project.of(release)):
+            if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
+                found[record.section] = record.measured["seconds"]
+                batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
+                found |= {f"{record.section}/{match[2]}": value for match, value in batches.items() if match}
+    return found
+
+
+def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
+    """Measure the headline and keep nothing of it; what its program writes: machine, rows and seconds."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "headline.json"
+        _run(project, stack, "experiments.simulation.headline", device, "--json", str(path))
+        return json.loads(path.read_text(encoding="utf-8"))
+
+
+def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
+    """Run a module of the experiments with a stack, on a device; ReportError when it fails.
+
+    What is not installed here is measured by the Python of its own environment.
+    """
+    python = python_of(stack, expected_packages(project), project.root)
+    # It ends with this process: nobody would know of it otherwise.
+    beginning = partial(obey, os.getpid())
+    command = [str(python), "-m", module, "--device", device, *options]
+    settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    if device == "cpu":
+        settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
+    # A Ctrl-C is for this process alone: it lets the other stop those that measure for it, which takes a moment.
+    with subprocess.Popen(
+        command, cwd=project.root, preexec_fn=beginning, env=settings, start_new_session=True
+    ) as measuring:
+        try:
+            status = measuring.wait()
+        except KeyboardInterrupt:
+            measuring.send_signal(signal.SIGINT)
+            with suppress(subprocess.TimeoutExpired):
+                measuring.wait(timeout=STOP_S)
+            measuring.kill()
+            raise
+    if status == UNFIT:
+        raise UsageError("")  # it has said why
+    if status:
+        raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
+
+
+def _gpu_of(cluster: Cluster, python: Path, root: Path) -> str:
+    """What the GPUs of a cluster elsewhere are called in a label."""
+    command = [str(python), "-m", "measured_report.measuring.cluster", cluster.asked]
+    said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
+    if said.returncode:
+        raise UsageError("")  # it has said why
+    if not said.stdout.strip():
+        raise UsageError(f"CLUSTER={cluster.asked}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
+    return slug(said.stdout)
+
+
+def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
+    """The report that the results of ``machine`` belong to: one of its own where others' are kept already.
+
+    Sections that need no GPU count as measured on any machine.
+    """
+    if not any(needs_gpu(section, project.root) for section in sections):
+        return project
+    label = project.label
+    if label.machine not in ("", machine):
+        raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
+    others = machines_besides(project, machine)
+    if not others or label.machine:
+        return project
+    found = project.of(str(replace(label, machine=machine)))
+    print(f"NEWTON={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
+    return found
+
+
+def machines_besides(project: Project, machine: str) -> set[str]:
+    """Other machines that the report has results of, which those of ``machine`` never take the place of."""
+    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
+    return {machine_of(record) for record in kept} - {machine}
+
+
+def _note_measured(project: Project, stack: Stack) -> None:
+    """Note which sections have been measured, so that one that goes is missed."""
+    with locked(project.results.parent):
+        there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
+        manifest = project.manifest
+        known = {*there, *(manifest.sections if manifest else ())}
+        day = manifest.date if manifest else release_date(stack)
+        if known:
+            write_manifest(project.results, Manifest(stack.asked, day, tuple(sorted(known))))

@@ -1,0 +1,38 @@
+"""What a section is given to measure with, and what it hands over to be kept."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """How a section is to be measured."""
+
+    device: str
+    """``cuda:0`` or ``cpu``."""
+    quick: bool
+    """Small grids and short runs."""
+
+    @property
+    def is_cuda(self) -> bool:
+        return self.device.startswith("cuda")
+
+    @property
+    def profile(self) -> str:
+        """``full`` or ``quick``: the key of what is measured in either."""
+        return "quick" if self.quick else "full"
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Rows, each with its case's name and plain numbers, and traces: a table (column: values) for each case."""
+
+    rows: Sequence[Mapping[str, Any]]
+    traces: Mapping[str, Mapping[str, Sequence[float]]] = field(default_factory=dict)
+
+
+def absent(names: Iterable[str], reason: str) -> dict[str, object]:
+    """Columns without a number: None under each name, and beside it the reason."""
+    names = tuple(names)
+    return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}

@@ -1,0 +1,65 @@
+"""What a study may be measured by: processes of this host, hosts that ssh reaches, or a scheduler that is there."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from measured_report import UsageError
+
+HOST = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
+SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
+PROCESS_LIMIT = 256
+USES = "use local, local:2, ssh:hosts.txt or tcp://scheduler:8786"
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """Who measures."""
+
+    asked: str
+    process_count: int | None = None
+    """How many processes of this host, where that was said."""
+    hosts: tuple[tuple[str, str], ...] = ()
+    """Hosts to log in to, and the folder of the project on each; empty where it is as here."""
+    scheduler: str = ""
+    """Address of one that is there already."""
+
+    @property
+    def is_here(self) -> bool:
+        """Whether it is this host alone."""
+        return not self.hosts and not self.scheduler
+
+
+def read_cluster(asked: str) -> Cluster:
+    """What ``CLUSTER`` says; UsageError, in one line, for what makes no sense."""
+    kind, _, rest = asked.partition(":")
+    if asked == "local":
+        return Cluster(asked)
+    if kind == "local":
+        if not (rest.isascii() and rest.isdigit() and 0 < int(rest[:6]) <= PROCESS_LIMIT):
+            raise UsageError(f"CLUSTER={asked:.80}: {rest!r:.40} is no number of processes from 1 to {PROCESS_LIMIT}")
+        return Cluster(asked, process_count=int(rest))
+    if kind == "ssh":
+        return Cluster(asked, hosts=_read_hosts(asked, Path(rest)))
+    if (found := SCHEDULER.fullmatch(asked)) and 0 < int(found[1]) < 65536:
+        return Cluster(asked, scheduler=asked)
+    raise UsageError(f"CLUSTER={asked:.80} names no workers; {USES}")
+
+
+def _read_hosts(asked: str, path: Path) -> tuple[tuple[str, str], ...]:
+    """The lines of a file: a host each, as ssh knows it, and the folder of the project there where it is another."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "is no text"
+        raise UsageError(f"CLUSTER={asked:.80}: {path}: {reason}") from None
+    lines = [line.partition("#")[0].split(maxsplit=1) for line in text.splitlines()]
+    hosts = [(words[0], words[1].strip() if len(words) > 1 else "") for words in lines if words]
+    for host, folder in hosts:
+        if not HOST.fullmatch(host) or (folder and not folder.startswith("/")):
+            raise UsageError(
+                f"CLUSTER={asked:.80}: {host!r:.80} is no line of a host, and of the project's folder on it"
+            )
+    if not hosts or len({host for host, _ in hosts}) < len(hosts):
+        raise UsageError(f"CLUSTER={asked:.80}: {path} has {'a host twice' if hosts else 'no host'}; one a line")
+    return tuple(hosts)

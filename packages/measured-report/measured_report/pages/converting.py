@@ -1,0 +1,88 @@
+"""Converting: texts of Markdown made into HTML, each once: what comes of one is kept from build to build.
+
+What a template prints passes Markdown as a token between two private characters and is put back afterwards, so that no
+value, case name or table is ever taken for Markdown.
+"""
+
+import re
+import secrets
+from dataclasses import dataclass
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+from markdown import Markdown
+from markdown.extensions.toc import slugify
+
+from measured_report import ReportError
+from measured_report.files.cache import Cache
+
+# The token has a part that nobody can know before, so that no text of a record can be one.
+OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
+BLANK = "\ue002"
+"""Stands for ``OPEN`` in what is kept."""
+NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
+TITLE = re.compile(r"\s*<(h[12])[^>]*>.*?</\1>", re.DOTALL)
+HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
+# It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
+ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
+KEPT = "markdown"
+"""Its name in the cache."""
+
+
+@dataclass(frozen=True)
+class Converted:
+    """What Markdown makes of a text."""
+
+    title: str
+    body: str
+    """What comes below the title."""
+    headings: list[tuple[str, str]]
+    """Id and text of each heading right below the title."""
+
+
+class Converter:
+    """Markdown, and what it made of the same texts before, where there is a cache."""
+
+    def __init__(self, cache: Cache | None):
+        self._cache = cache
+        self._made_by = version("markdown"), Path(__file__).read_bytes()
+        self._before: dict[str, Converted] = (cache and cache.get(KEPT, self._made_by)) or {}
+        self._now: dict[str, Converted] = {}
+
+    def converted(self, text: str, place: str, anchor: str, level: int) -> Converted:
+        """What Markdown makes of a text, with a ``BLANK`` at the beginning of each token.
+
+        Args:
+            place: The template that it comes from, to name in errors.
+            anchor: How the ids of its further headings begin.
+            level: Of the title.
+        """
+        digest = sha256(repr((text.replace(OPEN, BLANK), place, anchor, level)).encode()).hexdigest()
+        self._now[digest] = self._before.get(digest) or _convert(text, place, anchor, level)
+        return self._now[digest]
+
+    def keep(self) -> None:
+        """Keep what was converted, and no more."""
+        if self._cache and self._now.keys() != self._before.keys():
+            self._cache.put(KEPT, self._made_by, self._now)
+
+
+def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
+    headings = {
+        "baselevel": level,
+        "slugify": lambda title, separator: f"{anchor}-{slugify(NUMBER.sub(_number, title), separator)}",
+    }
+    markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
+    html = markdown.convert(text).replace(OPEN, BLANK)
+    if len(markdown.toc_tokens) != 1 or not TITLE.match(html):
+        raise ReportError(f"templates/{place} must begin with its one title, a line with a single #")
+    top = markdown.toc_tokens[0]
+    # What may be wider than the page is scrolled with the keyboard too.
+    body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
+    inner = [(heading["id"], heading["name"].replace(OPEN, BLANK)) for heading in top["children"]]
+    return Converted(top["name"].replace(OPEN, BLANK), body, inner)
+
+
+def _number(token: re.Match) -> str:
+    return token[1]

@@ -1,0 +1,204 @@
+"""The page: templates of Markdown with values in it, made into HTML."""
+
+import marshal
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache as once
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from jinja2 import (
+    Environment,
+    FileSystemLoader,
+    StrictUndefined,
+    Template,
+    TemplateError,
+    TemplateNotFound,
+    TemplateSyntaxError,
+    pass_context,
+)
+from jinja2.bccache import Bucket, BytecodeCache
+from jinja2.runtime import Context
+from markupsafe import Markup, escape
+
+from measured_report import ReportError
+from measured_report.claims import citations, words
+from measured_report.claims.citations import StatedTag, references
+from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
+from measured_report.files.cache import Cache
+from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter
+from measured_report.parts.parts import Figure
+
+TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
+"""In a text that was converted; alone in its paragraph it may be a block."""
+BLOCK = ("<figure", "<p")
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A rendered template of Markdown, its figures not yet drawn."""
+
+    title: Markup
+    body: str
+    printed: list[Any]
+    anchor: str
+    """How the ids in it begin."""
+    headings: list[tuple[str, Markup]]
+    """Id and text of each heading right below the title."""
+
+    @property
+    def figures(self) -> list[Figure]:
+        return [thing for thing in self.printed if isinstance(thing, Figure)]
+
+    def html(self, drawn: Mapping[str, Markup]) -> Markup:
+        """The text below the title, with its figures, which are drawn already, by their ids."""
+        printed = [drawn[thing.anchor] if isinstance(thing, Figure) else thing for thing in self.printed]
+        return _put_back(self.body, printed)
+
+
+@dataclass(frozen=True)
+class Text:
+    """One template of Markdown, parsed."""
+
+    name: str
+    template: Template
+    words: Mapping[tuple[str, str], Wording]
+    """What it says of claims, figures and tables, by kind and name."""
+    converter: Converter
+
+    def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
+        """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
+        printed: list[Any] = []
+        with _named(self.name):
+            text = self.template.render({**names, "printed": printed})
+        found = self.converter.converted(text, self.name, anchor, level)
+        headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
+        return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings)
+
+
+class Templates:
+    """The templates of one project; a name that does not exist is an error.
+
+    Args:
+        folder: Where they are.
+        cache: What was compiled before, which takes a while.
+    """
+
+    def __init__(self, folder: Path, cache: Cache | None = None):
+        self._cache = cache
+        self._layout = Environment(
+            loader=FileSystemLoader(folder),
+            undefined=StrictUndefined,
+            autoescape=True,
+            trim_blocks=True,
+            lstrip_blocks=True,
+            bytecode_cache=_KeptCode(cache) if cache else None,
+        )
+        self._prose = self._layout.overlay(finalize=_as_token, bytecode_cache=None)
+        self._references = references(folder)
+        self._layout.globals["references"] = self._references
+        self._prose.add_extension(WordTags)
+        self._prose.add_extension(StatedTag)
+        self._texts: dict[str, Text] = {}
+        self._converter = Converter(cache)
+
+    def text(self, name: str) -> Text:
+        """A template of Markdown; it is parsed once."""
+        if name not in self._texts:
+            with _named(name):
+                self._texts[name] = self._parsed(name)
+        return self._texts[name]
+
+    def _parsed(self, name: str) -> Text:
+        source, path, _ = self._prose.loader.get_source(self._prose, name)
+        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), source
+        entry = f"template.{name.replace('/', '.')}"
+        found = self._cache and self._cache.get(entry, made_from)
+        if not found:
+            if name.startswith("sections/"):
+                refuse_typed(source)
+            parsed = self._prose.parse(source, name, path)
+            words = worded(self._prose, parsed, f"templates/{name}")
+            found = marshal.dumps(self._prose.compile(parsed, name, path)), words
+            if self._cache:
+                self._cache.put(entry, made_from, found)
+        code, words = found
+        template = Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
+
+        def render(block: str, numbers: Mapping[str, Any]) -> Markup:
+            printed: list[Any] = []
+            with _named(name):
+                context = template.new_context({**numbers, "printed": printed})
+                text = "".join(template.blocks[block](context))
+            return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
+
+        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self._converter)
+
+    def layout(self, template: str, names: Mapping[str, Any]) -> str:
+        """Render a template of HTML."""
+        with _named(template):
+            return self._layout.get_template(template).render(names)
+
+    def keep(self) -> None:
+        """Keep what was made of texts, for the next time."""
+        self._converter.keep()
+
+
+class _KeptCode(BytecodeCache):
+    """Compiled templates of HTML, in the cache of the project."""
+
+    def __init__(self, cache: Cache):
+        self._cache = cache
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        if found := self._cache.get(*self._entry(bucket)):
+            bucket.bytecode_from_string(found)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        self._cache.put(*self._entry(bucket), bucket.bytecode_to_string())
+
+    def _entry(self, bucket: Bucket) -> tuple[str, Any]:
+        """What it is kept as, and what it was made from."""
+        return f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)
+
+
+@once
+def _own_code() -> tuple[bytes, ...]:
+    """What decides what becomes of a template."""
+    return tuple(Path(module.__file__).read_bytes() for module in (sys.modules[__name__], words, citations))
+
+
+@contextmanager
+def _named(template: str) -> Iterator[None]:
+    """Say of an error in a template which one it is in, and in which line, where that is known."""
+    try:
+        yield
+    except TemplateNotFound as error:
+        raise ReportError(f"there is no templates/{error.name}") from None
+    except TemplateSyntaxError as error:
+        raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
+    except TemplateError as error:
+        raise ReportError(f"templates/{template}: {error.message}") from None
+
+
+@pass_context
+def _as_token(context: Context, value: Any) -> Markup:
+    if isinstance(value, Markup) and OPEN in value:
+        return value  # what a macro returns has passed here already
+    if isinstance(value, int | float):
+        raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
+    printed = context["printed"]
+    printed.append(value if isinstance(value, Figure) else escape(value))
+    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+
+
+def _put_back(text: str, printed: list[Any]) -> Markup:
+    def html(token: re.Match) -> str:
+        content = escape(printed[int(token[2])])
+        return f"<p>{content}</p>" if token[1] and not content.startswith(BLOCK) else content
+
+    return Markup(TOKEN.sub(html, text))

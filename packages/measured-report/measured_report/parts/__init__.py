@@ -1,0 +1,1 @@
+"""Parts of a section: figures and tables."""

@@ -1,0 +1,351 @@
+"""Figures: one look for all of them, drawn as SVG that takes its colours from the page."""
+
+import io
+import math
+import re
+import textwrap
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any
+
+import matplotlib
+from cycler import cycler
+from markupsafe import Markup, escape
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure as Drawing
+from matplotlib.text import Text
+from matplotlib.ticker import (
+    AutoLocator,
+    FixedLocator,
+    FuncFormatter,
+    LogFormatter,
+    LogFormatterMathtext,
+    LogLocator,
+    MaxNLocator,
+    NullLocator,
+    ScalarFormatter,
+)
+
+from measured_report.parts.layout import laid_out_once
+from measured_report.values.format import format_number, format_power, format_short, format_tick, whole
+from measured_report.values.quantities import Quantity
+
+INK = "#1b1f24"
+FAINT = "#c9ced4"
+MAP_INK = "#101418"
+"""For what is drawn on a map: a map keeps its colours on a dark page, and so does this."""
+SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
+"""Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages."""
+
+PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint)"} | {
+    colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
+}
+
+STYLE: dict[str, Any] = {
+    "svg.fonttype": "none",
+    "text.parse_math": False,
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "savefig.facecolor": "none",
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.titlecolor": INK,
+    "axes.formatter.useoffset": False,
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": FAINT,
+    "grid.linewidth": 0.6,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "hatch.color": INK,
+    "font.size": 10,
+    "legend.frameon": False,
+    "lines.linewidth": 1.6,
+    "lines.markersize": 4.5,
+    "figure.constrained_layout.use": True,
+    # Line and mark differ as well as colour, so that a series is found without seeing colours.
+    "axes.prop_cycle": cycler(color=SERIES)
+    + cycler(linestyle=("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 3))))
+    + cycler(marker=("o", "s", "^", "D", "v", "P"))
+    + cycler(markevery=(0.1,) * len(SERIES)),
+}
+
+NARROW_WIDTH = 3.6
+"""Width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px."""
+LEAST_SIZE = 7.0
+"""Size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px."""
+MOST_TICKS = 5
+"""Steps between ticks along a narrow figure."""
+LONGEST_NAME, LONGEST_LINE = 18, 36
+"""Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
+_is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
+_told: ContextVar[dict[str, list[str]] | None] = ContextVar("told", default=None)
+"""Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
+
+PIECE = re.compile(
+    r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
+)
+"""What is looked at for where a drawn text stands: a tick's group, another group, the end of one, and a text."""
+
+IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
+REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
+NAME = re.compile(r' id="([^"]+)"')
+PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
+DECIMALS = re.compile(r"(\.\d\d)\d+")
+"""A hundredth of a point is enough for anything that is drawn."""
+UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
+COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
+LETTER = re.compile(r"[^\W\d_]")
+OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
+
+
+class LogLabels(LogFormatter):
+    """Labels of a logarithmic axis as text; Matplotlib's own are formulas, which take long to typeset."""
+
+    def __call__(self, value: float, position: int | None = None) -> str:
+        if not super().__call__(value, position):
+            return ""
+        low, high = self.axis.get_view_interval()
+        exponent = round(math.log10(value))
+        if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
+            return format_power(exponent)
+        return format_number(value, noise=0.0)
+
+
+def _label_plainly(axis: Axis) -> None:
+    if isinstance(axis.get_major_formatter(), LogFormatterMathtext):
+        axis.set_major_formatter(LogLabels())
+    minor = axis.get_minor_formatter()
+    if isinstance(minor, LogFormatterMathtext):
+        axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
+
+
+def plain_labels(*, digits: int = 6) -> FuncFormatter:
+    """Labels as plain numbers, without zeros at their ends."""
+    return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
+
+
+def write(quantity: Quantity, *, is_short: bool = False) -> str:
+    """A number as text of the figure that is being drawn, which then says where it is from.
+
+    Args:
+        quantity: The number; its unit is said by the text around it.
+        is_short: Whether there is room for no more than four characters.
+    """
+    text = format_short(quantity.value) if is_short else quantity.written
+    told = _told.get()
+    if told is not None and quantity.source:
+        told.setdefault(text, []).append(quantity.source)
+    return text
+
+
+def tick_125(axis: Axis) -> None:
+    """Label a logarithmic axis at 1, 2 and 5 of each decade, so that less than a decade has labels too."""
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
+    axis.set_major_formatter(plain_labels())
+    axis.set_minor_locator(NullLocator())
+
+
+def tick_decades(axis: Axis) -> None:
+    """Ticks of a logarithmic axis at whole powers of ten alone."""
+    axis.set_major_locator(LogLocator(numticks=12))
+    axis.set_minor_locator(NullLocator())
+
+
+def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
+    """Ticks at ``places`` alone."""
+    axis.set_major_locator(FixedLocator(places))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(plain_labels(digits=digits))
+
+
+def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
+    """A figure of ``width`` × ``height`` inches with the axes, or the array of them, that ``Figure.subplots`` makes.
+
+    For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
+    """
+    if not is_narrow():
+        drawing = Drawing(figsize=(width, height))
+        return drawing, drawing.subplots(**subplots)
+    rows, columns = subplots.pop("nrows", 1), subplots.pop("ncols", 1)
+    squeeze = subplots.pop("squeeze", True)
+    if columns > 1:
+        subplots.pop("width_ratios", None)
+        subplots.pop("height_ratios", None)
+    drawing = _NarrowDrawing(figsize=(min(width, NARROW_WIDTH), height * columns))
+    axes = drawing.subplots(rows * columns, 1, squeeze=False, **subplots)
+    for panel in axes[:, 0]:
+        panel.tick_params(labelbottom=True)
+    grid = axes.reshape(rows, columns)
+    return drawing, grid.squeeze()[()] if squeeze else grid
+
+
+def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
+    """The value of a mark or a bar, ``gap`` points to the right of it."""
+    axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
+
+
+def is_narrow() -> bool:
+    """Whether a figure is being drawn for a narrow screen."""
+    return _is_narrow.get()
+
+
+@contextmanager
+def narrow_screen() -> Iterator[None]:
+    """Draw for a narrow screen what is drawn within."""
+    token = _is_narrow.set(True)
+    try:
+        yield
+    finally:
+        _is_narrow.reset(token)
+
+
+class _NarrowDrawing(Drawing):
+    """A figure whose legend is no wider than it."""
+
+    def legend(self, *args, **keywords):
+        place = keywords.pop("loc", "best")
+        if place.startswith("outside"):
+            place = "outside upper left" if "upper" in place else "outside lower left"
+        columns = min(keywords.pop("ncols", 1), 2)
+        keywords |= {"loc": place, "fontsize": 8, "columnspacing": 1.0}
+        legend = super().legend(*args, ncols=columns, **keywords)
+        if columns == 1 or all(len(text.get_text()) <= LONGEST_NAME for text in legend.get_texts()):
+            return legend
+        legend.remove()
+        return super().legend(*args, ncols=1, **keywords)
+
+
+def _fit_narrow(drawing: Drawing) -> None:
+    """Texts neither too small to be read nor too long to leave room for what is drawn, and no more ticks than help."""
+    for axes in drawing.axes:
+        # To ask for labels lays the axis out, which takes long; those of numbers are never long.
+        is_named = not isinstance(axes.yaxis.get_major_formatter(), ScalarFormatter)
+        names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
+        is_long = any(len(name) > LONGEST_NAME for name in names)
+        if is_long:
+            axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
+        axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
+        axes.set_title(fold(axes.get_title("left")), fontsize=9)
+        if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
+            axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
+            low, high = axis.get_view_interval()
+            if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
+                axis.set_minor_locator(NullLocator())
+    if drawing.get_supxlabel():
+        drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
+    for text in _texts(drawing):
+        text.set_fontsize(max(text.get_fontsize(), LEAST_SIZE))
+
+
+def _texts(artist: Artist) -> Iterator[Text]:
+    """All texts but those of axes, whose size is set, and which would have to be laid out to be found."""
+    for part in artist.get_children():
+        if isinstance(part, Text):
+            yield part
+        elif not isinstance(part, Axis):
+            yield from _texts(part)
+
+
+def fold(text: str, longest: int = LONGEST_LINE) -> str:
+    """The text for a narrow figure: none of its lines is longer, in characters, its own breaks stay, and a number stays
+    with the word before it."""
+    kept = re.sub(r" (?=\d)", "\u00a0", text)
+    return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
+
+
+@contextmanager
+def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
+    """The project's style, and ``settings``; the user's own count for nothing."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update({**STYLE, **settings})
+        yield
+
+
+def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
+    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
+    with own_style({"svg.hashsalt": name}), _telling() as told:
+        buffer = io.StringIO()
+        # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
+        drawing = draw()
+        for axes in drawing.axes:
+            _label_plainly(axes.xaxis)
+            _label_plainly(axes.yaxis)
+        if is_narrow():
+            _fit_narrow(drawing)
+        with laid_out_once():
+            FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
+    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), told))
+    svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
+    for colour, replacement in PAGE_COLOURS.items():
+        svg = svg.replace(colour, replacement)
+    kind = "narrow" if is_narrow() else "broad"
+    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
+    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
+
+
+@contextmanager
+def _telling() -> Iterator[dict[str, list[str]]]:
+    """Keep what ``write`` writes within."""
+    told: dict[str, list[str]] = {}
+    token = _told.set(told)
+    try:
+        yield told
+    finally:
+        _told.reset(token)
+
+
+def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
+    """The same drawing, of which each text says where its numbers are from, and each tick that it is one.
+
+    Numbers that are written alike come in the order in which they were written.
+    """
+    numbers = {text: whole(escape(text)) for text in told}
+    longest_first = sorted(told, key=len, reverse=True)
+    groups: list[bool] = []
+
+    def link(piece: re.Match) -> str:
+        if piece["close"]:
+            groups.pop()
+        elif piece["tick"] or piece["open"]:
+            groups.append(bool(piece["tick"]))
+            return '<g class="tick">' if piece["tick"] else piece[0]
+        else:
+            opening, _, text = piece[0].removesuffix("</text>").partition(">")
+            if any(groups) and not LETTER.search(text):
+                return piece[0]  # a number of an axis
+            found, rest = [], text
+            for number in longest_first:
+                rest, count = numbers[number].subn("", rest)
+                found += [_next(told[number]) for _ in range(count)]
+            if found:
+                return str(
+                    Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))
+                )
+        return piece[0]
+
+    return PIECE.sub(link, svg)
+
+
+def _next(sources: list[str]) -> str:
+    """The first, which is then used up unless it is the last."""
+    return sources.pop(0) if len(sources) > 1 else sources[0]
+
+
+def _lean(svg: str) -> str:
+    """The same drawing without names that nothing refers to, and without digits that nobody sees."""
+    used = set(REFERENCE.findall(svg))
+    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", COMMENT.sub("", svg))
+    return BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))

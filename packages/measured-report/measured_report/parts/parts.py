@@ -1,0 +1,226 @@
+"""What a section module makes of its results; the words of it are in the section's template."""
+
+import re
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import chain
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup
+
+from measured_report import ReportError
+from measured_report.claims.claims import Claim
+from measured_report.claims.words import Wording
+from measured_report.values.quantities import VALUES_FILE, Quantity
+from measured_report.values.results import Series
+
+if TYPE_CHECKING:  # these take long to import, and what is kept from before needs none of them
+    import pandas as pd
+    from matplotlib.figure import Figure as Drawing
+
+Pictures = tuple[Markup, Markup]
+"""A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
+TAG = re.compile("<[^>]*>")
+UNDRAWN = "This cannot be drawn from what was measured"
+"""Said in the place of a figure; no figure of the tracked results may say it."""
+ROLE = Markup('role="img"')
+"""In a drawn figure: what it says to whoever can't see it comes behind."""
+SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
+"""Where a number is from that there is."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table whose cells are Quantities, text, or yes and no; the index names the rows."""
+
+    frame: "pd.DataFrame | Markup"
+    """The HTML of it where it is kept."""
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    """What its caption can name."""
+    wording: Wording | None = None
+
+    def __html__(self) -> Markup:
+        return Markup('<figure class="table"><figcaption>{}</figcaption>{}</figure>').format(
+            _caption(self), self.settled().frame
+        )
+
+    def settled(self) -> "Table":
+        """The same as it is kept."""
+        if isinstance(self.frame, Markup):
+            return self
+        from measured_report.parts.tables import table_html
+
+        return replace(self, frame=table_html(self.frame))
+
+
+@dataclass(frozen=True)
+class Making:
+    """How a figure comes about."""
+
+    source: str
+    """Path of the code that draws it."""
+    command: str
+    """Measures again what it draws."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure, which is drawn only after everything else has been checked."""
+
+    draw: "Callable[[], Drawing] | None"
+    """None where it is kept as it was drawn."""
+    sources: Sequence[Quantity | Series]
+    """What it draws; when none of it exists the page says why in place of the figure."""
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    """What its caption and its alternative text can name."""
+    wording: Wording | None = None
+    anchor: str = ""
+    """Its id, unique on the page."""
+    making: Making | None = None
+    pictures: Pictures | None = None
+    """None where it is not kept, and still to be drawn."""
+
+    @property
+    def is_there(self) -> bool:
+        """Whether anything of what it draws exists."""
+        return any(source.value is not None for source in self.sources)
+
+    def settled(self, pictures: Pictures | None) -> "Figure":
+        """The same as it is kept once it is drawn: of its series no more than whether they are there."""
+        sources = [
+            replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
+            for source in self.sources
+        ]
+        return replace(self, draw=None, sources=sources, pictures=pictures)
+
+    def picture(self, *, is_narrow: bool) -> Markup:
+        """Draw it for one kind of screen; where what was measured can't be drawn, that is said in its place, once."""
+        from measured_report.parts.figures import draw_svg, narrow_screen
+
+        try:
+            if not is_narrow:
+                return draw_svg(self.draw, name=self.anchor)
+            with narrow_screen():
+                return draw_svg(self.draw, name=f"narrow-{self.anchor}")
+        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+            reason = " ".join(str(error).split())
+            words = Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason)
+            return Markup("") if is_narrow else words
+
+    def html(self, pictures: Pictures | None) -> Markup:
+        """What the page shows, with the figure as it is drawn, where anything of it exists."""
+        assert self.making, f"no one says how the figure {self.anchor} comes about"
+        there = [source.source for source in self.sources if source.value is not None]
+        if not there:
+            reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
+            return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(reasons[0])
+        files = list(dict.fromkeys(chain.from_iterable(_files(source.partition("#")[0]) for source in there)))
+        names = [file.rpartition("/")[2] for file in files]
+        links = Markup(", ").join(
+            # The same file of several releases is told apart by its folder.
+            Markup('<a href="data/{}">{}</a>').format(file, name if names.count(name) == 1 else file)
+            for file, name in zip(files, names, strict=True)
+        )
+        return Markup(
+            '<figure id="{}">{}{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
+            "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
+            "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
+        ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.making.source, self.making.command)
+
+    @property
+    def undrawn(self) -> Markup:
+        """Its caption, for whoever only reads."""
+        return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
+
+    def _spoken(self, pictures: Pictures | None) -> Pictures:
+        """The pictures with what they say to whoever can't see them, and where the numbers in that are from."""
+        assert self.wording, f"the figure {self.anchor} has no words yet"
+        assert pictures, f"the figure {self.anchor} is not drawn yet"
+        words = self.wording("alt", self.numbers)
+        alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
+        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
+        label = Markup('{} aria-label="{}"{}').format(ROLE, alt, links)
+        broad, narrow = (picture.replace(ROLE, label, 1) for picture in pictures)
+        return broad, narrow
+
+
+@dataclass(frozen=True)
+class Download:
+    """A file that the site offers below ``download/``; printed, it is its text with a link to it."""
+
+    name: str
+    text: str
+
+    @property
+    def link(self) -> Markup:
+        return Markup('<a href="download/{0}" download>{0}</a>').format(self.name)
+
+    def __html__(self) -> Markup:
+        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>').format(
+            self.text, self.link
+        )
+
+
+@dataclass(frozen=True)
+class Section:
+    """All that a section's template can name, besides what ``chapters`` gives to all of them."""
+
+    tables: Mapping[str, Any] = field(default_factory=dict)
+    """Tables, and other things that print themselves."""
+    figures: Mapping[str, Figure] = field(default_factory=dict)
+    claims: Sequence[Claim] = ()
+    downloads: Sequence[Download] = ()
+    unmeasured: Collection[str] = ()
+    """What only other records have, so that the words for it stay unsaid."""
+
+    def settled(self, pictures: Mapping[str, Pictures | None]) -> "Section":
+        """The same as it is kept once its figures are drawn, by their names."""
+        figures = {name: figure.settled(pictures[name]) for name, figure in self.figures.items()}
+        return replace(self.tabled(), figures=figures)
+
+    def tabled(self) -> "Section":
+        """The same with its tables as HTML, of which each is made once."""
+        tables = {name: thing.settled() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
+        return replace(self, tables=tables)
+
+    def worded(
+        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None
+    ) -> "Section":
+        """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
+
+        Args:
+            anchor: How the ids of its figures begin.
+            place: The template, to name in errors.
+            words: What the template says, by kind and name.
+            making: How its figures come about, where they are to be drawn.
+        """
+        claims = {claim.name: claim for claim in self.claims}
+        things = {"claim": claims, "figure": self.figures, "table": self.tables}
+        for (kind, name), wording in words.items():
+            if name not in things[kind] and name not in self.unmeasured:
+                raise ReportError(f"{wording.place}: there is no {kind} {name}; there are: {', '.join(things[kind])}")
+        found: dict[str, dict[str, Any]] = {kind: {} for kind in things}
+        for kind, named in things.items():
+            for name, thing in named.items():
+                if (kind, name) not in words:
+                    raise ReportError(f"templates/{place} says nothing of the {kind} {name}")
+                wording = words[kind, name]
+                if hasattr(thing, "wording"):
+                    wording.refuse_unknown(f"{kind} {name}", thing.numbers)
+                    thing = replace(thing, wording=wording)
+                    thing = thing.settled() if kind == "claim" else thing
+                if kind == "figure":
+                    thing = replace(thing, anchor=f"{anchor}-{name}", making=making)
+                found[kind][name] = thing
+        return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
+
+
+def _caption(thing: Table | Figure) -> Markup:
+    assert thing.wording, "a caption is printed before the template has given its words"
+    return thing.wording("caption", thing.numbers)
+
+
+def _files(source: str) -> list[str]:
+    """Files of the site's ``data/`` that hold a source: the rows of a record are there as CSV as well."""
+    is_record = source.endswith(".json") and not source.endswith(VALUES_FILE)
+    return [source, source.removesuffix("json") + "csv"] if is_record else [source]

@@ -1,0 +1,1 @@
+"""Records: what was measured, by which code, and how it is read."""

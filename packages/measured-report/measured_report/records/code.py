@@ -1,0 +1,241 @@
+"""Code: what the definitions of a program do, found by reading its files and never by running them.
+
+A definition is a function, a class or a constant of a module. Its digest is made of its syntax tree without comments,
+docstrings and the texts of errors, and of the digests of what its names mean in the place of these names. So it stays
+the same when the definition, or what it names, moves to another file or gets another name.
+"""
+
+import ast
+import hashlib
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from itertools import accumulate
+from pathlib import Path, PurePosixPath
+
+from measured_report import ROOT, ReportError
+from measured_report.files.cache import Cache
+from measured_report.records import syntax
+from measured_report.records.syntax import EFFECTS, Definition, Reader, Source, digest_of
+
+CARRIED = "measured_report"
+"""The package that carries calls to where they are made: nothing of it changes what they return."""
+ROUNDS = 3
+"""So many steps away from a definition what its names mean counts for its digest; what lies farther counts by itself,
+as all does that is reached."""
+Node = tuple[str, str]
+"""A file, and a name that it defines."""
+
+
+_known: dict[str, Source] = {}
+"""By the digest of their names and texts: every section imports the same few modules."""
+SOURCES = "sources"
+"""Their name in the cache."""
+
+
+class Files:
+    """Sources, and which files the names of modules mean, each looked at once."""
+
+    def __init__(self) -> None:
+        self.versions: dict[str, str] = {}
+        self.graphs: dict[tuple[str, ...], Graph] = {}
+        self._sources: dict[str, Source] = {}
+        self._folders: dict[str, set[str]] = {}
+
+    def source(self, path: str, name: str) -> Source:
+        if path not in self._sources:
+            self._sources[path] = read_source(Path(path), name)
+        return self._sources[path]
+
+    def graph(self, roots: tuple[str, ...]) -> "Graph":
+        return self.graphs.setdefault(roots, Graph(roots, self))
+
+    def module(self, root: str, parts: Sequence[str]) -> str:
+        """The file below ``root`` of the module that is named so; empty where there is none."""
+        folder, last = "/".join([root, *parts[:-1]]), parts[-1]
+        there = self._names_in(folder)
+        if last in there and "__init__.py" in self._names_in(f"{folder}/{last}"):
+            return f"{folder}/{last}/__init__.py"
+        return f"{folder}/{last}.py" if f"{last}.py" in there else ""
+
+    def _names_in(self, folder: str) -> set[str]:
+        if folder not in self._folders:
+            self._folders[folder] = {path.name for path in Path(folder).glob("*")}
+        return self._folders[folder]
+
+
+_files: ContextVar[Files | None] = ContextVar("files", default=None)
+
+
+@contextmanager
+def unchanged_files() -> Iterator[None]:
+    """Within it no source changes and nothing is installed: of one that many sections import it is seen once what it
+    says."""
+    token = _files.set(files())
+    try:
+        yield
+    finally:
+        _files.reset(token)
+
+
+def files() -> Files:
+    return _files.get() or Files()
+
+
+@contextmanager
+def sources_kept(root: Path = ROOT) -> Iterator[None]:
+    """Within it, what sources say is known from the processes before, since parsing all of them takes a second."""
+    cache = Cache(root)
+    made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
+    _known.update(cache.get(SOURCES, made_by) or {})
+    before = len(_known)
+    try:
+        yield
+    finally:
+        if len(_known) > before:
+            # The newest: those of texts that are no more need not be kept for ever.
+            cache.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
+
+
+class Graph:
+    """The definitions of the modules below some folders, and what their names mean."""
+
+    def __init__(self, roots: tuple[str, ...], files: Files):
+        self.roots = roots
+        self._files = files
+        self._sources: dict[str, Source] = {}
+        self._imported: dict[str, list[str]] = {}
+        self._meanings: dict[Node, list[list[Node] | str]] = {}
+        self._digests: dict[tuple[Node, int], str] = {}
+        self._reached: dict[str, dict[Node, str]] = {}
+
+    def name_of(self, path: str) -> str:
+        """A file's name, below the innermost of the folders that it lies in."""
+        return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
+
+    def source(self, path: str) -> Source:
+        if path not in self._sources:
+            self._sources[path] = self._files.source(path, self.name_of(path))
+        return self._sources[path]
+
+    def imported(self, path: str) -> list[str]:
+        """The files that the source at ``path`` may import."""
+        if path not in self._imported:
+            named = {part for name in self.source(path).modules for part in accumulate(name.split("."), "{}.{}".format)}
+            found = (self.module(name.split(".")) for name in sorted(named))
+            self._imported[path] = [file for file in found if file]
+        return self._imported[path]
+
+    def module(self, parts: Sequence[str]) -> str:
+        """The file of a module; empty where it is none of this project."""
+        return next(filter(None, (self._files.module(root, parts) for root in self.roots)), "")
+
+    def closure(self, start: str, without: str = "") -> list[str]:
+        """The file ``start`` and all that it may import, directly or not; ``without`` is a package that is left out."""
+        found, waiting = dict.fromkeys([start]), [start]
+        while waiting:
+            new = [file for file in self.imported(waiting.pop()) if file not in found]
+            new = [file for file in new if not (without and self.name_of(file).startswith(f"{without}/"))]
+            found |= dict.fromkeys(new)
+            waiting += new
+        return list(found)
+
+    def reached(self, name: str) -> dict[Node, str]:
+        """What may be run when what has this dotted name is: digests of it, and of what importing its files does.
+
+        Raises:
+            ReportError: Nothing of this project has that name.
+        """
+        if name not in self._reached:
+            found = self.found(name)
+            if isinstance(found, str):
+                raise ReportError(f"there is no {name}")
+            self._reached[name] = {node: self.digest(node) for node in self._run(found) if self.definitions(node)}
+        return self._reached[name]
+
+    def _run(self, nodes: Sequence[Node]) -> set[Node]:
+        loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
+        waiting = [*nodes, *(node for file in loaded for node in self._effects(file))]
+        found: set[Node] = set()
+        while waiting:
+            node = waiting.pop()
+            if node not in found:
+                found.add(node)
+                waiting += (each for meaning in self.meanings(node) if isinstance(meaning, list) for each in meaning)
+        return found
+
+    def definitions(self, node: Node) -> tuple[Definition, ...]:
+        return self.source(node[0]).definitions.get(node[1], ())
+
+    def _effects(self, file: str) -> Iterator[Node]:
+        """What is done when a file is imported: a decorator of this project may note what it is put on."""
+        yield file, EFFECTS
+        for name, found in self.source(file).definitions.items():
+            decorators = (self._meaning(file, each, word) for each in found for word in each.decorators)
+            if any(isinstance(meaning, list) for meaning in decorators):
+                yield file, name
+
+    def digest(self, node: Node, rounds: int = ROUNDS) -> str:
+        """Of what defines a name, and of what the names in it mean."""
+        if (node, rounds) not in self._digests:
+            trees = [each.tree for each in self.definitions(node)]
+            meanings = [self._told(each, rounds) for each in self.meanings(node)] if rounds else []
+            self._digests[node, rounds] = digest_of([trees, meanings])
+        return self._digests[node, rounds]
+
+    def _told(self, meaning: list[Node] | str, rounds: int) -> list[str] | str:
+        return meaning if isinstance(meaning, str) else [self.digest(node, rounds - 1) for node in meaning]
+
+    def meanings(self, node: Node) -> list[list[Node] | str]:
+        """What the names mean that stand in what defines a name, in order."""
+        if node not in self._meanings:
+            there = ((each, name) for each in self.definitions(node) for name in each.names)
+            self._meanings[node] = [self._meaning(node[0], each, name) for each, name in there]
+        return self._meanings[node]
+
+    def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
+        """What of this project a name stands for, or what it is called elsewhere."""
+        first, _, rest = name.partition(".")
+        source = self.source(file)
+        if first in source.definitions and first not in definition.imports:
+            return [(file, first)]
+        imported = definition.imports.get(first) or source.imports[first]
+        return self.found(f"{imported}.{rest}".rstrip("."))
+
+    def found(self, name: str) -> list[Node] | str:
+        """What of this project a dotted name stands for, or what it is called elsewhere."""
+        parts = name.split(".")
+        if parts[0] == CARRIED:
+            return CARRIED
+        for end in range(len(parts), 0, -1):
+            if file := self.module(parts[:end]):
+                return self._in_module(file, parts[end:])
+        return name
+
+    def _in_module(self, file: str, attributes: Sequence[str]) -> list[Node] | str:
+        source = self.source(file)
+        first = attributes[0] if attributes else ""
+        if first in source.definitions:
+            return [(file, first)]
+        if first in source.imports:
+            return self.found(".".join([source.imports[first], *attributes[1:]]))
+        return [(file, name) for name in source.definitions]  # whoever has a module may ask it for anything
+
+
+def roots_of(root: Path) -> tuple[str, ...]:
+    """The folders below which a project's modules are found: its own, its packages', and those of this program."""
+    folders = [root, *sorted((root / "packages").glob("*")), Path(__file__).resolve().parents[2]]
+    return tuple(dict.fromkeys(map(str, folders)))
+
+
+def read_source(path: Path, name: str) -> Source:
+    """What the module at ``path`` says; ReportError, with its ``name``, where it can't be read."""
+    try:
+        text = path.read_bytes()
+        key = hashlib.sha256(name.encode() + b"\0" + text).hexdigest()
+        if key not in _known:
+            _known[key] = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]).source()
+        return _known[key]
+    except (OSError, SyntaxError, ValueError) as error:
+        raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

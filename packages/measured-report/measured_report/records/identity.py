@@ -1,0 +1,133 @@
+"""Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
+
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib import metadata
+from pathlib import Path
+
+from measured_report import ROOT
+from measured_report.files.config import config
+from measured_report.records.code import Source, digest_of, files, roots_of
+from measured_report.records.sources import source_of
+
+PACKAGES = config().packages
+MISSING = "missing"
+
+
+@dataclass(frozen=True)
+class Identity:
+    """Digests of all that a measurement depends on, except the machine."""
+
+    code: str
+    """Digest of the definitions that its ``measure`` may run; see ``code``."""
+    config: str
+    """Digest of the profile and of the assets that these name."""
+    packages: Mapping[str, str]
+    """Version by package."""
+    profile: str = "full"
+    files: Mapping[str, str] = field(default_factory=dict)
+    """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
+
+
+def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+    """The identity that the section's ``measure`` has now, with ``packages``, or else with those installed here."""
+    return identity_at(f"experiments.{section}.measure", profile, root, packages)
+
+
+def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
+    """That of what a module has under a name, or of all that a module has."""
+    graph = files().graph(roots_of(root))
+    reached = graph.reached(name)
+    by_file: dict[str, set[str]] = {}
+    for (file, _), digest in reached.items():
+        by_file.setdefault(graph.name_of(file), set()).add(digest)
+    code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
+    named = {asset for node in reached for each in graph.definitions(node) for asset in each.assets}
+    assets = {asset: _sha256(root / asset) for asset in sorted(named) if (root / asset).is_file()}
+    return Identity(
+        code=digest_of(sorted({*reached.values()})),
+        config=digest_of([profile, sorted(assets.values())]),
+        packages=package_versions() if packages is None else packages,
+        profile=profile,
+        files=dict(sorted({**code, **assets}.items())),
+    )
+
+
+def module_of(section: str, root: Path = ROOT) -> str:
+    """The file of the module that measures a section, or where it should be."""
+    return files().graph(roots_of(root)).module(["experiments", section]) or f"{root}/experiments/{section}.py"
+
+
+def changes(recorded: Identity, current: Identity) -> list[str]:
+    """What differs between two identities, in words; empty when the record is fresh."""
+    sides = recorded.files.items(), current.files.items()
+    same = {digest for _, digest in sides[0]} & {digest for _, digest in sides[1]}  # it may lie elsewhere now
+    changed = sorted({name for side in sides for name, digest in side if digest not in same})
+    words = []
+    if recorded.code != current.code:
+        words += [f"code: {name}" for name in changed if name.endswith(".py")] or ["code"]
+    if recorded.config != current.config:
+        parts = [f"config: {name}" for name in changed if not name.endswith(".py")]
+        if recorded.profile != current.profile:
+            parts.append(f"config: profile {recorded.profile} → {current.profile}")
+        words += parts or ["config"]
+    return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
+
+
+def package_changes(
+    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = PACKAGES
+) -> list[str]:
+    """Which packages are of another version than before, each with both."""
+    versions = {name: (before.get(name), after.get(name)) for name in names}
+    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
+
+
+def sections(root: Path = ROOT) -> list[str]:
+    """Names of the sections: those that have a module, or a folder of modules, on the report's side."""
+    folder = root / "report" / "sections"
+    found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
+    return sorted(found - {"__init__"})
+
+
+def source_at(path: Path, name: str) -> Source:
+    """What ``read_source`` says, of one that was looked at before as well."""
+    return files().source(str(path), name)
+
+
+def package_versions() -> dict[str, str]:
+    """Version of each package that is installed here; Newton's says which code it is, where that is not an index's."""
+    seen = files()
+    seen.versions = seen.versions or _installed_versions()
+    return dict(seen.versions)
+
+
+def _installed_versions() -> dict[str, str]:
+    versions = {package: _installed_version(package) for package in PACKAGES}
+    source = source_of("newton")
+    return versions | ({"newton": f"{versions['newton']}+{source}"} if source else {})
+
+
+def _installed_version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return MISSING
+
+
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def files_digest(paths: Iterable[Path], root: Path) -> str:
+    """Digest of files, by their names below ``root`` and what they hold; folders are passed over."""
+    digest = hashlib.sha256()
+    for path in sorted(paths):
+        if path.is_file():
+            content = path.read_bytes()
+            digest.update(f"{_name(path, root)}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
+
+
+def _name(path: Path, root: Path) -> str:
+    return path.relative_to(root).as_posix()

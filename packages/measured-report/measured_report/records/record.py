@@ -1,0 +1,192 @@
+"""Records: what one section measured, as one JSON file that git can compare line by line."""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from measured_report import ROOT
+from measured_report.files.files import RecordError, place_of, put_record
+from measured_report.records.columns import (
+    PLAIN,
+    REASON,
+    columns_of,
+    is_column,
+    is_number,
+    number_problem,
+    range_of,
+    text_problem,
+    unit_of,
+    units_of,
+)
+from measured_report.records.identity import MISSING, Identity
+
+SCHEMA = 1
+
+
+@dataclass(frozen=True, order=True)
+class Origin:
+    """What a number was measured with, as far as others must share it to be compared with it."""
+
+    release: str
+    """Newton release."""
+    processor: str
+
+    def __str__(self) -> str:
+        return f"Newton {self.release} on {self.processor}"
+
+
+@dataclass(frozen=True)
+class Seal:
+    """What binds a trace to its record."""
+
+    digest: str
+    """SHA-256 of the file."""
+    row_count: int
+
+
+@dataclass(frozen=True)
+class Record:
+    """What one section measured, and where, when and by which code."""
+
+    section: str
+    identity: Identity
+    machine: Mapping[str, Any]
+    """``device`` (cuda or cpu), ``gpu``, ``driver``, ``cpu``, ``python``; None where there is none."""
+    measured: Mapping[str, Any]
+    """``date``, ``commit``, ``command`` and ``seconds``."""
+    units: Mapping[str, str]
+    rows: Sequence[Mapping[str, Any]]
+    traces: Mapping[str, Seal] | None = None
+    """Seal of each trace by its case; None in a record from before traces were sealed."""
+
+    @property
+    def processor(self) -> str:
+        """What the numbers were measured on."""
+        device = "gpu" if self.machine.get("device") == "cuda" else "cpu"
+        return self.machine.get(device) or device.upper()
+
+    @property
+    def machine_text(self) -> str:
+        """The processor, and the driver that it runs with."""
+        driver = self.machine.get("driver")
+        return self.processor + (f" (driver {driver})" if driver else "")
+
+    @property
+    def machine_in_full(self) -> str:
+        """All that must be the same for two times to be compared."""
+        cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
+        beside = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
+        return f"{cores}{beside}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
+
+    @property
+    def time_text(self) -> str:
+        """When it was measured, to the minute."""
+        return datetime.fromisoformat(self.measured["date"]).strftime("%Y-%m-%d %H:%M %Z")
+
+    @property
+    def origin(self) -> Origin:
+        return Origin(self.identity.packages.get("newton", MISSING), self.processor)
+
+    @property
+    def machine_for_speed(self) -> tuple[str | None, ...]:
+        """What must be the same for two times to be compared."""
+        return tuple(self.machine.get(part) for part in SPEED_PARTS)
+
+
+SPEED_PARTS = ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")
+"""Of a machine, and of how it was used: what decides how fast it is."""
+
+
+DIGITS = ".9g"
+"""Of a number: as many as tell any two of single precision apart. What the last of them leave out is far below what
+any of these numbers repeats to."""
+
+
+def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
+    """Where the records of a Newton release lie; only those of the full profile are tracked."""
+    results = root / "results"
+    return (results if profile == "full" else results / profile) / f"newton-{release}"
+
+
+def record_path(section: str, release: str, profile: str, root: Path = ROOT) -> Path:
+    return results_folder(release, profile, root) / f"{section}.json"
+
+
+def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
+    """Put ``record`` and its traces at ``path``: all of them whole, or none.
+
+    Args:
+        traces: Seal and content of each trace by its case; None: those stay that are there.
+    """
+    if traces is not None:
+        record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
+    check_record(record, place_of(path))
+    files = {f"{path.stem}.{case}.csv.gz": content for case, (_, content) in (traces or {}).items()}
+    put_record(path, {**files, path.name: _text(record).encode()})
+
+
+def _shortened(value: Any) -> Any:
+    return float(f"{value:{DIGITS}}") if isinstance(value, float) else value
+
+
+def _text(record: Record) -> str:
+    data = {"schema": SCHEMA, **asdict(record)}
+    rows = [{column: _shortened(value) for column, value in row.items()} for row in data.pop("rows")]
+    if record.traces is None:
+        del data["traces"]
+    head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
+    lines = [json.dumps(row, ensure_ascii=False, allow_nan=False, separators=(",", ":")) for row in rows]
+    return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
+
+
+PLAIN_TYPES = bool, int, float, str, type(None)
+NO_RANGE = math.inf, -math.inf
+
+
+def check_record(record: Record, place: str) -> None:
+    """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
+    if not record.rows:
+        raise RecordError(f"{place} has no rows")
+    ranges = {column: range_of(column) for column in record.units if is_column(column)}
+    for index, row in enumerate(record.rows):
+        case = row.get("case")
+        if not case or not isinstance(case, str):
+            raise RecordError(f"{place}: row {index} has no case")
+        for column, value in row.items():
+            least, largest = ranges.get(column, NO_RANGE)
+            # Nearly all are numbers that may be there, and every build reads every record.
+            if type(value) in (float, int) and least <= value <= largest:
+                continue
+            if problem := _problem(record, row, column, value):
+                raise RecordError(f"{place}: {column:.80} of {case!r:.80} {problem}")
+    _check_columns(record, place)
+
+
+def _problem(record: Record, row: Mapping[str, Any], column: str, value: Any) -> str:
+    if not is_column(column):
+        return "is no column name (lower-case words joined by _)"
+    if not isinstance(value, PLAIN_TYPES):
+        return f"is a {type(value).__name__}, not a plain number or text"
+    if is_number(value):
+        return "has no unit" if column not in record.units else number_problem(column, value)
+    if column in record.units and value is None and not row.get(column + REASON):
+        return f"is null without a {column}{REASON}"
+    if value is not None and (column in record.units or unit_of(column) != PLAIN):
+        return f"is {value!r:.40}, not a number"
+    return text_problem(value) if isinstance(value, str) else ""
+
+
+def _check_columns(record: Record, place: str) -> None:
+    """The units are those that the columns' names say, and a column holds one kind of thing."""
+    expected = units_of(record.rows)
+    for column in sorted({*expected, *record.units}):
+        said, unit = record.units.get(column), expected.get(column)
+        if said != unit:
+            raise RecordError(f"{place}: the unit of {column} is given as {said}, and its name says {unit}")
+    for column in columns_of(record.rows):
+        if column not in record.units and len({type(row.get(column)) for row in record.rows} - {type(None)}) > 1:
+            raise RecordError(f"{place}: {column} is text in one row and yes or no in another")

@@ -1,0 +1,270 @@
+"""Syntax: what each definition of a module says, in a form that does not change with its place, name and layout."""
+
+import ast
+import copy
+import hashlib
+import json
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+ASSETS = "assets/"
+GAP = "·"
+EFFECTS = ""
+"""The name under which is kept what a module does besides defining names."""
+
+
+@dataclass(frozen=True)
+class Definition:
+    """One statement that defines a name."""
+
+    tree: str
+    """Digest of its syntax tree, with a gap in the place of each name that is not its own."""
+    names: tuple[str, ...]
+    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.slip_mm``."""
+    imports: Mapping[str, str]
+    """What it imports itself, by name."""
+    assets: tuple[str, ...]
+    """Paths of assets that it names."""
+    decorators: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Source:
+    """What the text of one module says, as far as it matters here."""
+
+    digest: str
+    """Of its whole syntax tree."""
+    modules: tuple[str, ...]
+    """Names that it imports, anywhere in it, of which some are modules of this project."""
+    assets: tuple[str, ...]
+    top: Mapping[str, Any]
+    """By name, at its top level: the plain constants, and how many parameters a function has."""
+    imports: Mapping[str, str]
+    """What its names are that it imports, as ``experiments.facts.metrics``."""
+    definitions: Mapping[str, tuple[Definition, ...]]
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads the syntax tree of one module."""
+
+    tree: ast.Module
+    package: tuple[str, ...]
+
+    def source(self) -> Source:
+        nodes = list(ast.walk(self.tree))
+        definitions: dict[str, list[Definition]] = {}
+        for node in self._statements:
+            names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
+            for place, name in enumerate(names):
+                definitions.setdefault(name, []).append(self._definition(node, place))
+        return Source(
+            digest=digest_of(_Canonical(whole=True).plain(self.tree, frozenset())),
+            modules=tuple(dict.fromkeys(name for node in nodes for name in self._modules(node))),
+            assets=tuple(_named_assets(nodes)),
+            top=dict(self._top()),
+            imports=self._imports,
+            definitions={name: tuple(found) for name, found in definitions.items()},
+        )
+
+    @cached_property
+    def _statements(self) -> list[ast.stmt]:
+        """What stands at the top level and is run when the module is imported."""
+        passed_over = (_is_text, _is_program, _is_path)
+        return [node for node in self.tree.body if not (_imports_alone(node) or any(it(node) for it in passed_over))]
+
+    @cached_property
+    def _imports(self) -> dict[str, str]:
+        there = (node for node in self.tree.body if not isinstance(node, DEFINING))
+        return {name: what for top in there for node in ast.walk(top) for name, what in self._named(node)}
+
+    @cached_property
+    def _names(self) -> frozenset[str]:
+        return frozenset(self._imports) | {name for node in self._statements for name in _bound(node)}
+
+    def _definition(self, node: ast.stmt, place: int) -> Definition:
+        """What defines the name that a statement binds at this place."""
+        inner = {name: what for each in ast.walk(node) for name, what in self._named(each)}
+        tree = _Canonical()
+        text = tree.top(node, self._names | inner.keys())
+        decorators = (_chain(each.func if isinstance(each, ast.Call) else each) for each in _decorators(node))
+        return Definition(
+            tree=digest_of([text, place]),
+            names=tuple(tree.gaps),
+            imports=inner,
+            assets=tuple(_named_assets(ast.walk(node))),
+            decorators=tuple(name for name in decorators if name.partition(".")[0] in self._names),
+        )
+
+    def _top(self) -> Iterator[tuple[str, Any]]:
+        for node in self.tree.body:
+            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+                yield from ((target.id, node.value.value) for target in node.targets if isinstance(target, ast.Name))
+            elif isinstance(node, ast.FunctionDef):
+                yield node.name, len(node.args.args)
+
+    def _modules(self, node: ast.AST) -> Iterator[str]:
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        else:  # each name may be a module of the package or something in it; what is no file drops out later
+            yield from (what for _, what in self._named(node))
+
+    def _named(self, node: ast.AST) -> Iterator[tuple[str, str]]:
+        """The names that an import binds, and what they are."""
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                first = alias.name.partition(".")[0]
+                yield (alias.asname, alias.name) if alias.asname else (first, first)
+        elif isinstance(node, ast.ImportFrom):
+            start = self.package[: len(self.package) - node.level + 1] if node.level else ()
+            module = ".".join((*start, *([node.module] if node.module else [])))
+            yield from ((alias.asname or alias.name, f"{module}.{alias.name}") for alias in node.names)
+
+
+DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+SCOPES = (*DEFINING, *COMPREHENSIONS, ast.Lambda)
+
+
+def _bound(node: ast.AST) -> Iterator[str]:
+    """The names that a statement binds where it stands, and not in a scope of its own."""
+    if isinstance(node, DEFINING):
+        yield node.name
+    elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        yield node.id
+    elif not isinstance(node, SCOPES):
+        for child in ast.iter_child_nodes(node):
+            yield from _bound(child)
+
+
+def _imports_alone(node: ast.AST) -> bool:
+    """Whether a statement imports and does nothing else, as behind a condition."""
+    if isinstance(node, ast.If | ast.Try):
+        return all(map(_imports_alone, [*node.body, *node.orelse, *getattr(node, "handlers", ())]))
+    return isinstance(node, ast.Import | ast.ImportFrom | ast.Pass)
+
+
+def _is_text(node: Any) -> bool:
+    # Any string that stands alone does nothing, wherever it stands: field docstrings are left out as well.
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+
+
+def _is_program(node: ast.AST) -> bool:
+    """Whether it is what a module does only when it is run as a program."""
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "__name__ == '__main__'"
+
+
+def _is_path(node: ast.AST) -> bool:
+    """Whether it says where modules are found, which is no part of what they do."""
+    return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]).startswith("sys.path")
+
+
+def _decorators(node: ast.AST) -> list[ast.expr]:
+    return node.decorator_list if isinstance(node, DEFINING) else []
+
+
+def _chain(node: ast.AST) -> str:
+    """A name with the attributes that are asked of it, as ``metrics.slip_mm``; empty where it is something else."""
+    attributes: list[str] = []
+    while isinstance(node, ast.Attribute):
+        attributes.append(node.attr)
+        node = node.value
+    return ".".join([node.id, *reversed(attributes)]) if isinstance(node, ast.Name) else ""
+
+
+@dataclass
+class _Canonical:
+    """Makes plain tuples of a syntax tree, without comments, docstrings and positions.
+
+    Fields that are empty or that only some Python versions know are left out: a record measured under one Python has
+    to be fresh under another.
+    """
+
+    whole: bool = False
+    """Whether imports and the texts of errors count as well."""
+    gaps: list[str] = field(default_factory=list)
+    """What stands in the gaps, in order."""
+
+    def top(self, node: ast.stmt, scope: Collection[str]) -> Any:
+        """A statement of a module, whose own names do not count; those in ``scope`` become gaps."""
+        own = frozenset(_bound(node))
+        if isinstance(node, DEFINING):
+            return tuple(part for part in self.plain(node, scope) if part != ("name", repr(node.name)))
+        return self.plain(node, scope, own)
+
+    def plain(self, node: Any, scope: Collection[str], own: Collection[str] = ()) -> Any:
+        if isinstance(node, list):
+            kept = (each for each in node if not (_is_text(each) or (not self.whole and _is_import(each))))
+            return tuple(self.plain(each, scope, own) for each in kept)
+        if not isinstance(node, ast.AST):
+            return repr(node)
+        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            return GAP if node.id in own else ("Name", node.id)
+        if (chain := _chain(node)).partition(".")[0] in scope:
+            self.gaps.append(chain)
+            return GAP, type(node.ctx).__name__, *chain.split(".")[1:]
+        if isinstance(node, ast.Raise) and not self.whole:
+            return "Raise", self.plain(_silent(node.exc), scope), self.plain(node.cause, scope)
+        if isinstance(node, ast.Assert) and not self.whole:
+            return "Assert", self.plain(node.test, scope)
+        if isinstance(node, ast.JoinedStr):
+            # Python 3.12 and later put an empty text behind a nested format specification.
+            node = ast.JoinedStr([part for part in node.values if getattr(part, "value", None) != ""])
+        if isinstance(node, COMPREHENSIONS):
+            return self._comprehension(node, scope)
+        inner = scope if self.whole else _inner(node, scope)
+        fields = [
+            (name, self.plain(value, inner if name == "body" else scope, own))
+            for name, value in ast.iter_fields(node)
+            if name != "kind"
+        ]
+        return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))
+
+    def _comprehension(self, node: Any, scope: Collection[str]) -> Any:
+        """One whose variables hide names of the module, but for what its first part goes through."""
+        targets = (each for part in node.generators for each in ast.walk(part.target))
+        inner = frozenset(scope) - {each.id for each in targets if isinstance(each, ast.Name)}
+        first, *rest = node.generators
+        found = [getattr(node, name, None) for name in ("elt", "key", "value")]
+        parts = [first.target, first.ifs, rest, found]
+        return type(node).__name__, self.plain(first.iter, scope), *(self.plain(part, inner) for part in parts)
+
+
+def _inner(node: ast.AST, scope: Collection[str]) -> Collection[str]:
+    """What of the names means the same within a function: not its parameters, nor what it binds itself."""
+    if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+        return scope
+    body = node.body if isinstance(node.body, list) else []
+    parameters = {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
+    outside = {name for each in ast.walk(node) if isinstance(each, ast.Global) for name in each.names}
+    return frozenset(scope) - ((parameters | {name for each in body for name in _bound(each)}) - outside)
+
+
+def _is_import(node: Any) -> bool:
+    return isinstance(node, ast.Import | ast.ImportFrom)
+
+
+def _silent(node: ast.AST | None) -> ast.AST | None:
+    """What is raised, without what it says."""
+    return _Silence().visit(copy.deepcopy(node)) if isinstance(node, ast.Call) else node
+
+
+class _Silence(ast.NodeTransformer):
+    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
+        return ast.Constant("") if isinstance(node.value, str) else node
+
+    def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.Constant:
+        return ast.Constant("")
+
+
+def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    for node in nodes:
+        text = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and text.startswith(ASSETS) and "\n" not in text:
+            yield text
+
+
+def digest_of(data: Any) -> str:
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()

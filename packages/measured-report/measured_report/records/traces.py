@@ -1,0 +1,133 @@
+"""Traces: long per-frame series that lie beside a record, as ``<section>.<case>.csv.gz``, and are sealed by it."""
+
+import csv
+import gzip
+import hashlib
+import io
+import re
+import zlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from measured_report.files.files import RecordError, is_own_file, place_of, read_own_file
+from measured_report.records.columns import PLAIN, number_problem, text_problem, unit_of
+from measured_report.records.record import DIGITS, Record, Seal
+
+if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
+    import pandas as pd
+
+HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
+CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 256 << 20
+NO_NUMBER = re.compile(r"(?:^|,)[+-]?(?:nan|inf|infinity)(?:,|$)", re.IGNORECASE | re.MULTILINE)
+"""What a number that is missing is never written as: its cell is empty."""
+
+
+def trace_path(record: Path, case: str) -> Path:
+    """Where the trace of ``case`` lies, beside the record at ``record``."""
+    if not CASE.fullmatch(case):
+        raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
+    return record.with_name(f"{record.stem}.{case}.csv.gz")
+
+
+def traces_of(path: Path, record: Record) -> list[Path]:
+    """The traces that belong to the record at ``path``; of one that doesn't say, those that lie beside it."""
+    if record.traces is not None:
+        return [trace_path(path, case) for case in record.traces]
+    return sorted(trace for trace in path.parent.glob(f"{path.stem}.*.csv.gz") if is_own_file(trace))
+
+
+def packed(record: Path, case: str, table: Mapping[str, Any]) -> tuple[Seal, bytes]:
+    """A trace as it is kept beside ``record``, and its seal; a number that can't be kept is left empty."""
+    import pandas as pd
+
+    path = trace_path(record, case)
+    frame = pd.DataFrame(table)
+    for column in frame.select_dtypes("number"):
+        frame[column] = frame[column].where([not number_problem(column, value) for value in frame[column].tolist()])
+    # Without a time in the header the same numbers give the same bytes.
+    content = gzip.compress(frame.to_csv(index=False, lineterminator="\n", float_format=f"%{DIGITS}").encode(), mtime=0)
+    return Seal(hashlib.sha256(content).hexdigest(), len(_read(content, path))), content
+
+
+def load_trace(path: Path, seal: Seal | None = None) -> "pd.DataFrame":
+    """The trace at ``path``, or RecordError, one line with its release and file, when it is damaged in any way.
+
+    Without a ``seal``, as for a record from before traces were sealed, it may be any whole trace.
+    """
+    content = read_own_file(path, PACKED_BYTE_LIMIT)
+    if seal and hashlib.sha256(content).hexdigest() != seal.digest:
+        raise RecordError(f"{place_of(path)} is not the trace that was measured with {path.name.split('.')[0]}.json")
+    frame = _read(content, path)
+    if seal and len(frame) != seal.row_count:
+        raise RecordError(f"{place_of(path)} has {len(frame)} rows, and its record says {seal.row_count}")
+    return frame
+
+
+def check_seals(path: Path, record: Record) -> None:
+    """RecordError unless the traces that the record at ``path`` seals are there, as they were measured with it."""
+    for case, seal in (record.traces or {}).items():
+        trace = trace_path(path, case)
+        if hashlib.sha256(read_own_file(trace, PACKED_BYTE_LIMIT)).hexdigest() != seal.digest:
+            raise RecordError(f"{place_of(trace)} is not the trace that was measured with {path.name}")
+
+
+def _read(content: bytes, path: Path) -> "pd.DataFrame":
+    import pandas as pd
+
+    try:
+        text = _unpacked(content).decode("utf-8")
+        lines = list(csv.reader(io.StringIO(text), strict=True))
+        _check_cells(lines)
+        if found := NO_NUMBER.search(text):
+            raise ValueError(f"{found[0].strip(',')} is no number")
+        # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
+        exact: dict[str, Any] = {} if int(pd.__version__.partition(".")[0]) > 2 else {"float_precision": "round_trip"}
+        frame = pd.read_csv(io.StringIO(text), keep_default_na=False, na_values=[""], **exact)
+        for column in frame:
+            _check_column(column, frame[column])
+    except (EOFError, ValueError, csv.Error, zlib.error) as error:
+        raise RecordError(f"{place_of(path)} is no whole trace: {' '.join(str(error).split())}") from None
+    return frame
+
+
+def _unpacked(content: bytes) -> bytes:
+    unpacking = zlib.decompressobj(wbits=31)
+    text = unpacking.decompress(content, BYTE_LIMIT)
+    if not unpacking.eof or unpacking.unused_data:
+        raise ValueError(f"it ends early, or holds more than {BYTE_LIMIT >> 20} MiB, or something behind its end")
+    return text
+
+
+def _check_cells(lines: list[list[str]]) -> None:
+    head = lines[0] if lines else []
+    if not head or not all(HEAD.fullmatch(column) for column in head) or len(set(head)) < len(head):
+        raise ValueError("its first line does not name each of its columns once")
+    if len(lines) < 2:
+        raise ValueError("it has no rows")
+    for number, line in enumerate(lines[1:], start=2):
+        if len(line) != len(head):
+            raise ValueError(f"line {number} has {len(line)} cells, not {len(head)}")
+
+
+def _check_column(column: str, cells: "pd.Series") -> None:
+    values = cells.dropna()
+    if cells.dtype.kind in "iuf":
+        problems = (number_problem(column, value) for value in (values.min(), values.max()) if len(values))
+        if column == "time_s" and not cells.is_monotonic_increasing:
+            raise ValueError("its time_s runs backwards")
+    elif unit_of(column) != PLAIN:
+        raise ValueError(f"{column} is not all numbers")
+    else:
+        problems = (text_problem(value) or _mixed(value) for value in values.unique() if isinstance(value, str))
+    if problem := next(filter(None, problems), ""):
+        raise ValueError(f"{column} {problem}")
+
+
+def _mixed(text: str) -> str:
+    try:
+        float(text)
+    except ValueError:
+        return ""
+    return "has both numbers and text"

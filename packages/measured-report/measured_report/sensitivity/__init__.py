@@ -1,0 +1,1 @@
+"""Sensitivity: what the report would say if something else had been measured."""

@@ -1,0 +1,145 @@
+"""Inert numbers: those in a claim's words that could be anything, and the words would stay.
+
+``python -m measured_report.sensitivity.inert gap`` prints those of a section, and what a claim's words name unread.
+"""
+
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from markupsafe import Markup
+
+from measured_report.claims.claims import Claim
+from measured_report.parts.parts import Section
+from measured_report.records.settings import is_setting
+from measured_report.sensitivity.perturbed import FACTORS, Cell, World
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value
+
+SOURCE = re.compile('data-src="([^"]*)"')
+LEAVES_TRIED = 4
+"""Of a value that is computed from more numbers than that, so many are mutated one by one, spread over all of them;
+and all of them together."""
+
+
+@dataclass(frozen=True)
+class Named:
+    """A measured number that the words of a claim name."""
+
+    section: str
+    claim: str
+    name: str
+
+    def __str__(self) -> str:
+        return f"{self.section}.{self.claim} {self.name}"
+
+
+def named_pointers(thing: Any) -> Iterator[str]:
+    """Pointers to all numbers in what a wording is handed over."""
+    if isinstance(thing, Quantity):
+        yield from [thing.source] if thing.source else []
+    elif isinstance(thing, Markup):
+        yield from SOURCE.findall(thing)
+    elif isinstance(thing, Mapping):
+        for part in thing.values():
+            yield from named_pointers(part)
+    elif isinstance(thing, list | tuple):
+        for part in thing:
+            yield from named_pointers(part)
+
+
+@dataclass(frozen=True)
+class Survey:
+    """What the words of one section of one release name, read against what its tests do with it."""
+
+    world: World
+    release: str
+    section: str
+    values: Mapping[str, Value]
+    """Every derived value by its pointer."""
+
+    @property
+    def claims(self) -> list[Claim]:
+        """Those with words: where a number was not measured, that is all that is said."""
+        claims = self.world.releases[self.release][self.section].section.claims
+        return [claim for claim in claims if claim.outcome.said != "cannot tell" or not _lacks_number(claim)]
+
+    def measured(self, pointer: str) -> list[str]:
+        """The measured numbers and traces that a number comes from; none for what was chosen."""
+        roots = self.values[pointer].reads if pointer in self.values else {pointer}
+        return sorted(root for root in roots if VALUES_FILE not in root and not is_setting(root))
+
+    def numbers(self) -> Iterator[tuple[Claim, str, str]]:
+        """Claim, name and pointer of every measured number that the words of a claim name."""
+        for claim in self.claims:
+            for name in sorted(claim.wording.names & set(claim.numbers)):
+                for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
+                    if self.measured(pointer):
+                        yield claim, name, pointer
+
+    def unread(self) -> set[Named]:
+        """What words name that their claim's test has not read, neither itself nor all that it comes from."""
+        return {
+            Named(self.section, claim.name, name)
+            for claim, name, pointer in self.numbers()
+            if not ({pointer} <= claim.outcome.reads or set(self.measured(pointer)) <= claim.outcome.reads)
+        }
+
+    def inert(self) -> set[Named]:
+        """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words."""
+        before = _shapes(self.world.section(self.release, self.section, {}, {}))
+        tried: dict[tuple[tuple[str, ...], str], dict[str, tuple[str, str]]] = {}
+
+        def moves(claim: str, leaves: tuple[str, ...], mutation: str) -> bool:
+            key = leaves, mutation
+            if key not in tried:
+                cells = [Cell(leaf) for leaf in leaves]
+                tried[key] = _shapes(self.world.mutated(self.release, self.section, cells, mutation))
+            return tried[key].get(claim) != before[claim]
+
+        found = set()
+        for claim, name, pointer in self.numbers():
+            leaves = self.measured(pointer)
+            single = [(leaf,) for leaf in leaves[:: -(-len(leaves) // LEAVES_TRIED)]]
+            tries = [tuple(leaves), *single] if len(leaves) > 1 else single
+            if not any(moves(claim.name, each, mutation) for each in tries for mutation in FACTORS):
+                found.add(Named(self.section, claim.name, name))
+        return found
+
+
+def _lacks_number(claim: Claim) -> bool:
+    return any(isinstance(number, Quantity) and number.value is None for number in claim.numbers.values())
+
+
+def _shapes(section: Section) -> dict[str, tuple[str, str]]:
+    """Outcome and words of each claim, its numbers left out."""
+    return {claim.name: (claim.outcome.said, claim.wordless) for claim in section.claims}
+
+
+def surveys(world: World) -> list[Survey]:
+    """One for every section of every release."""
+    values = {
+        value.source: value
+        for chapters in world.releases.values()
+        for chapter in chapters.values()
+        for value in chapter.results.derived.values()
+    }
+    return [
+        Survey(world, release, section, values) for release, chapters in world.releases.items() for section in chapters
+    ]
+
+
+def main(sections: list[str]) -> int:
+    from measured_report.sensitivity.perturbed import tracked_world
+
+    for survey in surveys(tracked_world()):
+        if survey.section in sections or not sections:
+            for what, found in (("inert", survey.inert()), ("unread", survey.unread())):
+                for named in sorted(map(str, found)):
+                    print(f"{survey.release}  {what:6}  {named}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,1 @@
+"""The site: written, checked, published and served."""

@@ -1,0 +1,105 @@
+"""The archive: all that was measured and derived, of every release, in one file with a text that explains it."""
+
+import csv
+import io
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+from zipfile import ZIP_STORED, ZipFile, ZipInfo
+
+from measured_report.deriving.chapters import Chapter
+from measured_report.deriving.editions import Edition
+from measured_report.pages.page import Templates
+from measured_report.records.columns import REASON
+from measured_report.records.settings import settings
+from measured_report.records.traces import traces_of
+from measured_report.values.quantities import VALUES_FILE
+
+ARCHIVE = "data.zip"
+TEMPLATE = "archive.txt.j2"
+FOLDER = "shake-report-data"
+FIGURES = "figures.csv"
+DRAWN = ("release", "figure", "drawn by", "source", "value", "unit")
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of the records."""
+
+    name: str
+    unit: str
+    """Empty for text, and for yes and no."""
+    sections: str
+    is_setting: bool
+
+
+def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
+    """The archive of all releases; the same records and values give the same bytes.
+
+    Nothing is compressed, since what compresses does not do so alike everywhere. ``tables`` are the rows of each
+    record, by its file.
+    """
+    files = dict(_data_files(editions, tables))
+    files[FIGURES] = _csv(DRAWN, (row for edition in editions.values() for row in _drawn(edition)))
+    names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
+    files["README.txt"] = templates.layout(TEMPLATE, names).encode()
+    content = io.BytesIO()
+    with ZipFile(content, "w", ZIP_STORED) as archive:
+        for name in sorted(files):
+            entry = ZipInfo(f"{FOLDER}/{name}")  # of 1980, as long as nobody says otherwise
+            entry.create_system, entry.external_attr = 3, 0o644 << 16
+            archive.writestr(entry, files[name])
+    return content.getvalue()
+
+
+def _data_files(editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> Iterator[tuple[str, bytes]]:
+    """Records, as they are kept and as tables, with their traces, and values by release."""
+    for release, edition in editions.items():
+        for chapter in edition.chapters.values():
+            path = chapter.results.path
+            for file in (path, *traces_of(path, chapter.results.record)):
+                yield f"{path.parent.name}/{file.name}", file.read_bytes()
+            yield f"{path.parent.name}/{path.stem}.csv", tables[chapter.results.source]
+        yield f"newton-{release}/{VALUES_FILE}", edition.values_text.encode()
+
+
+def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:
+    """What each figure of the sections draws: a number with its value, or a trace by its file."""
+    for chapter in edition.chapters.values():
+        for figure in chapter.section.figures.values():
+            for source in figure.sources:
+                value = getattr(source, "value", None)
+                number = json.dumps(value) if isinstance(value, int | float) else ""
+                place = (edition.project.release, figure.anchor, figure.making.source, source.source)
+                yield (*place, number, getattr(source, "unit", ""))
+
+
+def _columns(editions: Mapping[str, Edition]) -> list[Column]:
+    sections: dict[str, set[str]] = {}
+    units: dict[str, str] = {}
+    for edition in editions.values():
+        chapters: list[Chapter] = list(edition.chapters.values())
+        for chapter in chapters:
+            record = chapter.results.record
+            units |= record.units
+            for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
+                sections.setdefault(column, set()).add(chapter.name)
+    return [
+        Column(name, units.get(name, ""), ", ".join(sorted(found)), name in settings())
+        for name, found in sorted(sections.items())
+    ]
+
+
+def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
+    """Rows as a table; what a row lacks is empty."""
+    columns = tuple(dict.fromkeys(column for row in rows for column in row))
+    return _csv(columns, (tuple(map(row.get, columns)) for row in rows))
+
+
+def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows(rows)
+    return text.getvalue().encode()

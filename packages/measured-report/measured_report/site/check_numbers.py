@@ -1,0 +1,156 @@
+"""Check of the numbers on a page, in sentences, tables and drawings: each is what its source says."""
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from measured_report.site.reading import Drawn, Reading
+from measured_report.values.format import format_code, format_most, format_number, spellings, whole
+from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
+from measured_report.values.quantities import MOST, SAME, VALUES_FILE
+from report.names import name_of
+
+TYPED = re.compile(
+    r"kd = 2√ke|2/kd = 2·dt|dt² ke \+ 2 dt kd > 4|clamped to 2 dt|damping ratio 1\b|^[12]\. |RK4|link7|1/s|3D"
+    r"|[\d\u202f]+ worlds?|\d+ runs(?: in \d+ sections)?|\d+ dropped|Newton \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
+)
+"""Numbers in drawings and in their words that are names and formulas."""
+
+
+@dataclass
+class Data:
+    """What a page's numbers point into."""
+
+    folder: Path
+    _files: dict[str, Any] = field(default_factory=dict)
+    _floors: dict[str, Mapping[str, Floor]] = field(default_factory=dict)
+
+    def file(self, name: str) -> Any:
+        if name not in self._files:
+            self._files[name] = json.loads((self.folder / name).read_text(encoding="utf-8"))
+        return self._files[name]
+
+    def number(self, source: str) -> tuple[float | int | None, float | None]:
+        """A number and its noise; an error where the pointer leads to none."""
+        name, _, pointer = source.partition("#")
+        kept = _resolve(self.file(name), pointer)
+        if name.endswith(VALUES_FILE):
+            return kept["value"], kept["noise"]
+        place, _, column = pointer.rpartition("/")
+        is_cell = pointer.startswith("/rows/")
+        return kept, cell_noise(
+            column, _resolve(self.file(name), place), self._floors_beside(name)
+        ) if is_cell else None
+
+    def _floors_beside(self, name: str) -> Mapping[str, Floor]:
+        noise = f"{name.rpartition('/')[0]}/{NOISE}.json"
+        if not (self.folder / noise).is_file():
+            return {}
+        if noise not in self._floors:
+            self._floors[noise] = floors_of(self.file(noise)["rows"], self.file(noise)["units"])
+        return self._floors[noise]
+
+    @cached_property
+    def rows(self) -> list[Mapping[str, Any]]:
+        """Those of all records."""
+        files = [path for path in self.folder.glob("newton-*/*.json") if path.name != VALUES_FILE]
+        return [row for path in files for row in self.file(str(path.relative_to(self.folder)))["rows"]]
+
+    @cached_property
+    def texts(self) -> set[str]:
+        """What records say in words with a number in them."""
+        return {cell for row in self.rows for cell in row.values() if isinstance(cell, str) and re.search(r"\d", cell)}
+
+    @cached_property
+    def names(self) -> re.Pattern:
+        """What cases with a number in their names are called, in whole and in parts."""
+        whole = {name_of(row["case"]) for row in self.rows if "case" in row}
+        names = {part for name in whole for part in (name, *name.split(", ")) if re.search(r"\d", part)}
+        longest_first = sorted(names, key=len, reverse=True)
+        return re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)")
+
+
+def check_numbers(reading: Reading, data: Data) -> list[str]:
+    """What is wrong with the numbers of a page, a line each."""
+    return [*_check_written(reading, data), *_check_drawn(reading, data), *_check_cells(reading, data)]
+
+
+def _check_written(reading: Reading, data: Data) -> list[str]:
+    problems = []
+    for number in reading.numbers:
+        source = number.get("data-src", "")
+        try:
+            kept, noise = data.number(source)
+            text = _text(number, kept, noise, data)
+        except (OSError, ValueError, LookupError, TypeError):
+            problems.append(f"{number.get('data-src')} resolves to nothing")
+            continue
+        shown = json.loads(number["value"]) if number.get("value") else None
+        if shown != kept or number["text"] != text:
+            problems.append(f"{source} is {kept}, but {number['text']} ({shown}) is shown")
+    return problems
+
+
+def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
+    """How a number has to be written where it is."""
+    text, how = format_number(kept, noise=noise), number.get("data-as")
+    if number["in"] == "code":
+        return format_code(kept)
+    if how == MOST:
+        return format_most(kept, noise=noise)
+    other, its_noise = data.number(how) if how else (None, None)
+    is_same = how and format_number(other, noise=its_noise) == text and number["text"] == SAME
+    return number["text"] if is_same else text
+
+
+def _check_drawn(reading: Reading, data: Data) -> list[str]:
+    """Every number of a drawing, and of its words, is what its source says; what has none is a name or a tick."""
+    problems = []
+    for drawn in reading.drawn:
+        rest = drawn.text
+        for source in drawn.sources:
+            try:
+                texts = _texts(drawn, *data.number(source))
+            except (OSError, ValueError, LookupError, TypeError):
+                problems.append(f"{source} resolves to nothing")
+                continue
+            found = [whole(text) for text in texts if whole(text).search(rest)]
+            if not found:
+                problems.append(f"{source} is {data.number(source)[0]}, which is not said by: {drawn.text}")
+            else:
+                rest = found[0].sub("", rest, count=1)
+        if not drawn.is_tick and re.search(r"\d", rest) and (number := re.search(r"\d\S*", _unnamed(rest, data))):
+            problems.append(f"the number {number[0]} leads nowhere in: {drawn.text}")
+    return problems
+
+
+def _check_cells(reading: Reading, data: Data) -> list[str]:
+    """Words in tables have no numbers but those of names, and of words that a record has."""
+    left = ((cell, _unnamed(cell, data)) for cell in reading.cells if re.search(r"\d", cell))
+    return [
+        f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"
+        for cell, rest in left
+        if (number := re.search(r"\d\S*", rest)) and not any(text in cell for text in data.texts)
+    ]
+
+
+def _texts(drawn: Drawn, value: float | int | None, noise: float | None) -> list[str]:
+    """All ways in which a number may be written there."""
+    if drawn.is_drawn:
+        return spellings(value, noise)
+    return [format_number(value, noise=noise), format_most(value, noise=noise)]
+
+
+def _unnamed(text: str, data: Data) -> str:
+    """What is left of a text without names and formulas."""
+    return data.names.sub("", TYPED.sub("", text))
+
+
+def _resolve(data: Any, pointer: str) -> Any:
+    for part in pointer.removeprefix("/").split("/"):
+        data = data[int(part)] if isinstance(data, list) else data[part]
+    return data

@@ -1,0 +1,60 @@
+"""Publishing: a checked copy of the site goes to a folder, to a branch of a git repository, or over rsync.
+
+A reader gets the site that was there or the new one and never half of each; of rsync that holds but for the moment
+in which all files that were transferred take their places.
+"""
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from measured_report import ReportError, UsageError
+from measured_report.files.files import locked
+from measured_report.site.check import check_site
+from measured_report.site.targets import MARK, TARGETS
+
+DEFAULT = "git:origin"
+QUICK = '<meta name="profile" content="quick">'
+"""What marks a page of small grids and short runs."""
+
+
+def publish(site: Path, target: str) -> str:
+    """Put a checked copy of ``site`` at ``target`` and return where it lies; what can't be put there leaves nothing.
+
+    Args:
+        target: ``dir:PATH``, ``rsync:HOST:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
+    """
+    scheme, _, place = (target or DEFAULT).partition(":")
+    if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
+        places = "dir:PATH, rsync:HOST:PATH or git:REMOTE"
+        raise UsageError(f"TARGET={target!r} is no place to publish to; use TARGET={places}")
+    try:
+        with _checked_copy(site) as copy:
+            return TARGETS[scheme](copy, place, site)
+    except shutil.Error as error:  # of each file that could not be copied: source, target and reason
+        raise UsageError(f"TARGET={target}: {error.args[0][0][2]}") from None
+    except OSError as error:
+        raise UsageError(f"TARGET={target}: {error.strerror}") from None
+
+
+@contextmanager
+def _checked_copy(site: Path) -> Iterator[Path]:
+    """A copy of the site in which nothing is wrong, and that anyone may read whatever the umask is."""
+    with tempfile.TemporaryDirectory(prefix="publish-") as folder:
+        copy = Path(folder) / "site"
+        with locked(site.parent, alone=False):  # not while it is being put in place
+            if not (site / "index.html").is_file():
+                raise UsageError(f"{site.name}/ holds no report; make report builds it")
+            if QUICK in (site / "index.html").read_text(encoding="utf-8"):
+                raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
+            shutil.copytree(site, copy, copy_function=shutil.copyfile)
+        problems = check_site(copy)
+        if problems:
+            raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
+        (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")
+        copy.chmod(0o755)
+        for path in copy.rglob("*"):
+            path.chmod(0o755 if path.is_dir() else 0o644)
+        yield copy

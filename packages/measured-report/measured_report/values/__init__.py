@@ -1,0 +1,1 @@
+"""Values: numbers that know their unit, their source and their noise."""

@@ -1,0 +1,170 @@
+"""Noise: when two values differ at all, and which way is better."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from statistics import NormalDist, fmean, stdev
+from typing import Any
+
+from measured_report.records.columns import unit_of
+from measured_report.records.record import Record
+from measured_report.records.settings import is_exact
+
+NOISE = "noise"
+"""The section whose rows are runs of one and the same case, as ``of`` says."""
+ROUNDING_SHARE = 1e-3
+"""Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
+RESOLUTION = {"slip_mm": 1e-3, "drift_mm_s": 1e-4}
+"""Least difference that counts, however well a machine repeats itself."""
+EDGES = ("_p5", "_p95")
+"""Ends of columns that say how far the numbers spread of which a column has the median."""
+MEDIAN = 1.25
+"""How much wider the median of n numbers spreads than their mean, which does by 1/√n of theirs: √(π/2), for many."""
+RATES = {"frames_per_s": "frame_ms", "realtime_factor": "frame_ms", "world_substeps_per_s": "frame_ms"}
+"""Rates that a time in the same row makes, so that they have its share of noise."""
+IN_C = ("c", "mujoco", "mujoco-c")
+"""What ``backend`` says of MuJoCo's engine in C, whose runs on one thread repeat to the last bit, all but times."""
+TIMES = ("s", "ms")
+PAIRS = 0.999
+"""Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
+comparisons, and the largest difference that was seen among some tens of runs is less than the largest of those."""
+CONFIDENCE = 0.95
+"""Chosen: how sure that is, for a spread that was measured with as many runs."""
+LEAST_RUNS = 4
+"""With fewer their spread says too little."""
+LESS_IS_BETTER = (
+    "slip_mm",
+    "drift_mm_s",
+    "wander_mm",
+    "frame_ms",
+    "mjw_step_ms",
+    "dropped",
+    "bytes_per_world",
+    "exit_status",
+)
+MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s")
+
+
+def verdict(column: str, before: Any, after: Any) -> str:
+    """Whether going from one value to the other is better or worse; empty where the column does not say."""
+    if None in (before, after) or column not in LESS_IS_BETTER + MORE_IS_BETTER:
+        return ""
+    grows = abs(after) > abs(before)
+    return "better" if grows == (column in MORE_IS_BETTER) else "worse"
+
+
+def is_beyond(noise: float, before: float, after: float) -> bool:
+    """Whether two values differ by more than noise, and by more than rounding.
+
+    A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
+    would then be a change.
+    """
+    return abs(after - before) > max(noise, ROUNDING_SHARE * max(abs(before), abs(after)))
+
+
+def tolerance(values: Sequence[float]) -> float:
+    """How far apart two runs of one case may come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
+
+    A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
+    standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
+    Wilson and Hilferty (1931). It is never less than the largest difference between the values themselves, in whose
+    unit it is.
+    """
+    seen = max(values) - min(values)
+    if len(values) < LEAST_RUNS or not seen:
+        return seen
+    normal, freedom = NormalDist(), len(values) - 1
+    part = 2 / (9 * freedom)
+    chi_squared = freedom * (1 - part + normal.inv_cdf(1 - CONFIDENCE) * math.sqrt(part)) ** 3
+    deviation = stdev(values) * math.sqrt(freedom / chi_squared)
+    return max(seen, math.sqrt(2) * normal.inv_cdf((1 + PAIRS) / 2) * deviation)
+
+
+@dataclass(frozen=True)
+class Floor:
+    """How far apart runs of one case may come out in one column."""
+
+    spread: float
+    magnitude: float
+    """The largest mean of such runs; larger values are taken to be noisier in proportion."""
+
+    def at(self, *values: float) -> float:
+        """The noise of such values."""
+        scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
+        return self.spread * max(1.0, scale)
+
+
+def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
+    """The noise of every column that records of the section on noise have, the largest of them."""
+    return noisiest(floors_of(record.rows, record.units) for record in records)
+
+
+def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
+    """By column, the largest noise of all."""
+    floors: dict[str, Floor] = {}
+    for each in found:
+        for column, floor in each.items():
+            if column not in floors or floor.spread > floors[column].spread:
+                floors[column] = floor
+    return floors
+
+
+def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
+    """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
+
+    A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or of
+    rounding where the engine repeats itself; what was set or counted is exact.
+    """
+    value, timed = row[column], RATES.get(column, column)
+    if value is None:
+        return None
+    if is_exact(column, row) or isinstance(value, int):
+        return 0.0
+    low, high = (row.get(timed + edge) for edge in EDGES)
+    if None not in (low, high) and row.get(timed):
+        share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
+        return abs(share * value)
+    if column not in floors:
+        is_repeated = row.get("backend") in IN_C and unit_of(column) not in TIMES
+        return ROUNDING_SHARE * abs(value) if is_repeated else None
+    return max(floors[column].at(value), RESOLUTION.get(column, 0.0)) or None
+
+
+def derived_noise(
+    function: Callable[..., float], values: Sequence[float], noises: Sequence[float | None]
+) -> float | None:
+    """How far apart two results of ``function`` come out, each source changed by its noise; None where one has none.
+
+    Two runs are apart by the noise, so that each is off by 1/√2 of it, and what is off independently adds in squares:
+    a difference of two has the noise of one, and a mean of many has less. It never has less than its noisiest source
+    gives it, nor more than all of them together can: the largest of many has the noise of one. What was chosen has a
+    noise of 0.
+    """
+    if None in noises:
+        return None
+    middle, farthest = function(*values), list(values)
+    changes = []
+    for place, noise in enumerate(noises):
+        if noise:
+            ways = [values[place] + noise, values[place] - noise]
+            moves = [function(*values[:place], way, *values[place + 1 :]) - middle for way in ways]
+            changes.append(max(map(abs, moves)))
+            farthest[place] = ways[moves.index(max(moves))]
+    together = abs(function(*farthest) - middle)
+    return max(max(changes, default=0.0), min(math.hypot(*changes) / math.sqrt(2.0), together))
+
+
+def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:
+    """The noise of the columns ``units`` of one record of the section on noise."""
+    runs: dict[str, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        if "of" in row:  # a damaged row may not say
+            runs.setdefault(row["of"], []).append(row)
+    floors = {}
+    for column in units:
+        cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
+        cells = [cell for cell in cells if len(cell) > 1]
+        if cells:
+            spread = max(tolerance(cell) for cell in cells)
+            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
+    return floors

@@ -1,0 +1,140 @@
+"""Quantities: numbers that know their unit and where they come from."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup, escape
+
+from measured_report.records.record import Origin
+from measured_report.values.format import format_code, format_most, format_number, unit_label
+
+VALUES_FILE = "values.json"
+MOST, SAME = "most", "the same"
+"""How the page says that a number is written as a bound, and a number that is written like another one."""
+
+
+def local(text: str, release: str) -> str:
+    """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
+    return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A measured number, shown with a pointer to the file that holds it."""
+
+    value: float | int | None
+    unit: str
+    source: str
+    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``; empty for a number
+    that no file has a place for."""
+    reason: str = ""
+    """Why there is no number, where there is none."""
+    origins: frozenset[Origin] = frozenset()
+    """What it was measured with; none for what was not measured."""
+    noise: float | None = None
+    """How far apart two measurements of it come out, in its unit; None where nobody knows, 0 for what is exact."""
+
+    @property
+    def reads(self) -> frozenset[str]:
+        """Pointers to itself and to all that it is computed from."""
+        return frozenset({self.source} if self.source else ())
+
+    @property
+    def bare(self) -> Markup:
+        """The number without its unit, for places that say the unit themselves."""
+        return self._written(self.written)
+
+    @property
+    def written(self) -> str:
+        """The number as people write it, without its unit."""
+        return format_number(self.value, noise=self.noise)
+
+    @property
+    def code(self) -> Markup:
+        """The number as it is typed into a program."""
+        return self._written(format_code(self.value))
+
+    @property
+    def most(self) -> Markup:
+        """The number with its unit, where the words say *at most* or *within*."""
+        return self._with_unit(self._written(format_most(self.value, noise=self.noise), ("data-as", MOST)))
+
+    def beside(self, other: "Quantity") -> Markup:
+        """The number with its unit, or *the same* where it is written like ``other``, which stands before it."""
+        is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
+        return self._written(SAME, ("data-as", other.source)) if is_same and other.source else self.__html__()
+
+    def _written(self, text: str, *more: tuple[str, str]) -> Markup:
+        if not self.source:
+            return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
+        attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
+        attributes |= dict(more)
+        if self._hint:
+            attributes["title"] = self._hint
+        # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
+        written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
+        return Markup(f"<data{written}>{escape(text)}</data>")
+
+    @property
+    def _hint(self) -> str:
+        return self.reason
+
+    def __html__(self) -> Markup:
+        return self._with_unit(self.bare)
+
+    def _with_unit(self, number: Markup) -> Markup:
+        label = "" if self.value is None else unit_label(self.unit)
+        return number + (Markup("&nbsp;") + label if label else "")
+
+    def __str__(self) -> str:
+        label = "" if self.value is None else unit_label(self.unit)
+        return f"{self.written} {label}".rstrip()
+
+
+def absent(unit: str, reason: str) -> Quantity:
+    """A number that is not there, and why."""
+    return Quantity(None, unit, "", reason)
+
+
+@dataclass(frozen=True)
+class Value(Quantity):
+    """A number derived from others, which says how."""
+
+    formula: str = ""
+    """How it is computed, in words."""
+    sources: Sequence[str] = ()
+    """Pointers to what it is computed from."""
+    roots: frozenset[str] = frozenset()
+    """The same, and pointers to what those are computed from, down to the records."""
+
+    @property
+    def reads(self) -> frozenset[str]:
+        return super().reads | self.roots
+
+    @property
+    def _hint(self) -> str:
+        return self.reason or self.formula
+
+    @property
+    def entry(self) -> dict:
+        """What the site's values file says of it."""
+        entry = {
+            "value": self.value,
+            "unit": self.unit,
+            "noise": self.noise,
+            "formula": self.formula,
+            "sources": list(self.sources),
+        }
+        return entry | ({"reason": self.reason} if self.reason else {})
+
+
+def mixed(*origins: frozenset[Origin]) -> str:
+    """Why what has these origins is not to be compared; empty when it may be.
+
+    Numbers of one origin may, and so may numbers that each compare the same ones already, as a change between two
+    releases does.
+    """
+    if len({origin for origin in origins if origin}) < 2:
+        return ""
+    return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"

@@ -1,0 +1,250 @@
+"""Results: one section's record as its section module sees it."""
+
+import math
+import os
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from measured_report import ReportError
+from measured_report.records.columns import REASON
+from measured_report.records.record import Origin, Record
+from measured_report.records.settings import case_settings
+from measured_report.records.traces import load_trace, trace_path
+from measured_report.values.noise import Floor, cell_noise, derived_noise
+from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
+
+if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+    import pandas as pd
+
+
+class ResultsError(ReportError):
+    """A section module or its template names something that its results don't have."""
+
+
+@dataclass(frozen=True)
+class Series:
+    """A per-frame series, or the reason why there is none."""
+
+    value: "pd.DataFrame | None"
+    source: str
+    reason: str = ""
+    origins: frozenset[Origin] = frozenset()
+
+    @property
+    def reads(self) -> frozenset[str]:
+        """A pointer to itself."""
+        return frozenset({self.source})
+
+
+class Row:
+    """One row of a record: ``row.slip_mm`` is a Quantity; text and yes or no stay as they are.
+
+    What the record's other rows have and this one lacks is an absent Quantity, or no text. A row that the record lacks
+    has nothing but the name of its case.
+    """
+
+    def __init__(
+        self,
+        record: Record,
+        index: int | None,
+        source: str,
+        case: str = "",
+        floors: Mapping[str, Floor] = MappingProxyType({}),
+    ):
+        self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
+        self._lack = f"there is no single row of case {case}" if index is None else ""
+        self._record = record
+        self._place = f"{record.section}: {self._cells['case']}"
+        self._source = f"{source}#/rows/{index}"
+        self._origins = frozenset({record.origin})
+        self._floors = floors
+
+    def __getitem__(self, column: str) -> Any:
+        units = self._record.units
+        if column not in self._cells:
+            return self._lacking(column)
+        value = self._cells[column]
+        if column not in units or isinstance(value, bool | str):
+            return value
+        reason = self._cells.get(f"{column}_reason", "")
+        noise = cell_noise(column, self._cells, self._floors)
+        return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
+
+    def _lacking(self, column: str) -> Any:
+        if column in self._record.units:
+            reason = self._lack or f"{self._cells['case']} has no {column}"
+            return absent(self._record.units[column], reason)
+        if not self._lack and not any(column in row for row in self._record.rows):
+            raise ResultsError(f"{self._place} has no column {column}")
+        return ""
+
+    def __getattr__(self, column: str) -> Any:
+        if column.startswith("_"):
+            raise AttributeError(column)
+        return self[column]
+
+    def __contains__(self, column: str) -> bool:
+        return column in self._cells
+
+    def __bool__(self) -> bool:
+        """Whether the record has it."""
+        return not self._lack
+
+    @property
+    def columns(self) -> list[str]:
+        return list(self._cells)
+
+
+class Rows(dict):
+    """Rows by case; of a case that has no single row, one without anything."""
+
+    def __init__(self, rows: Mapping[str, Row], record: Record):
+        super().__init__(rows)
+        self._record = record
+
+    def __missing__(self, case: str) -> Row:
+        return Row(self._record, None, "", case)
+
+
+@dataclass(frozen=True)
+class Results:
+    """What was measured for one section of one release, and what has been derived from it."""
+
+    record: Record
+    path: Path
+    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
+    """Results of the sections that stand before this one on the page."""
+    derived: dict[str, Value] = field(default_factory=dict)
+    """Every derived value by name, for the site's values file."""
+    floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
+    """By column: how far apart runs of one case come out with this release."""
+    label: str = ""
+    """What figures and tables call the section."""
+
+    @property
+    def edition(self) -> str:
+        """Label of the edition that it belongs to."""
+        return self.path.parent.name.removeprefix("newton-")
+
+    @property
+    def source(self) -> str:
+        """Where the record lies below the site's ``data/``."""
+        return f"{self.path.parent.name}/{self.path.name}"
+
+    @cached_property
+    def rows(self) -> list[Row]:
+        """All rows but those that are damaged in what tells them apart."""
+        whole = _whole(self.record)
+        there = (index for index, is_whole in enumerate(whole) if is_whole)
+        return [Row(self.record, index, self.source, floors=self.floors) for index in there]
+
+    @cached_property
+    def row(self) -> Rows:
+        """Rows by case, those whose case is not unique left out."""
+        cases = Counter(row.case for row in self.rows)
+        return Rows({row.case: row for row in self.rows if cases[row.case] == 1}, self.record)
+
+    @cached_property
+    def seconds(self) -> Quantity:
+        """How long the measurement took."""
+        return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
+
+    def trace(self, case: str) -> Series:
+        path, seals = trace_path(self.path, case), self.record.traces
+        source = f"{path.parent.name}/{path.name}"
+        if not os.path.lexists(path) if seals is None else case not in seals:
+            return Series(None, source, f"there is no {path.name}")
+        return Series(load_trace(path, seals[case] if seals else None), source, origins=frozenset({self.record.origin}))
+
+    def value(
+        self,
+        name: str,
+        formula: str,
+        function: Callable[..., float],
+        *sources: Quantity | Series,
+        unit: str = "1",
+        across: bool = False,
+        is_noise: bool = False,
+    ) -> Value:
+        """The value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
+
+        It does not exist when one of its sources doesn't, when ``function`` has no finite result, or when the sources
+        were measured with different releases or on different machines; ``across`` says that this is the point.
+        Its noise is what theirs make of it, unless it is itself how far runs are apart, as ``is_noise`` says.
+        """
+        if name in self.derived:
+            raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
+        origins = [source.origins for source in sources]
+        refusal = "" if across else mixed(*origins)
+        value, reason = (None, refusal) if refusal else _evaluate(function, sources)
+        self.derived[name] = Value(
+            value=value,
+            unit=unit,
+            source=f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}/{name}",
+            reason=reason,
+            origins=frozenset().union(*origins),
+            noise=None if value is None or is_noise else _noise(function, sources),
+            formula=formula,
+            sources=tuple(source.source for source in sources if source.source),
+            roots=frozenset().union(*(source.reads for source in sources)),
+        )
+        return self.derived[name]
+
+    def chosen(self, name: str, why: str, value: float, unit: str = "1") -> Value:
+        """The value ``name``, which nobody measured: a bound that was set, and ``why`` in words."""
+        return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
+
+
+def _whole(record: Record) -> list[bool]:
+    """Which rows have what says of which run they are: texts, yes and no, and settings.
+
+    A row lacks it where one of these is null for a reason, or a text is there in all other rows.
+    """
+    cells = Counter(column for row in record.rows for column in row)
+    # Not the reasons, which say of a number that it is not there: of most rows it may not be.
+    texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
+    telling = texts | (case_settings() & set(cells))
+    common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
+    return [
+        common <= set(row) and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
+        for row in record.rows
+    ]
+
+
+def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> tuple[float | None, str]:
+    reasons = [source.reason for source in sources if source.value is None]
+    if reasons:
+        return None, reasons[0]
+    try:
+        value = _of_all(function)(*(source.value for source in sources))
+    except ZeroDivisionError:
+        return None, "it would be a division by zero"
+    except (ArithmeticError, ValueError, LookupError) as error:
+        if "empty" in str(error):  # of max, min and means, which are given what is left of a damaged record
+            return None, "nothing of what was measured is left to compute it from"
+        # A damaged record may hold what no measurement gives, such as a coordinate twice.
+        return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
+    if isinstance(value, complex):
+        return None, "it has no finite value"
+    value = getattr(value, "item", lambda: value)()
+    return (value, "") if math.isfinite(value) else (None, "it has no finite value")
+
+
+def _of_all(function: Callable[..., float]) -> Callable[..., float]:
+    """The same; ``max`` and ``min``, which would look for it in a single number, of however many there are."""
+    return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
+
+
+def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
+    """The noise of what was computed; None where that of a source is not known, as of a series."""
+    noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
+    try:
+        noise = derived_noise(_of_all(function), [source.value for source in sources], noises)
+    except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
+        return None
+    return float(noise) if noise is not None and math.isfinite(noise) else None

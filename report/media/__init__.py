@@ -1,0 +1,1 @@
+"""How pages show kept runs: clips and the replay."""

@@ -1,0 +1,91 @@
+"""How a page shows the clips of a release."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from markupsafe import Markup
+
+from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
+from measured_report.editions.project import Project
+from measured_report.editions.status import State
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results, Row
+from report.names import name_of
+
+
+@dataclass(frozen=True)
+class Clips:
+    """The clips of a release as a page shows them; their files lie below ``data/``, beside those of its record."""
+
+    project: Project
+    state: State
+    """``fresh`` or ``stale``: others are not shown."""
+
+    @property
+    def results(self) -> Results:
+        return Results(self.state.record, self.project.record_path(CLIPS))
+
+    @property
+    def files(self) -> list[Path]:
+        """What the site has to carry, the record first."""
+        path = self.results.path
+        return [path, *(path.with_name(name) for name, _ in files_of(self.state.record))]
+
+    def video(self, case: str, caption: Markup) -> Markup:
+        """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
+        row = self.results.row[case]
+        return Markup(
+            '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
+            'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'
+        ).format(
+            row.width_px.value,
+            row.height_px.value,
+            self._address(row.poster),
+            self._address(row.file),
+            f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}.",
+            self._sources(row),
+            self._marked(caption),
+        )
+
+    def still(self, link: str, caption: Markup) -> Markup:
+        """The long exposure, which leads to ``link``, where there is one."""
+        row, first = self.results.row[STILL], self.results.row[FIRST]
+        alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
+        image = Markup('<img src="{}" width="{}" height="{}" alt="{}"{} loading="lazy">').format(
+            self.picture, row.width_px.value, row.height_px.value, alt, self._sources(first)
+        )
+        linked = Markup('<a href="{}">{}</a>').format(link, image) if link else image
+        caption = self._marked(caption)
+        return Markup('<figure class="clip">{}<figcaption>{}</figcaption></figure>').format(linked, caption)
+
+    @property
+    def picture(self) -> str:
+        """Address of the long exposure, seen from the pages of its release."""
+        return self._address(self.results.row[STILL].file)
+
+    def _marked(self, caption: Markup) -> Markup:
+        """A caption that says whether what it was made from has changed since."""
+        notes = self.state.words
+        return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
+
+    def _moved(self, row: Row) -> dict[str, Quantity]:
+        """The runs of a clip, and how far the cube has moved at its end."""
+        return {name_of(name): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+
+    def _sources(self, row: Row) -> Markup:
+        there = [slip.source for slip in self._moved(row).values() if slip.value is not None]
+        return Markup(' data-src="{}"').format(" ".join(there)) if there else Markup("")
+
+    def _said(self, row: Row) -> str:
+        """What is read out at the end of a clip."""
+        moved = self._moved(row)
+        return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
+
+    def _address(self, name: str) -> str:
+        return f"data/{self.project.results.name}/{name}"
+
+
+def clips_of(project: Project) -> Clips | None:
+    """The clips of a release; None when there are none that can be shown."""
+    state = clips_state(project)
+    return Clips(project, state) if state.record else None

@@ -1,0 +1,91 @@
+"""The kept runs that replay.html shows, packed into text that its script reads."""
+
+import base64
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from experiments.facts.kept import kept_run
+from measured_report import ReportError
+from measured_report.pages.pages import SHAKES
+from measured_report.records.traces import load_trace, trace_path
+from measured_report.values.results import Results
+
+SAMPLE_RATE_HZ = 30
+COLUMNS = (
+    *(f"joint_{number}" for number in range(9)),
+    *(f"cube_{part}" for part in ("x", "y", "z", "qx", "qy", "qz", "qw")),
+    "normal_force_n",
+    "tangential_force_n",
+    "penetration_mm",
+)
+"""What is packed of each sample; the cube's pose is in the TCP frame [m]."""
+WIDEST = 65535
+
+
+def replayed_runs(results: Results) -> dict[str, Any] | None:
+    """The runs of a release's replay, packed; None where not all of them are kept and whole."""
+    try:
+        return packed_runs(results)
+    except (ReportError, LookupError, TypeError, ValueError):
+        return None
+
+
+def packed_runs(results: Results) -> dict[str, Any]:
+    """All runs of the page, as assets/replay/src/runs.js reads them."""
+    rows = {row["case"]: row for row in results.record.rows}
+    first = rows[next(iter(SHAKES["3 cm"]))]
+    shakes = [
+        {"name": name, "runs": [packed_run(label, rows[case], results.path) for case, label in runs.items()]}
+        for name, runs in SHAKES.items()
+    ]
+    base = [first[f"base_{axis}_m"] for axis in "xyz"]
+    return {"base_m": base, "edge_m": first["cube_edge_m"], "columns": COLUMNS, "shakes": shakes}
+
+
+def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
+    """A run, sampled so that its last frame is among the samples; each column in 16 bits between its least and largest
+    value."""
+    run = kept_run(row, load_trace(trace_path(record, row["case"])))
+    step = max(1, round(row["frame_rate_hz"] / row["kept_frame_step"] / SAMPLE_RATE_HZ))
+    chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
+    turn = quaternions(run.cube_in_hand)
+    contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
+    values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
+    # A billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
+    low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
+    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * WIDEST).astype("<u2")
+    return {
+        "name": name,
+        "start_s": float(run.time_s[chosen[0]]),
+        "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
+        "count": len(chosen),
+        "left_grasp_s": row["left_grasp_s"],
+        "begin": {
+            "position": run.begin_in_hand[:3, 3].tolist(),
+            "quaternion": np.round(turn[run.shake_start], 9).tolist(),
+        },
+        "low": low.tolist(),
+        "high": high.tolist(),
+        "samples": base64.b64encode(whole.T.tobytes()).decode(),
+    }
+
+
+def quaternions(poses: np.ndarray) -> np.ndarray:
+    """Unit quaternions (x, y, z, w) of poses, shape [frames, 4], none the negative of what would follow from the last.
+
+    Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
+    from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).
+    """
+    r = poses[:, :3, :3]
+    trace = np.trace(r, axis1=1, axis2=2)
+    k = np.zeros((len(r), 4, 4))
+    k[:, :3, :3] = r + r.transpose(0, 2, 1) - trace[:, None, None] * np.eye(3)
+    k[:, 3, :3] = np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
+    k[:, :3, 3] = k[:, 3, :3]
+    k[:, 3, 3] = trace
+    found = np.linalg.eigh(k)[1][:, :, -1]
+    turned = np.sum(found[1:] * found[:-1], axis=1) < 0.0
+    return found * np.where(np.append(0, np.cumsum(turned)) % 2, -1.0, 1.0)[:, None]

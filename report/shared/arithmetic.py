@@ -1,0 +1,149 @@
+"""What several sections share."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
+from measured_report.parts.parts import Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
+from report.names import case_html
+
+DEVICES = {"cuda": "GPU", "cpu": "CPU"}
+
+SETTLES = ("a change that settles the matter", 10.0)
+"""Why, and how many times less a slip has to be, for a bound that several sections choose."""
+NO_DRIFT = ("no comparable drift", 10.0)
+"""Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
+
+
+def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
+    return results.value(name, formula, lambda a, b: a / b, above, below)
+
+
+def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent."""
+    return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
+
+
+def size_share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
+    """In percent, signs left out."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b), part, whole, unit="%")
+
+
+def departure(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """Size of the difference, of the reference, in percent."""
+    return results.value(name, formula, lambda a, b: 100 * abs(a / b - 1), found, reference, unit="%")
+
+
+def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
+    """In the unit of both."""
+    return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
+
+
+def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
+    """Slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
+
+    Each sum is exact before it is rounded, so that it is the same number with every Python and NumPy.
+    """
+    x, y = [math.log(value) for value in below], [math.log(value) for value in above]
+    x_mean, y_mean = math.fsum(x) / len(x), math.fsum(y) / len(y)
+    products = math.fsum((a - x_mean) * (b - y_mean) for a, b in zip(x, y, strict=True))
+    return products / math.fsum((a - x_mean) ** 2 for a in x)
+
+
+def spread(
+    results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
+) -> Value:
+    """Largest less smallest; without a number when there is none."""
+    return results.value(
+        name,
+        formula,
+        lambda *found: max(found) - min(found) if found else math.nan,
+        *cells,
+        unit=unit,
+        is_noise=is_noise,
+    )
+
+
+def extreme(
+    results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
+) -> Value:
+    """``choose``, max or min, of the cells that there are; without a number when there is none."""
+    there = [cell for cell in cells if cell.value is not None]
+    unit = there[0].unit if there else "1"
+    return results.value(name, formula, choose, *there, unit=unit)
+
+
+def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
+    """How many cells there are, as a value that points to them."""
+    return results.value(name, formula, lambda *found: len(found), *cells)
+
+
+def noise_floor(results: Results, name: str) -> Quantity:
+    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
+    return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
+
+
+def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity) -> Claim:
+    """That there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and ``share``.
+
+    What drifts the other way when held is no part of the drift when shaken, but a cause that takes no shake.
+    """
+    formula = "drift with the arm held still, of the drift as shipped, in size"
+    part = size_share(results, "hold_share", formula, held, shaken)
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
+    is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
+    numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
+    return Claim(name, at_most(part, bound), numbers)
+
+
+def resolved(noise: Quantity, bound: Quantity) -> Outcome:
+    """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
+    found = at_most(noise, bound)
+    return (
+        found
+        if found != FAILS
+        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
+    )
+
+
+def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
+    """A value that an earlier section derived; without a number, and with a reason, when it isn't there."""
+    other = results.others.get(section)
+    if not other:
+        return absent(unit, f"section {section} has no results here")
+    return other.derived[name] if name in other.derived else absent(unit, f"section {section} does not say")
+
+
+def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
+    """What a wording can name where a claim turns on ``found``; without that nothing can be told of the others."""
+    if found.value is not None:
+        return numbers
+    return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
+
+
+def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
+    """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    import pandas as pd  # it takes long, and what is kept from before needs none of it
+
+    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
+
+
+def friction_rows_differ(contacts: Results | None) -> bool:
+    """Whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
+    rows = contacts.rows if contacts else []
+    return any("friction_timeconst_s" in row and row.friction_timeconst_s.value for row in rows)
+
+
+def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
+    """What an earlier section measured; without a number, and with a reason, when it isn't there."""
+    other = results.others.get(section)
+    reason = f"section {section} {'does not say' if other else 'has no results here'}"
+    return cell_or_absent(other.row.get(case) if other else None, column, unit, reason)
+
+
+def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
+    """A cell that not every record has; without a number, and with the reason, when it isn't there."""
+    return row[column] if row and column in row else absent(unit, reason)

@@ -1,0 +1,38 @@
+"""The picture that others show with a link to the site: the slip of every release, with shipped and with stiff pads."""
+
+import io
+from collections.abc import Mapping
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure as Drawing
+
+from measured_report.parts.figures import INK, SERIES, own_style
+from measured_report.values.quantities import Quantity
+
+
+def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
+    """The picture as PNG, of 1200 × 630 pixels.
+
+    Args:
+        slips: By release, by what it is of: the slip; None where there is none.
+    """
+    with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
+        drawing = Drawing(figsize=(12, 6.3), dpi=100)
+        axes = drawing.subplots()
+        for place, pair in enumerate(slips.values()):
+            for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
+                if slip is not None and slip.value is not None:
+                    axes.barh(place + shift, slip.value, height=0.34, color=SERIES[1 - number], label=label)
+                    axes.text(slip.value, place + shift, f" {slip}", va="center", fontsize=22, color=INK)
+        axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
+        axes.invert_yaxis()
+        axes.margins(x=0.2)
+        axes.grid(visible=False)
+        axes.tick_params(bottom=False, labelbottom=False)
+        axes.spines[["bottom", "left"]].set_visible(False)
+        axes.set_title("Slip of a grasped cube in a shake test", fontsize=30, pad=24)
+        handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+        drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
+        buffer = io.BytesIO()
+        FigureCanvasAgg(drawing).print_png(buffer, metadata={"Software": None})
+        return buffer.getvalue()

@@ -1,0 +1,63 @@
+"""What the sections on time and memory share."""
+
+import math
+from typing import Any
+
+from matplotlib.axes import Axes
+
+from measured_report.parts.figures import SERIES, is_narrow
+from measured_report.values.format import format_number
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import cell_or_absent
+
+CURE_WORLDS = (1, 4096, 16384)
+"""How many worlds at once the remedies of the cure are timed with."""
+
+
+def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
+    """A cell of a row that is not measured on every machine: ``what`` says which one, where it isn't there."""
+    unit = results.record.units.get(column, "1")
+    return cell_or_absent(row, column, unit, f"{what} was not measured on this machine")
+
+
+def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
+    """How far apart frames of one run are [ms], of the rows the one where it is most."""
+    edges = [cell(results, row, column, "a case") for row in rows for column in ("frame_ms_p5", "frame_ms_p95")]
+    return results.value(
+        name,
+        "largest of the ranges from the 5th to the 95th percentile of a frame's time",
+        lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
+        *edges,
+        unit="ms",
+        is_noise=True,
+    )
+
+
+def world_axis(axes: Axes, counts: list[int]) -> None:
+    """A logarithmic axis of numbers of worlds, with a tick at each that was measured; on a narrow screen every second
+    has its label, the last among them."""
+    axes.set_xscale("log")
+    axes.minorticks_off()
+    labelled = counts[::-2] if is_narrow() else counts
+    axes.set_xticks(counts, [format_number(count) if count in labelled else "" for count in counts])
+
+
+def decade_axis(axes: Axes) -> None:
+    """A logarithmic vertical axis over whole powers of ten, so that it has labels however little is drawn."""
+    low, high = axes.dataLim.intervaly
+    axes.set_yscale("log")
+    if 0 < low <= high:
+        axes.set_ylim(10 ** math.floor(math.log10(low)), 10 ** (math.floor(math.log10(high)) + 1))
+    axes.minorticks_off()
+
+
+def draw_line(
+    axes: Axes, counts: list[int], cells: list[Quantity], series: int, label: str, scale: float = 1.0
+) -> None:
+    """What there is of ``cells`` against the number of worlds, as the series of that number."""
+    there = [(count, scale * cell.value) for count, cell in zip(counts, cells, strict=True) if cell.value is not None]
+    if there:
+        line, marker = (("-", "o"), ("--", "s"))[series]
+        style: dict[str, Any] = {"color": SERIES[series], "linestyle": line, "marker": marker, "markevery": 1}
+        axes.plot(*zip(*there, strict=True), label=label, **style)

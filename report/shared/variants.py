@@ -1,0 +1,170 @@
+"""Cases that each change one thing, against the baseline that was measured with them."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+from matplotlib.figure import Figure as Drawing
+
+from measured_report.claims.claims import NEAR_NOISE, Claim, Outcome, greater, within
+from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
+from measured_report.parts.parts import Figure, Table
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results, Row
+from report.names import case_html, name_of
+from report.shared.arithmetic import by_case, difference, noise_floor, share
+
+
+@dataclass(frozen=True)
+class Variants:
+    """The rows of one section, and what each changes in the slip."""
+
+    baseline: Row
+    rows: Sequence[Row]
+    """Without the baseline."""
+    difference: Mapping[str, Quantity]
+    """Slip of a case less that of the baseline [mm]."""
+    largest: Value
+    """The largest of the differences, either way."""
+    most: str
+    """The case that has it."""
+    largest_share: Value
+    """The same in percent of the baseline's slip."""
+    floor: Quantity
+    """How far apart runs of one case are [mm]."""
+
+    @property
+    def numbers(self) -> dict[str, Quantity | str]:
+        """What the wording of a claim can name."""
+        numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
+        most = case_html(self.most)
+        return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
+
+
+class Differences(dict):
+    """By case; that of a case without a row is absent."""
+
+    def __missing__(self, case: str) -> Quantity:
+        return absent("mm", f"there is no single row of case {case}")
+
+
+def variants_of(results: Results, baseline: str) -> Variants:
+    """Every row of the section against the row of the case ``baseline``."""
+    reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
+    difference = Differences({row.case: _difference(results, row, reference) for row in rows})
+    largest = results.value(
+        "largest_difference",
+        "largest difference in slip from the baseline, either way",
+        lambda *cell: max(map(abs, cell)),
+        *difference.values(),
+        unit="mm",
+    )
+    formula = "largest difference in slip from the baseline, of the baseline's slip"
+    largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
+    most = max(difference, key=lambda case: abs(difference[case].value or 0.0), default="none")
+    return Variants(reference, rows, difference, largest, most, largest_share, noise_floor(results, "slip_floor"))
+
+
+def _difference(results: Results, row: Row, reference: Row) -> Value:
+    return difference(
+        results,
+        f"{row.case}_difference",
+        f"slip of {row.case} less that of {reference.case}",
+        row.slip_mm,
+        reference.slip_mm,
+    )
+
+
+def not_the_cause(results: Results, variants: Variants) -> Claim:
+    """Whether every variant leaves most of the slip in place."""
+    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
+    outcome = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
+    return Claim("not_the_cause", outcome, variants.numbers)
+
+
+def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
+    """Whether a change of slip [mm] is less than ``bound`` percent of a slip, by more than the noise; more is the
+    opposite."""
+    limit = results.value(
+        f"{name}_limit",
+        f"{bound.written} % of the slip, signs left out",
+        lambda percent, whole: percent / 100 * abs(whole),
+        bound,
+        slip,
+        unit="mm",
+    )
+    return greater(limit, change, noise=noise)
+
+
+def within_noise(variants: Variants) -> Claim:
+    """Whether any variant differs from the baseline by more than the baseline does from itself."""
+    found = {case_html(case): value for case, value in variants.difference.items()}
+    return Claim(
+        "within_noise",
+        within(variants.largest, variants.floor),
+        numbers=variants.numbers | {"beyond": beyond_noise(found, variants.floor)},
+    )
+
+
+def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
+    """Those of the named differences that are clearly larger than the noise, either way."""
+    there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
+    beyond = {name: value for name, value in there.items() if abs(value.value) > NEAR_NOISE * floor.value}
+    before = [absent("mm", "it is the first"), *beyond.values()]
+    return Markup(", ").join(
+        Markup("{} by {}").format(name, value.beside(last))
+        for last, (name, value) in zip(before, beyond.items(), strict=False)
+    )
+
+
+def variant_table(variants: Variants, labels: Mapping[str, str]) -> Table:
+    """A row for each case; ``labels`` says in words which columns are parameters of a case."""
+    rows = [variants.baseline, *variants.rows]
+    columns = {
+        "changed": [_changed(row, variants.baseline, labels) for row in rows],
+        "slip": [row.slip_mm for row in rows],
+        "against baseline": [variants.difference.get(row.case, "") for row in rows],
+        "drift": [row.drift_mm_s for row in rows],
+    }
+    return by_case(rows, columns)
+
+
+def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
+    if row is baseline:
+        return Markup("nothing: baseline")
+    own = {name: label for name, label in labels.items() if name in row}
+    changed = {label: row[name] for name, label in own.items() if name not in baseline or row[name] != baseline[name]}
+    return Markup(", ").join(Markup("{} {}").format(label, value) for label, value in changed.items())
+
+
+def variant_figure(variants: Variants) -> Figure:
+    """The slip of every case, and beside it how far it is from the baseline, with the noise."""
+    slips = [row.slip_mm for row in (variants.baseline, *variants.rows)]
+    return Figure(draw=lambda: _draw_variants(variants), sources=slips, numbers=variants.numbers)
+
+
+def _draw_variants(variants: Variants) -> Drawing:
+    rows = [row for row in (variants.baseline, *variants.rows) if row.slip_mm.value is not None]
+    names, slips = [name_of(row.case) for row in rows], [row.slip_mm.value for row in rows]
+    drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
+    left.barh(names, slips, height=0.6, color=SERIES[0], linewidth=0)
+    for place, (row, slip) in enumerate(zip(rows, slips, strict=True)):
+        left.annotate(
+            write(row.slip_mm), (slip, place), xytext=(4, 0), textcoords="offset points", fontsize=9, va="center"
+        )
+    left.set_xlim(0.0, 1.25 * max(slips))
+    left.set_xlabel("slip [mm]")
+    reference, floor = variants.baseline.slip_mm.value, variants.floor.value
+    if reference is not None:
+        right.axvline(0.0, color=INK, linewidth=1, linestyle="--", marker="")
+        if floor is not None:
+            right.axvspan(-floor, floor, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
+            above = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
+            right.annotate("noise", (0.0, 1.0), fontsize=8.5, **above)
+        right.plot([slip - reference for slip in slips], names, "o", color=SERIES[1], markevery=1, markersize=6)
+    right.set_xlabel(f"difference from\n{names[0]} [mm]")
+    right.locator_params(axis="x", nbins=4)
+    right.tick_params(axis="y", left=False)
+    left.invert_yaxis()
+    left.grid(visible=False)
+    return drawing
