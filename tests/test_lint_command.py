@@ -144,11 +144,10 @@ def test_a_reader_may_stop_before_the_end(scene):
 
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
     """With the files of the wheel and nothing else of the project."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["only-include"]:
-        place = tmp_path / "site" / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copytree(ROOT / name, place) if (ROOT / name).is_dir() else shutil.copy(ROOT / name, place)
+    package = ROOT / "packages/newton-lint"
+    project = tomllib.loads((package / "pyproject.toml").read_text(encoding="utf-8"))
+    for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]:
+        shutil.copytree(package / name, tmp_path / "site" / name)
     module, _, function = project["project"]["scripts"]["newton-lint"].partition(":")
     program = tmp_path / "newton-lint"
     program.write_text(f"import sys\nfrom {module} import {function}\nsys.exit({function}())\n")
@@ -244,4 +243,4 @@ def test_every_rule_is_documented():
 
 
 def _rules_source() -> str:
-    return (ROOT / "experiments" / "linting" / "rules.py").read_text(encoding="utf-8")
+    return (ROOT / "packages/newton-lint/newton_lint" / "rules.py").read_text(encoding="utf-8")
