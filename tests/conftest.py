@@ -20,7 +20,8 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.files import locked
 from measured_report.pages.page import Templates
-from measured_report.records.identity import identity_of, package_versions
+from measured_report.records.identity import identity_of
+from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.site import build

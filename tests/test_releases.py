@@ -18,7 +18,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.stack import stack_of
 from measured_report.editions.status import status_matrix
 from measured_report.pages.page import Templates
-from measured_report.records.identity import MISSING
+from measured_report.records.provenance import MISSING
 from measured_report.records.reading import load_record
 from measured_report.records.record import Origin, write_record
 from measured_report.site.check import check_site

@@ -18,12 +18,13 @@ from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
 
+import measured_report
 from measured_report import ROOT, ReportError, UsageError
 from measured_report.editions.stack import Stack, release_date
+from measured_report.files.config import config
 from measured_report.files.files import locked
 from measured_report.files.processes import end_with
-from measured_report.records.identity import MISSING, package_versions
-from measured_report.records.sources import EDITED
+from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
@@ -89,27 +90,27 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     """The Python that has a stack; its environment is made when it is not there.
 
     Args:
-        stack: Newton, and what was asked for with it.
+        stack: What was asked for.
         packages: Version by package that its earlier measurements were made with, to be installed again; a package
-            that is ``missing`` there gets the version that Newton asked for when it came out.
+            that is ``missing`` there gets the version that the release asked for when it came out.
     """
-    installed = package_versions()
-    if installed["newton"] == stack.label.newton and dict(stack.label.pins).items() <= installed.items():
+    package, option = config().package, config().option
+    if stack.label.is_installed_with(package_versions()):
         return Path(sys.executable)
-    if not stack.newton:
+    if not stack.requirement:
         raise UsageError(
-            f"NEWTON={stack.label} does not say where its code is; a path or git+https://HOST/newton.git@COMMIT does"
+            f"{option}={stack.label} does not say where its code is; "
+            f"a path or git+https://HOST/{package}.git@COMMIT does"
         )
     folder = environment_of(stack, root)
     project = (root / "pyproject.toml").read_text(encoding="utf-8")
-    wanted = requirements(project, {**packages, **dict(stack.label.pins), "newton": stack.label.version})
-    named = f"newton[sim]=={stack.label.version}"
-    rest = [requirement for requirement in wanted if requirement != named]
-    source = "\n".join([stack.newton, *rest]).encode()
+    others = {name: version for name, version in packages.items() if name != package}
+    rest = requirements(project, {package: MISSING, **others, **dict(stack.label.pins)})
+    source = "\n".join([stack.requirement, *rest]).encode()
     if stack.checkout:
         source += (stack.checkout / "pyproject.toml").read_bytes()
     if stack.checkout or not (folder / READY).exists():
-        _make(folder, f"NEWTON={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
+        _make(folder, f"{option}={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
     _refuse_other(folder / "bin" / "python", stack, root)
     return folder / "bin" / "python"
 
@@ -120,17 +121,22 @@ def environment_of(stack: Stack, root: Path = ROOT) -> Path:
     if stack.checkout:
         pins = "".join(f"+{part}" for part in name.split("+")[2:])
         name = f"{stack.checkout.name}-{hashlib.sha256(str(stack.checkout).encode()).hexdigest()[:7]}{pins}"
-    return root / f".venv-newton-{name}"
+    return root / f".venv-{config().edition_folder(name)}"
 
 
 def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
     """UsageError unless what is installed is what was asked for."""
-    code = "import json; from report.records.identity import package_versions; print(json.dumps(package_versions()))"
+    code = (
+        f"import json, sys; sys.path.append({str(Path(measured_report.__file__).parents[1])!r});"
+        "from measured_report.records.provenance import package_versions; print(json.dumps(package_versions()))"
+    )
     done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise UsageError(f"NEWTON={stack.asked}: {python} does not run; remove its folder and it is made anew")
+        raise UsageError(
+            f"{config().option}={stack.asked}: {python} does not run; remove its folder and it is made anew"
+        )
     installed = json.loads(done.stdout)
-    wanted = {**dict(stack.label.pins), "newton": stack.label.newton}
+    wanted = {**dict(stack.label.pins), config().package: stack.label.package_version}
     for package, version in wanted.items():
         found = installed[package]
         if found.partition(f"{EDITED}.")[0] != version.removesuffix(EDITED):
@@ -139,18 +145,19 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
 
 
 def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
-    """The project's requirements with these versions of the simulator's packages in the place of its own.
+    """The project's requirements with these versions of the packages that are measured in the place of its own.
 
     Args:
         project: Text of pyproject.toml, in which each requirement is a line of its own.
         packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
     """
-    named = {"newton": "newton[sim]", "warp-lang": "warp-lang", "mujoco-warp": "mujoco-warp", "mujoco": "mujoco"}
     for name, version in packages.items():
-        if name not in named or (not VERSION.fullmatch(version) and version != MISSING):
-            raise ReportError(f"{name} {version!r:.60} is no package of the simulator with a plain version")
+        if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
+            raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     own = [line for line in REQUIREMENT.findall(project) if NAME.match(line)[0] not in packages]
-    return own + [f"{named[name]}=={version}" for name, version in packages.items() if version != MISSING]
+    return own + [
+        f"{config().requirement_of(name)}=={version}" for name, version in packages.items() if version != MISSING
+    ]
 
 
 def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> None:
@@ -207,20 +214,21 @@ def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
 
 
 def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":
-    """Install Newton and the rest: packages that nobody named are those of the day on which it came out."""
+    """Install what was asked for and the rest: packages that nobody named are those of the day on which it came out."""
     pins = dict(stack.label.pins)
     overrides = new / "overrides.txt"
     overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
     options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
     options += ["--overrides", str(overrides)] if pins else []
     if day := release_date(stack):
-        print(f"NEWTON={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
+        print(f"{config().option}={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
         after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
         options += ["--exclude-newer", after]
         named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
         options += [word for name in named for word in ("--exclude-newer-package", f"{name}={NEVER}")]
-    newton = ["--editable", f"{stack.checkout}[sim]"] if stack.checkout else [stack.newton]
-    yield [uv, "pip", "install", *options, *rest, *newton], {}
+    extras = config().requirement.removeprefix(config().package)
+    asked = ["--editable", f"{stack.checkout}{extras}"] if stack.checkout else [stack.requirement]
+    yield [uv, "pip", "install", *options, *rest, *asked], {}
 
 
 def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:

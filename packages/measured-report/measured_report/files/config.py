@@ -1,16 +1,13 @@
 """What ``report.toml`` says: all that has to be known of a report besides its rooms."""
 
 import sys
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from measured_report import ROOT, ReportError
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 FILE = "report.toml"
 
@@ -21,8 +18,46 @@ class Config:
 
     packages: tuple[str, ...] = ()
     """Whose versions are part of what a record depends on; the first is the one whose releases are editions."""
+    requirement: str = ""
+    """The first package as pyproject.toml asks for it, with its extras and without a version."""
+    edition_name: str = ""
+    """What people call the first package."""
+    short_names: Mapping[str, str] = field(default_factory=dict)
+    """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
     """The module that says how this report measures on a host; the one named here says what it may have."""
+
+    @property
+    def package(self) -> str:
+        """The package whose releases are editions."""
+        return self.packages[0]
+
+    @property
+    def option(self) -> str:
+        """The variable of make that names an edition."""
+        return self.package.upper()
+
+    def edition_folder(self, release: str) -> str:
+        """The name of the folder that has the results of an edition."""
+        return f"{self.package}-{release}"
+
+    def edition_in(self, folder: str) -> str:
+        """The label of the edition whose results are in a folder of that name."""
+        return folder.removeprefix(f"{self.package}-")
+
+    def requirement_of(self, package: str) -> str:
+        """A package as it is asked for, with its extras."""
+        return self.requirement if package == self.package and self.requirement else package
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The content of a TOML file; ValueError or OSError where it is none."""
+    # A Python that makes the environment has no more than its own library.
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
 @cache
@@ -30,7 +65,10 @@ def config(root: Path = ROOT) -> Config:
     """ReportError, one line, where the file is not whole."""
     path = root / FILE
     try:
-        fields = tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
-        return Config(**{name: tuple(value) if isinstance(value, list) else value for name, value in fields.items()})
+        found = read_toml(path) if path.is_file() else {}
+        fields: dict[str, Any] = {
+            key: tuple(value) if isinstance(value, list) else value for key, value in found.items()
+        }
+        return Config(**fields)
     except (OSError, ValueError, TypeError) as error:
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None

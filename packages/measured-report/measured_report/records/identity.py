@@ -1,18 +1,13 @@
 """Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from importlib import metadata
 from pathlib import Path
 
 from measured_report import ROOT
-from measured_report.files.config import config
 from measured_report.records.code import Source, digest_of, files, roots_of
-from measured_report.records.sources import source_of
-
-PACKAGES = config().packages
-MISSING = "missing"
+from measured_report.records.provenance import package_changes, package_versions
 
 
 @dataclass(frozen=True)
@@ -75,14 +70,6 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
     return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
 
 
-def package_changes(
-    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = PACKAGES
-) -> list[str]:
-    """Which packages are of another version than before, each with both."""
-    versions = {name: (before.get(name), after.get(name)) for name in names}
-    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
-
-
 def sections(root: Path = ROOT) -> list[str]:
     """Names of the sections: those that have a module, or a folder of modules, on the report's side."""
     folder = root / "report" / "sections"
@@ -93,26 +80,6 @@ def sections(root: Path = ROOT) -> list[str]:
 def source_at(path: Path, name: str) -> Source:
     """What ``read_source`` says, of one that was looked at before as well."""
     return files().source(str(path), name)
-
-
-def package_versions() -> dict[str, str]:
-    """Version of each package that is installed here; Newton's says which code it is, where that is not an index's."""
-    seen = files()
-    seen.versions = seen.versions or _installed_versions()
-    return dict(seen.versions)
-
-
-def _installed_versions() -> dict[str, str]:
-    versions = {package: _installed_version(package) for package in PACKAGES}
-    source = source_of("newton")
-    return versions | ({"newton": f"{versions['newton']}+{source}"} if source else {})
-
-
-def _installed_version(package: str) -> str:
-    try:
-        return metadata.version(package)
-    except metadata.PackageNotFoundError:
-        return MISSING
 
 
 def _sha256(path: Path) -> str:

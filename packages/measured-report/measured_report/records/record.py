@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from measured_report import ROOT
+from measured_report.files.config import config
 from measured_report.files.files import RecordError, place_of, put_record
 from measured_report.records.columns import (
     PLAIN,
@@ -22,7 +23,8 @@ from measured_report.records.columns import (
     unit_of,
     units_of,
 )
-from measured_report.records.identity import MISSING, Identity
+from measured_report.records.identity import Identity
+from measured_report.records.provenance import MISSING
 
 SCHEMA = 1
 
@@ -32,11 +34,11 @@ class Origin:
     """What a number was measured with, as far as others must share it to be compared with it."""
 
     release: str
-    """Newton release."""
+    """Version of the package whose releases are editions."""
     processor: str
 
     def __str__(self) -> str:
-        return f"Newton {self.release} on {self.processor}"
+        return f"{config().edition_name} {self.release} on {self.processor}"
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,7 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(self.identity.packages.get("newton", MISSING), self.processor)
+        return Origin(self.identity.packages.get(config().package, MISSING), self.processor)
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
@@ -107,9 +109,9 @@ any of these numbers repeats to."""
 
 
 def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
-    """Where the records of a Newton release lie; only those of the full profile are tracked."""
+    """Where the records of an edition lie; only those of the full profile are tracked."""
     results = root / "results"
-    return (results if profile == "full" else results / profile) / f"newton-{release}"
+    return (results if profile == "full" else results / profile) / config().edition_folder(release)
 
 
 def record_path(section: str, release: str, profile: str, root: Path = ROOT) -> Path:
