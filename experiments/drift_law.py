@@ -16,7 +16,7 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from experiments.stability.limits import step_s
-from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.pool import gather, processes, start
 
 PREDICTED = ("left_out_mm_s", "step_mm_s", "damping_mm_s", "creep_mm_s", "predicted_drift_mm_s")
 

@@ -16,7 +16,7 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.simulation import CONTACT_MAX, Simulation, run
 from experiments.simulation.timing import batch_invalid_reason, frame_ms, in_the_shake, put_in_state_of, spread
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.failing import NOT_COMPILED
+from measured_report.measuring.reasons import NOT_COMPILED
 
 CONTACTS, CONSTRAINT, ATOMICS = 1, 2, 4
 """Bits of ``Option.deterministic`` (mujoco-warp 3.17, ``DeterminismType``)."""

@@ -11,12 +11,12 @@ import pytest
 from conftest import MODULE, ROWS, Toy
 from damage import damage_record
 
-import build
 from measured_report import ROOT
 from measured_report.changes.alarm import check, check_said, diff_said
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
+from measured_report.commands import command_line as build
 from measured_report.commands.options import FORMATS
 from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project, own_release

@@ -12,7 +12,6 @@ import pytest
 from conftest import ROWS, TEMPLATE, Toy
 from test_stack import checkout, git  # noqa: F401
 
-import build
 from measured_report import ReportError, UsageError
 from measured_report.changes import bisect
 from measured_report.changes.bisect import (
@@ -25,6 +24,7 @@ from measured_report.changes.bisect import (
     first_change,
 )
 from measured_report.changes.history import flip_history, flips, history
+from measured_report.commands import command_line as build
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.stack import stack_of

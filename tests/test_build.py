@@ -84,13 +84,14 @@ def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
 INTERRUPTED = """
 import signal, sys, time
 import build
+from measured_report.commands import command_line
 
 class Closing:
     def __del__(self):
         raise KeyboardInterrupt
 
 signal.signal(signal.SIGALRM, signal.default_int_handler)
-sys.unraisablehook = build.interrupt_again
+sys.unraisablehook = command_line.interrupt_again
 try:
     Closing()
     time.sleep(10.0)
@@ -107,6 +108,7 @@ def test_an_interrupt_that_python_drops_comes_again():
 MADE = """
 import sys
 import build
+from measured_report.commands import command_line
 
 class Hit:
     def __set_name__(self, owner, name):
@@ -115,8 +117,8 @@ class Hit:
 def make_class():
     type("Made", (), {"hit": Hit()})
 
-build._parse_arguments = make_class
-sys.exit(build.main())
+command_line._parse_arguments = make_class
+sys.exit(command_line.main())
 """
 
 

@@ -1,4 +1,4 @@
-"""Studies on a cluster's workers, which are killed, stopped and of another mind."""
+"""Sections measured by a cluster's workers, which are killed, stopped and have other code."""
 
 import os
 import signal
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import batches
 import pytest
-from test_study import begun, course, log, rows_of  # noqa: F401
+from test_study import begun, log, rows_of, run_of  # noqa: F401
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
@@ -19,17 +19,19 @@ from distributed import LocalCluster
 from measured_report import ROOT, ReportError
 from measured_report.measuring import cluster as clusters
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.cluster import crew_of
+from measured_report.measuring.cluster import cluster_executor
+from measured_report.measuring.cluster_address import read_cluster
+from measured_report.measuring.executors import LocalExecutor
 from measured_report.measuring.machine import machine
-from measured_report.measuring.scheduler import Here, Study
-from measured_report.measuring.where import read_cluster
+from measured_report.measuring.scheduler import Scheduler
+from measured_report.records.identity import identity_of
 
-PATH = os.pathsep.join([str(ROOT), str(ROOT / "tests")])
+PATH = os.pathsep.join(map(str, [ROOT, *ROOT.glob("packages/*"), ROOT / "tests"]))
 
 
 @pytest.fixture(scope="module")
 def scheduler():
-    """Address of a cluster of one worker with two slots, as somebody may have started it."""
+    """Address of a cluster of one worker with two processes, as somebody may have started it."""
     with pytest.MonkeyPatch.context() as settings:
         settings.setenv("PYTHONPATH", PATH)
         options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
@@ -37,8 +39,8 @@ def scheduler():
             yield cluster.scheduler_address
 
 
-def crew(scheduler: str):
-    return crew_of(read_cluster(scheduler), "cpu", None, {}, "quick")
+def workers_at(scheduler: str):
+    return cluster_executor(read_cluster(scheduler), "cpu", None, {})
 
 
 def spans(log: Path) -> dict[str, tuple[float, float]]:  # noqa: F811
@@ -49,19 +51,19 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:  # noqa: F811
     return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
 
 
-def named(course, section: str):
-    course.section = section
-    return course
+def named(run, section: str):
+    run.section = section
+    return run
 
 
 def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, log, scheduler, capsys):  # noqa: F811
-    whole = course(toy, batches.section(str(log), "abcdefg", 0.1, alone="cf"))
-    mortal = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 2)))), "mortal")
-    doomed = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 99)))), "doomed")
-    killer = named(course(toy, batches.single(Batch("worker", batches.kill_worker, (str(log),)))), "killer")
-    with crew(scheduler) as workers:
-        assert Study([killer, whole, mortal], workers).run() is False
-        assert Study([doomed], workers).run() is True
+    whole = run_of(toy, batches.section(str(log), "abcdefg", 0.1, alone="cf"))
+    mortal = named(run_of(toy, batches.single(Batch("die", batches.die, (str(log), 2)))), "mortal")
+    doomed = named(run_of(toy, batches.single(Batch("die", batches.die, (str(log), 99)))), "doomed")
+    killer = named(run_of(toy, batches.single(Batch("worker", batches.kill_worker, (str(log),)))), "killer")
+    with workers_at(scheduler) as workers:
+        assert Scheduler([killer, whole, mortal], workers).run() is False
+        assert Scheduler([doomed], workers).run() is True
     errors = capsys.readouterr().err
     assert "killer/worker: its worker is gone; it is tried again" in errors
     assert errors.count("mortal/die: its process was killed by SIGKILL; it is tried again") == 2
@@ -101,18 +103,22 @@ def is_there(process: int) -> bool:
         return False
 
 
-def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, capsys):
-    own = clusters.identity_of("slot", "quick")
-    other = replace(own, code="0" * 64, files={**own.files, "experiments/ending.py": "0" * 64})
-    monkeypatch.setattr(clusters, "identity_of", lambda section, profile: other)
-    with pytest.raises(ReportError, match="no worker may measure this"), crew(scheduler):
+@pytest.mark.parametrize("differing", ["code: experiments/gap.py", "measured_report"])
+def test_a_worker_with_other_code_is_refused_by_name(scheduler, monkeypatch, capsys, differing):
+    identities, own = {}, identity_of("gap", "quick")
+    if differing == "measured_report":
+        monkeypatch.setattr(clusters, "carrying_digest", lambda: "0" * 64)
+    else:
+        identities["gap"] = replace(own, code="0" * 64, files={**own.files, "experiments/gap.py": "0" * 64})
+    executor = cluster_executor(read_cluster(scheduler), "cpu", None, identities)
+    with pytest.raises(ReportError, match="no worker may measure this"), executor:
         pass
     said = capsys.readouterr().err
-    assert f"{os.uname().nodename} is left out: it would measure with another code: experiments/ending.py" in said
+    assert f"{os.uname().nodename} is left out: it would measure with another {differing}" in said
 
 
-def test_a_worker_without_the_gpu_of_the_study_is_refused_by_name(scheduler, monkeypatch, capsys):
-    wanted = crew_of(read_cluster(scheduler), "cuda", "nvidia-h200", {}, "quick")
+def test_a_worker_without_the_gpu_that_is_asked_for_is_refused_by_name(scheduler, monkeypatch, capsys):
+    wanted = cluster_executor(read_cluster(scheduler), "cuda", "nvidia-h200", {})
     with pytest.raises(ReportError, match="no worker may measure this"), wanted:
         pass
     assert "left out: it has no CUDA device, and this is of nvidia-h200" in capsys.readouterr().err
@@ -123,10 +129,10 @@ import signal
 import sys
 import batches
 from pathlib import Path
-from measured_report.measuring.cluster import crew_of
-from measured_report.measuring.course import Course
-from measured_report.measuring.scheduler import Study
-from measured_report.measuring.where import read_cluster
+from measured_report.measuring.cluster import cluster_executor
+from measured_report.measuring.scheduler import Scheduler
+from measured_report.measuring.section_run import SectionRun
+from measured_report.measuring.cluster_address import read_cluster
 from measured_report.records.identity import identity_of
 from measured_report.editions.project import Project
 
@@ -134,14 +140,15 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
     cluster, root, log = sys.argv[1:]
     project = Project("1.4.0", root=Path(root))
-    course = Course(project, "toy", "cpu", batches.slow_after(log, "ab"), identity_of("toy", "full", project.root), {})
-    with crew_of(read_cluster(cluster), "cpu", None, {}, "quick") as crew:
-        Study([course], crew).run()
+    identity = identity_of("toy", "full", project.root)
+    run = SectionRun(project, "toy", "cpu", batches.slow_after(log, "ab"), identity, {})
+    with cluster_executor(read_cluster(cluster), "cpu", None, {}) as executor:
+        Scheduler([run], executor).run()
 """
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
-def test_a_study_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):  # noqa: F811
+def test_measuring_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):  # noqa: F811
     own = "local:2" if sent == signal.SIGKILL else scheduler
     driver = subprocess.Popen(
         [sys.executable, "-c", DRIVER, own, str(toy.project.root), str(log)],
@@ -155,5 +162,5 @@ def test_a_study_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was
     driver.communicate()
     assert not running(log) and time.monotonic() - stopped < 5.0
     log.write_text("")
-    assert not Study([course(toy, batches.slow_after(str(log), "ab", 0.0))], Here(machine("cpu"))).run()
+    assert not Scheduler([run_of(toy, batches.slow_after(str(log), "ab", 0.0))], LocalExecutor(machine("cpu"))).run()
     assert begun(log) == ["slow"] and [row["case"] for row in rows_of(toy)] == ["a", "b", "slow"]

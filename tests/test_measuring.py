@@ -9,7 +9,7 @@ from measured_report.changes.upgrade import DECIDING, base_of, unmeasured
 from measured_report.commands.editions import aside
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
-from measured_report.measuring.failing import is_expected, reason_of
+from measured_report.measuring.reasons import is_expected, reason_of
 
 
 def test_what_does_not_compile_is_said_in_one_line():

@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
-import build
 from measured_report import ROOT
 from measured_report.changes.compare import Comparison, compare, is_flip
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
+from measured_report.commands import command_line as build
 from measured_report.deriving.editions import derive_edition, editions_of
 from measured_report.editions.environment import requirements
 from measured_report.editions.project import Project

@@ -14,7 +14,7 @@ from experiments.leave_out.stages import count_launches, element_of, stage_rows
 from experiments.simulation.kernels import Module, modules_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from experiments.simulation.timing import in_the_shake, put_in_state_of
-from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.pool import gather, processes, start
 from newton_lint import compat
 
 FRAME_COUNT = 20

@@ -1,4 +1,4 @@
-"""Studies: sections in batches, on this process and on a cluster, and what may go wrong meanwhile."""
+"""The scheduler: sections in batches, measured by this process and its forks, and what may go wrong meanwhile."""
 
 import os
 import random
@@ -11,16 +11,14 @@ import pytest
 import warp as wp
 
 from measured_report import ROOT, UsageError
-from measured_report.files.processes import workers
-from measured_report.measuring import on_paper
-from measured_report.measuring import worker as slots
+from measured_report.measuring import worker
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.course import Course, Task
-from measured_report.measuring.forks import Forks
+from measured_report.measuring.cluster_address import read_cluster
+from measured_report.measuring.executors import Host, LocalExecutor, Task
 from measured_report.measuring.machine import machine
-from measured_report.measuring.on_paper import hosts_of, makespan
-from measured_report.measuring.scheduler import Here, Host, Study, next_start
-from measured_report.measuring.where import read_cluster
+from measured_report.measuring.pool import processes
+from measured_report.measuring.scheduler import Scheduler, next_start
+from measured_report.measuring.section_run import SectionRun
 from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
 
@@ -32,8 +30,8 @@ def log(tmp_path) -> Path:
     return path
 
 
-def course(toy, plan) -> Course:
-    return Course(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
+def run_of(toy, plan) -> SectionRun:
+    return SectionRun(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
 
 
 def begun(log: Path) -> list[str]:
@@ -46,7 +44,9 @@ def rows_of(toy) -> list:
 
 
 def test_a_record_is_put_together_from_its_batches(toy, log):
-    assert not Study([course(toy, batches.section(str(log), "abc", alone="b"))], Here(machine("cpu"))).run()
+    assert not Scheduler(
+        [run_of(toy, batches.section(str(log), "abc", alone="b"))], LocalExecutor(machine("cpu"))
+    ).run()
     assert begun(log) == ["a", "b", "c"]
     record = load_record(toy.record_path)
     assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
@@ -57,11 +57,11 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
 
 
 def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy, log, capsys):
-    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
     failing.section = "bad-one"
-    with workers(2, "fork") as pool:
-        crew = Forks(pool, 2, machine("cpu"))
-        assert Study([failing, course(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], crew).run()
+    with processes(2, "fork") as pool:
+        executor = LocalExecutor(machine("cpu"), pool, 2)
+        assert Scheduler([failing, run_of(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], executor).run()
     said = [line.split() for line in log.read_text().splitlines()]
     times = {(what, name): float(time) for what, name, time, _ in said}
     assert times["begin", "d"] > max(times["end", name] for name in "abc")
@@ -71,70 +71,70 @@ def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy
 
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
-    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
-    other = course(toy, batches.section(str(log), "a"))
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    other = run_of(toy, batches.section(str(log), "a"))
     other.section = "other"
     failing.section, other.section = "bad-one", "toy"
-    assert Study([failing, other], Here(machine("cpu"))).run()
+    assert Scheduler([failing, other], LocalExecutor(machine("cpu"))).run()
     assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
     assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
 
 
-def test_a_study_says_how_far_it_is(toy, log):
+def test_the_scheduler_says_how_far_it_is(toy, log):
     said = []
 
-    class Watched(Here):
-        def start(self, task, place):
-            super().start(task, place)
-            said.append(study.status())
+    class Watched(LocalExecutor):
+        def start(self, task, process):
+            said.append(scheduler.status())
+            super().start(task, process)
 
-    known = course(toy, batches.section(str(log), "ab"))
+    known = run_of(toy, batches.section(str(log), "ab"))
     known.known = {"toy": 300.0}
-    study = Study([known], Watched(machine("cpu")))
-    study.run()
+    scheduler = Scheduler([known], Watched(machine("cpu")))
+    scheduler.run()
     assert said == [f"{done}; about 5 min left" for done in (
         "0 of 2 batches; toy/a running", "1 of 2 batches; toy/b running", "2 of 3 batches; toy/sum running"
     )]  # fmt: skip
-    assert study.status() == "3 of 3 batches; nothing running; about 0 s left"
+    assert scheduler.status() == "3 of 3 batches; nothing running; about 0 s left"
 
 
-class Stopped(Here):
+class Stopped(LocalExecutor):
     """One that is stopped, as by Ctrl-C, before the batch ``at``."""
 
     def __init__(self, at: str):
         super().__init__(machine("cpu"))
         self.at = at
 
-    def start(self, task, place):
+    def start(self, task, process):
         if task.batch.name == self.at:
             raise KeyboardInterrupt
-        super().start(task, place)
+        super().start(task, process)
 
 
 def test_what_is_finished_is_found_again_and_only_by_the_same_code(toy, log):
     with pytest.raises(KeyboardInterrupt):
-        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
-    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+        Scheduler([run_of(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+    assert not Scheduler([run_of(toy, batches.section(str(log), "abcd"))], LocalExecutor(machine("cpu"))).run()
     assert begun(log) == ["a", "b", "c", "d"]
     whole = rows_of(toy)
     with pytest.raises(KeyboardInterrupt):
-        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+        Scheduler([run_of(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
     toy.write("experiments/toy.py", "def measure(conditions):\n    return 2\n")
-    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+    assert not Scheduler([run_of(toy, batches.section(str(log), "abcd"))], LocalExecutor(machine("cpu"))).run()
     assert begun(log)[4:] == ["a", "b", "a", "b", "c", "d"] and rows_of(toy) == whole
 
 
 def test_what_another_kind_of_machine_has_finished_is_not_found(toy, log):
     with pytest.raises(KeyboardInterrupt):
-        Study([course(toy, batches.section(str(log), "ab"))], Stopped("b")).run()
-    other = Here({**machine("cpu"), "cpu": "Another"})
-    assert not Study([course(toy, batches.section(str(log), "ab"))], other).run()
+        Scheduler([run_of(toy, batches.section(str(log), "ab"))], Stopped("b")).run()
+    other = LocalExecutor({**machine("cpu"), "cpu": "Another"})
+    assert not Scheduler([run_of(toy, batches.section(str(log), "ab"))], other).run()
     assert begun(log) == ["a", "a", "b"] and load_record(toy.record_path).machine["cpu"] == "Another"
 
 
 @pytest.mark.parametrize("names", ["aa", ""])
 def test_batches_need_names_of_their_own(toy, log, names, capsys):
-    assert Study([course(toy, batches.section(str(log), names))], Here(machine("cpu"))).run()
+    assert Scheduler([run_of(toy, batches.section(str(log), names))], LocalExecutor(machine("cpu"))).run()
     assert "batches need names of their own" in capsys.readouterr().err
 
 
@@ -168,12 +168,12 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
 
 
 def test_processes_share_a_gpu_where_a_daemon_lets_them(tmp_path, monkeypatch):
-    monkeypatch.setenv(slots.MPS, str(tmp_path))
-    monkeypatch.setattr(slots.os, "cpu_count", lambda: 10)
-    assert slots.shared_slots(["A", "B"]) == []
+    monkeypatch.setenv(worker.MPS, str(tmp_path))
+    monkeypatch.setattr(worker.os, "cpu_count", lambda: 10)
+    assert worker.shared_processes(["A", "B"]) == []
     (tmp_path / "control").touch()
-    assert slots.shared_slots(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
-    assert slots.shared_slots(["A", "B", "C"]) == []  # one process each shares nothing
+    assert worker.shared_processes(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
+    assert worker.shared_processes(["A", "B", "C"]) == []  # one process each shares nothing
 
 
 def test_a_section_stays_on_one_kind_of_machine():
@@ -192,28 +192,9 @@ def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
                 ready = [pair for pair in ready if pair[0] is not found[0]]
             for host in TWO:
                 there = [each for (name, _), each in busy.items() if name == host.name]
-                assert len(there) <= (1 if any(each.batch.alone for each in there) else len(host.slots))
+                assert len(there) <= (1 if any(each.batch.alone for each in there) else len(host.processes))
             assert busy, "something can always be started"
             del busy[chance.choice(list(busy))]
-
-
-def test_a_study_on_paper_is_as_by_hand():
-    tasks = [task("a", 3.0), task("b", 2.0), task("c", 2.0), task("d", 4.0, alone=True)]
-    assert [makespan(tasks, hosts_of(count)) for count in (1, 2, 9)] == [11.0, 8.0, 4.0]
-    assert [len(host.slots) for host in hosts_of(17)] == [8, 8, 1]
-
-
-def test_on_paper_the_longest_batch_is_what_no_number_of_gpus_goes_below(monkeypatch, capsys):
-    tasks = [task("a", 6.0), task("b", 2.0), task("c", 1.0)]
-    monkeypatch.setattr(on_paper, "records_of", lambda project: [None])
-    monkeypatch.setattr(on_paper, "tasks_of", lambda record: tasks)
-    monkeypatch.setattr(sys, "argv", ["on_paper", "1", "64"])
-    assert on_paper.main() == 0
-    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [
-        "1 GPU 9 s 1.0 times as fast".split(),
-        "64 GPUs 6 s 1.5 times as fast".split(),
-        "never less than 6 s, which toy/a takes by itself".split(),
-    ]
 
 
 HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}

@@ -10,7 +10,7 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows
 from experiments.simulation.measurement import Conditions, Measurement, grasp_columns, summarize
-from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.pool import gather, processes, start
 
 ROW_NAMES = ("normal", "friction 1", "friction 2")
 DOUBLE_STEP = replace(AS_SHIPPED, name="double-step", substeps=AS_SHIPPED.substeps // 2)

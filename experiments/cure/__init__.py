@@ -11,7 +11,7 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
-from measured_report.measuring.beside import gather, processes, start
+from measured_report.measuring.pool import gather, processes, start
 from newton_lint.compat import kf_is_read
 
 PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}

@@ -25,8 +25,8 @@ from experiments.simulation.timing import (
     spread,
 )
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.beside import gather, processes, start
-from measured_report.measuring.failing import is_out_of_memory
+from measured_report.measuring.pool import gather, processes, start
+from measured_report.measuring.reasons import is_out_of_memory
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},

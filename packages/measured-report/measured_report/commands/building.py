@@ -1,4 +1,4 @@
-"""Commands that make something: measured sections, the site, its clips, and what serves or publishes it."""
+"""Commands that make something: measured sections, the site, its tests, and what serves or publishes it."""
 
 import argparse
 import subprocess
@@ -8,13 +8,14 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from experiments.facts.clip_record import clips_state
 from measured_report import ReportError, UsageError
+from measured_report.commands.programs import add_tests_cluster, made_states
 from measured_report.editions.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
-from measured_report.editions.environment import add_group
+from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack
-from measured_report.editions.status import states_of, status_matrix, status_table
+from measured_report.editions.status import expected_packages, states_of, status_matrix, status_table
+from measured_report.files.config import config
 from measured_report.measuring.measure import machines_besides, measure
 
 if TYPE_CHECKING:
@@ -70,18 +71,16 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     """Print which sections of which releases are fresh, and what changed for those that are not."""
     refuse_unmeasured(project, arguments.stack)
     print(status_matrix(project))
-    print(f"\nnewton {project.release}")
-    print(status_table([*states_of(project), clips_state(project)], project.profile))
+    print(f"\n{config().package} {project.release}")
+    print(status_table([*states_of(project), *made_states(project)], project.profile))
     return 0
 
 
-def clips(project: Project, arguments: argparse.Namespace) -> int:
-    """Make the clips of a release from its kept poses."""
-    add_group("clips", project.root)
-    options = {"newton": project.release, "profile": project.profile, "device": arguments.device}
-    given = [f"--{name}={value}" for name, value in options.items() if value]
-    command = [sys.executable, "-m", "experiments.media.render", *given]
-    return subprocess.run(command, cwd=project.root, check=False).returncode
+def test(project: Project, arguments: argparse.Namespace) -> int:
+    """Run the tests with one release."""
+    python = python_of(arguments.stack, expected_packages(project), project.root)
+    add_tests_cluster(python, project)
+    return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -100,7 +99,8 @@ def serve(project: Project, arguments: argparse.Namespace) -> int:
     server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
     # In a process of its own, since what changes may be the program.
-    command = [sys.executable, "build.py", "page", "--newton", arguments.stack.asked, "--profile", project.profile]
+    command = [sys.executable, "build.py", "page", f"--{config().package}", arguments.stack.asked]
+    command += ["--profile", project.profile]
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
 
@@ -146,5 +146,5 @@ def refuse_unmeasured(project: Project, stack: Stack) -> None:
     """Where nothing is to be measured, an edition that has no results is taken for a mistake; the own one is not."""
     if not project.is_own and not any(state.kind != "missing" for state in states_of(project)):
         there = ", ".join(release for release in project.releases if release != project.release) or "none"
-        measuring = f"make upgrade NEWTON={stack.asked} measures what decides"
-        raise UsageError(f"NEWTON={stack.asked} has no results (there are: {there}); {measuring}")
+        asked = f"{config().option}={stack.asked}"
+        raise UsageError(f"{asked} has no results (there are: {there}); make upgrade {asked} measures what decides")

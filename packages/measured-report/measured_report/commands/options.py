@@ -9,8 +9,9 @@ from measured_report import ROOT, UsageError
 from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, own_release
 from measured_report.editions.stack import Stack, stack_of
+from measured_report.files.config import config
 from measured_report.files.near import near
-from measured_report.measuring.where import read_cluster
+from measured_report.measuring.cluster_address import read_cluster
 from measured_report.records.identity import sections
 
 
@@ -48,7 +49,7 @@ def _port(text: str) -> int:
 
 def _address(address: str) -> str:
     if address and not address.startswith(("https://", "http://")):
-        raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/shake/")
+        raise UsageError(f"ADDRESS={address} is no address of a site; use one as https://example.org/report/")
     return f"{address.rstrip('/')}/" if address else ""
 
 
@@ -65,20 +66,24 @@ def refuse_lacking_ends(arguments: Namespace, command: str) -> None:
         raise UsageError(f"{' and '.join(lacking)} {'are' if len(lacking) > 1 else 'is'} missing: {command}")
 
 
+EDITION = config().package
+"""The option that names an edition."""
 FORMATS = ("text", "markdown", "json")
 VALUES = ("sums", "all")
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
-    "newton": {
-        "type": partial(_edition, "NEWTON"),
-        "help": "Newton, where not the project's own: a release, a checkout, a wheel, git+https://…@ref or a label",
+    EDITION: {
+        "type": partial(_edition, config().option),
+        "dest": "edition",
+        "help": f"{config().edition_name}, where not the project's own: a release, a checkout, a wheel, "
+        "git+https://…@ref or a label",
     },
-    "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as warp-lang==1.19.0"},
+    "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as PACKAGE==1.19.0"},
     "a": {"type": partial(_edition, "A"), "help": "edition to compare from"},
     "b": {"type": partial(_edition, "B"), "help": "edition to compare with it"},
     "since": {"type": partial(_edition, "SINCE"), "help": "edition to compare with; default: the one before"},
-    "claim": {"type": str, "default": "", "help": "claim, as reproduction.slips"},
+    "claim": {"type": str, "default": "", "help": "claim, as SECTION.NAME"},
     "first": {"type": str, "default": "", "help": "what the first end answers"},
     "last": {"type": str, "default": "", "help": "what the last end answers"},
     "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
@@ -94,7 +99,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "value": {
         "type": str,
         "default": "",
-        "help": "value of the page, as stiffness.improvement, or one of a row, as reproduction.as-shipped.slip_mm",
+        "help": "value of the page, as SECTION.NAME, or one of a row, as SECTION.CASE.COLUMN",
     },
     "format": {
         "type": partial(_one_of, "FORMAT", FORMATS),
@@ -105,5 +110,5 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
-    "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
+    "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/report/"},
 }

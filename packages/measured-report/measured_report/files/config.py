@@ -26,6 +26,10 @@ class Config:
     """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
     """The module that says how this report measures on a host; the one named here says what it may have."""
+    verify: str = ""
+    """The module that measures the headline again, ``--device D --json FILE``."""
+    commands: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    """Programs that the command line offers besides, by name; ``commands.programs.Program`` has their fields."""
 
     @property
     def package(self) -> str:

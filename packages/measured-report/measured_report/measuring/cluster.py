@@ -1,7 +1,7 @@
-"""Workers of a Dask cluster as a crew: which of them may measure, what runs where, and what was lost.
+"""The workers of a Dask cluster as an executor: which of them may measure, and what was lost.
 
-Dask starts workers, carries bytes and notices who is gone. What runs where is decided here, since some batches must be
-alone on their host.
+Dask starts workers, carries bytes and notices who is gone. What runs where is the scheduler's to decide, since some
+batches must be alone on their host.
 """
 
 import argparse
@@ -13,24 +13,21 @@ import shlex
 import sys
 import time
 import uuid
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import dask
 import distributed
 from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
 
 from measured_report import ROOT, ReportError
-from measured_report.measuring import worker as slots
-from measured_report.measuring.course import Task
-from measured_report.measuring.machine import kind_of
-from measured_report.measuring.outcome import Done, Failed, Lost
-from measured_report.measuring.process import SELF, Greeting, greet
-from measured_report.measuring.scheduler import Host, Place
-from measured_report.measuring.where import Cluster
-from measured_report.records.identity import Identity, changes, identity_of
+from measured_report.measuring import worker
+from measured_report.measuring.cluster_address import ClusterAddress, read_cluster
+from measured_report.measuring.executors import Host, Task, WorkerProcess
+from measured_report.measuring.outcome import BatchOutcome, Failed, Lost
+from measured_report.measuring.process import carrying_digest, prepare
+from measured_report.records.identity import Identity
 
 POLL_S = 0.5
 SETTINGS = {
@@ -44,11 +41,11 @@ QUIET = logging.CRITICAL
 """What is wrong is said here."""
 CONNECT_S = 30.0
 ORPHANED_S = 60.0
-"""How long a scheduler that was started for this study outlives it, if nobody could stop it."""
+"""How long a scheduler that was started here outlives it, if nobody could stop it."""
 
 
 @contextlib.contextmanager
-def connected(cluster: Cluster, device: str) -> Iterator[Client]:
+def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
     """A client of the cluster, which is started if it is not there; ReportError where that can't be."""
     logging.getLogger("distributed").setLevel(QUIET)
     with dask.config.set(SETTINGS), contextlib.ExitStack() as stack:
@@ -64,20 +61,20 @@ def connected(cluster: Cluster, device: str) -> Iterator[Client]:
         yield stack.enter_context(client)
 
 
-def _on_this_host(cluster: Cluster, device: str) -> LocalCluster:
-    there = len(slots.gpus()) if device == "cuda" else os.cpu_count() or 1
+def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
+    there = len(worker.gpus()) if device == "cuda" else os.cpu_count() or 1
     count = cluster.process_count or there
     if device == "cuda" and count > there:
         raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
     options = {"threads_per_worker": count, "memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET}
     if device == "cuda":
-        gpus = [uuid for uuid, _ in slots.gpus()[:count]]
+        gpus = [uuid for uuid, _ in worker.gpus()[:count]]
         options["env"] = {"CUDA_VISIBLE_DEVICES": ",".join(gpus)}
-        options["threads_per_worker"] = max(count, len(slots.shared_slots(gpus)))
+        options["threads_per_worker"] = max(count, len(worker.shared_processes(gpus)))
     return LocalCluster(n_workers=1, host="127.0.0.1", **options)
 
 
-def _over_ssh(cluster: Cluster) -> SSHCluster:
+def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
     hosts = [host for host, _ in cluster.hosts]
     pythons = [_python_in(folder) for _, folder in cluster.hosts]
     return SSHCluster(
@@ -89,178 +86,133 @@ def _over_ssh(cluster: Cluster) -> SSHCluster:
 
 
 def _python_in(folder: str) -> str:
-    """The words that start a host's Python with the project on its path, for the shell there."""
-    python = sys.executable
+    """The words that start a host's Python in the project's folder, and with it on its path, for the shell there."""
+    root, python = Path(folder or ROOT), Path(sys.executable)
     if folder:
-        inside = Path(sys.executable).is_relative_to(ROOT)
-        python = str(Path(folder) / (Path(sys.executable).relative_to(ROOT) if inside else ".venv/bin/python"))
-    return f"{shlex.quote(f'PYTHONPATH={folder or ROOT}')} {shlex.quote(python)}"
+        python = root / (python.relative_to(ROOT) if python.is_relative_to(ROOT) else ".venv/bin/python")
+    rooms = [root, *(root / package.relative_to(ROOT) for package in sorted(ROOT.glob("packages/*")))]
+    return shlex.join(["env", "-C", str(root), f"PYTHONPATH={':'.join(map(str, rooms))}", str(python)])
 
 
 @contextlib.contextmanager
-def crew_of(
-    cluster: Cluster, device: str, processor: str | None, identities: Mapping[str, Identity], profile: str
-) -> Iterator["Workers"]:
-    """The cluster's workers, as far as they may measure this.
+def cluster_executor(
+    cluster: ClusterAddress, device: str, processor: str | None, identities: Mapping[str, Identity]
+) -> Iterator["ClusterExecutor"]:
+    """Open an executor of the cluster's workers, as far as they may measure this.
 
     Args:
         processor: What a GPU must be called in a label; None for any.
         identities: What each section must be measured by.
     """
     with connected(cluster, device) as client:
-        crew = Workers(client, device, processor, identities, profile)
+        executor = ClusterExecutor(client, device, processor, identities)
         if cluster.scheduler and not client.nthreads():
             print(f"waiting for workers at {cluster.scheduler}", file=sys.stderr, flush=True)
         try:
-            crew.gather(None if cluster.scheduler else CONNECT_S)
-            yield crew
+            executor.gather(None if cluster.scheduler else CONNECT_S)
+            yield executor
         finally:
-            crew.stop()
+            executor.stop()
 
 
-@dataclass
-class Worker:
-    """A worker that may measure."""
+class ClusterExecutor:
+    """The workers of a cluster; see ``executors.Executor``."""
 
-    address: str
-    node: str
-    kind: tuple
-    slots: Sequence[str]
-    shared: Sequence[str]
-    thread_count: int
-
-
-class Workers:
-    """See ``study.Crew``."""
-
-    def __init__(
-        self, client: Client, device: str, processor: str | None, identities: Mapping[str, Identity], profile: str
-    ):
-        self.client, self.device, self.processor, self.profile = client, device, processor, profile
-        self.identities = {**identities, SELF: identity_of(SELF, profile)}
-        self._introducing: dict[Future, str] = {}
-        self._known: dict[str, Worker | None] = {}
+    def __init__(self, client: Client, device: str, processor: str | None, identities: Mapping[str, Identity]):
+        self.client, self.device, self.processor = client, device, processor
+        self._preparing = _call(prepare, device, identities, carrying_digest())
+        self._workers: dict[str, Host | None] = {}
         """By address; None for those that are left out or have not yet introduced themselves."""
-        self._threads: dict[str, int] = {}
-        self._running: dict[Future, tuple[Task, str]] = {}
+        self._running: dict[Future, tuple[Task | None, str]] = {}
+        """With the address of the worker; what is no task is an introduction."""
 
     @property
     def hosts(self) -> list[Host]:
-        return [Host(worker.node, worker.kind, names, shared) for worker, names, shared in self._shares()]
-
-    def _shares(self) -> list[tuple[Worker, list[str], list[str]]]:
-        """The slots of each worker: of a GPU that several on one host see the first has it."""
-        taken: set[Place] = set()
-        found = []
-        for worker in list(self._known.values()):
-            if worker:
-                free, shared = (
-                    [slot for slot in names if (worker.node, slot) not in taken][: worker.thread_count]
-                    for names in (worker.slots, worker.shared)
-                )
-                taken |= {(worker.node, slot) for slot in (*free, *shared)}
-                found.append((worker, free, shared))
-        return found
+        """The hosts that may measure; of several workers on one the first does so."""
+        first: dict[str, Host] = {}
+        for host in list(self._workers.values()):
+            if host:
+                first.setdefault(host.name, host)
+        return list(first.values())
 
     def gather(self, patience_s: float | None) -> None:
         """Wait for the first worker that may measure; ReportError when all are left out, or none is there in time."""
         begun = time.monotonic()
         while not self.hosts:
-            self._look_around()
-            if self.hosts:
-                return
-            if self._threads and not self._introducing and self._known.keys() == self._threads.keys():
+            list(self.wait())
+            if self._workers and not self._running and not self.hosts:
                 raise ReportError("no worker may measure this")
-            if not self._threads and patience_s and time.monotonic() - begun > patience_s:
+            if not self._workers and patience_s and time.monotonic() - begun > patience_s:
                 raise ReportError(f"no worker is there after {patience_s:.0f} s")
-            time.sleep(0.1)
 
-    def start(self, task: Task, place: Place) -> None:
-        address = next(
-            worker.address
-            for worker, names, shared in self._shares()
-            if worker.node == place[0] and place[1] in (*names, *shared)
-        )
-        call = pickle.dumps((task.batch.function, task.batch.arguments), protocol=pickle.HIGHEST_PROTOCOL)
-        future = self._submit(address, task.name, slots.measure, self.device, place[1], call)
-        self._running[future] = task, address
+    def start(self, task: Task, process: WorkerProcess) -> None:
+        name, part = process
+        address = next(address for address, host in self._workers.items() if host and host.name == name)
+        call = _call(task.batch.function, *task.batch.arguments)
+        self._submit(task, address, worker.measure, self.device, part, call)
 
-    def wait(self) -> Iterator[tuple[Task, Done | Lost | Failed]]:
-        """What has ended within a moment."""
-        pending = [*self._running, *self._introducing]
+    def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:
+        """Yield what has ended within a moment."""
         with contextlib.suppress(distributed.TimeoutError):  # the built-in one only from Python 3.11 on
-            if pending:
-                distributed.wait(pending, timeout=POLL_S, return_when="FIRST_COMPLETED")
+            if self._running:
+                distributed.wait(list(self._running), timeout=POLL_S, return_when="FIRST_COMPLETED")
             else:
                 time.sleep(POLL_S)
         self._look_around()
         for future, (task, address) in list(self._running.items()):
-            if future.done() or address not in self._threads:
+            if future.done() or address not in self._workers:
                 del self._running[future]
-                yield task, _outcome(future) if future.done() else Lost("its worker is gone")
+                outcome = _outcome(future) if future.done() else Lost("its worker is gone")
+                if task:
+                    yield task, outcome
+                elif address in self._workers:
+                    self._meet(address, *(outcome if isinstance(outcome, tuple) else (address, outcome)))
                 future.cancel()
 
     def stop(self) -> None:
         """Drop what runs: the workers end its processes as soon as they know, and all others as well."""
-        for future in [*self._running, *self._introducing]:
+        for future in self._running:
             future.cancel()
         with contextlib.suppress(Exception):  # a scheduler that is gone has no workers
-            self.client.run(slots.stop, wait=False)
+            self.client.run(worker.stop, wait=False)
 
     def _look_around(self) -> None:
-        """Notice who has come and who is gone, and what the new ones say."""
+        """Notice who has come and who is gone, and let the new ones introduce themselves."""
         if self.client.status != "running":
             raise ReportError("the scheduler is gone; what is finished is kept")
-        self._threads = dict(self.client.nthreads())
-        self._known = {address: worker for address, worker in self._known.items() if address in self._threads}
-        for address, count in self._threads.items():
-            if address not in self._known:
-                self._known[address] = None
-                call = pickle.dumps((greet, (self.device, [*self.identities][:-1], self.profile)))
-                who = (self.device, self.processor, address, count)
-                future = self._submit(address, "greeting", slots.introduce, *who, call)
-                self._introducing[future] = address
-        for future, address in list(self._introducing.items()):
-            if future.done() or address not in self._threads:
-                del self._introducing[future]
-                if address in self._threads:
-                    self._meet(address, future)
+        there = self.client.nthreads()
+        self._workers = {address: host for address, host in self._workers.items() if address in there}
+        for address in there.keys() - self._workers.keys():
+            self._introduce(address)
 
-    def _meet(self, address: str, future: Future) -> None:
-        if future.status != "finished":
-            said = " ".join(str(future.exception()).split()) if future.status == "error" else future.status
-            self._leave_out(address, f"{said:.200}; a worker is started in the folder of the project")
-            return
-        place: slots.Place = future.result()
-        if isinstance(place.greeting, Lost):
-            del self._known[address]  # it is asked again
-        elif reason := self._refusal(place):
-            self._leave_out(place.node, reason)
+    def _introduce(self, address: str) -> None:
+        self._workers[address] = None
+        thread_count = self.client.nthreads().get(address, 1)
+        self._submit(None, address, worker.introduce, self.device, self.processor, thread_count, self._preparing)
+
+    def _meet(self, address: str, name: str, found: Host | BatchOutcome) -> None:
+        """Take a worker that has introduced itself, unless it has said why it can't measure."""
+        if isinstance(found, Host):
+            self._workers[address] = found
+        elif isinstance(found, Lost):
+            self._introduce(address)
         else:
-            kind = kind_of(place.greeting.machine)
-            known = Worker(address, place.node, kind, place.slots, place.shared, self._threads[address])
-            self._known[address] = known
+            hint = "" if name != address else "; a worker is started in the folder of the project"
+            print(f"{name} is left out: {found.reason:.300}{hint}", file=sys.stderr, flush=True)
 
-    def _refusal(self, place: slots.Place) -> str:
-        """Why a worker may not measure; empty when it may."""
-        if isinstance(place.greeting, Failed):
-            return place.greeting.reason
-        greeting: Greeting = pickle.loads(place.greeting.content)
-        differing = [changes(greeting.identities[name], identity) for name, identity in self.identities.items()]
-        if found := list(dict.fromkeys(word for words in differing for word in words)):
-            return f"it would measure with another {'; '.join(found):.200}"
-        return ""
-
-    def _leave_out(self, name: str, reason: str) -> None:
-        print(f"{name} is left out: {reason}", file=sys.stderr, flush=True)
-
-    def _submit(self, address: str, name: str, function, *arguments) -> Future:
+    def _submit(self, task: Task | None, address: str, function: Callable, *arguments: Any) -> None:
         """Let one worker call a function, once."""
         only = {"workers": [address], "allow_other_workers": False, "pure": False, "retries": 0}
-        return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4().hex}", **only)
+        key = f"{task.name if task else 'introduction'}-{uuid.uuid4().hex}"
+        self._running[self.client.submit(function, *arguments, key=key, **only)] = task, address
 
 
-def _outcome(future: Future) -> Done | Lost | Failed:
+def _call(function: Callable, *arguments: Any) -> bytes:
+    return pickle.dumps((function, arguments), protocol=pickle.HIGHEST_PROTOCOL)
+
+
+def _outcome(future: Future) -> Any:
+    """What a worker has returned, or why it has not."""
     if future.status == "finished":
         return future.result()
     error = future.exception() if future.status == "error" else None
@@ -270,19 +222,17 @@ def _outcome(future: Future) -> Done | Lost | Failed:
 
 
 def main() -> int:
-    """Print the GPU that most slots of a cluster have."""
-    from measured_report.measuring.where import read_cluster
-
+    """Print the GPU that most worker processes of a cluster have."""
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.cluster", description=main.__doc__)
     parser.add_argument("cluster", metavar="CLUSTER")
     try:
         with connected(read_cluster(parser.parse_args().cluster), "cuda") as client:
             client.wait_for_workers(1)
-            names = [name for found in client.run(slots.gpus).values() for _, name in found]
+            names = sorted(name for found in client.run(worker.gpus).values() for _, name in found)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2
-    print(Counter(sorted(names)).most_common(1)[0][0] if names else "")
+    print(max(names, key=names.count, default=""))
     return 0
 
 

@@ -17,7 +17,7 @@ __all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "p
 
 @dataclass(frozen=True)
 class Device:
-    """What measures."""
+    """A device that measures."""
 
     kind: str
     """``cuda`` or ``cpu``."""
@@ -27,7 +27,7 @@ class Device:
 
 
 def device(kind: str | None) -> Device:
-    """The device to measure on, or, without a ``kind``, the best that there is; ReportError when it is not there."""
+    """Find the device to measure on, or, without a ``kind``, the best; ReportError where there is none."""
     if kind == "cuda":
         raise ReportError("DEVICE=cuda: this report measures on the CPU; DEVICE=cpu does")
     return Device("cpu")
@@ -42,10 +42,10 @@ def be_quiet() -> None:
 
 
 def explained(error: Exception) -> str:
-    """What an error of the simulator means, in a line; empty where its own text has to do."""
+    """Say what an error of the simulator means, in a line; empty where its own text has to do."""
     return ""
 
 
 def host() -> ModuleType:
-    """The module that the report names."""
+    """Import the module that the report names."""
     return import_module(config().host)

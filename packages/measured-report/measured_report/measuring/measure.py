@@ -20,21 +20,22 @@ from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, release_date
 from measured_report.editions.status import expected_packages, records_of
+from measured_report.files.config import config
 from measured_report.files.files import locked, refuse_unwritable
 from measured_report.files.processes import obey
-from measured_report.measuring.where import Cluster
+from measured_report.measuring.cluster_address import ClusterAddress
 from measured_report.records.identity import sections as all_sections
 
 UNFIT = 2
 """Exit status of a measurement that could not begin, because of what was asked for."""
 STOP_S = 4.0
 """How long a measurement has to stop after a Ctrl-C."""
-BATCH = re.compile(r"(batch|alone)_(.+)_s")
+BATCH = re.compile(r"(?:batch|alone)_(.+)_s")
 """Under what a record has the time of a batch."""
 
 
 def measure(
-    project: Project, stack: Stack, sections: Sequence[str], device: str, cluster: Cluster | None = None
+    project: Project, stack: Stack, sections: Sequence[str], device: str, cluster: ClusterAddress | None = None
 ) -> Project:
     """Measure the sections, in one process or on a cluster; ReportError if any failed.
 
@@ -60,6 +61,14 @@ def measure(
     return kept
 
 
+def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
+    """Measure the headline and keep nothing of it; return what the report's program writes: machine, rows, seconds."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "headline.json"
+        _run(project, stack, config(project.root).verify, device, "--json", str(path))
+        return json.loads(path.read_text(encoding="utf-8"))
+
+
 def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
     """How long these sections will take [s], by the last time on such a device and in this profile; 0 unless all are
     known."""
@@ -70,11 +79,6 @@ def seconds_known(project: Project, device: str, sections: Sequence[str]) -> flo
     return max(max(known), sum(known) / _batches_at_once(project, device))
 
 
-def _batches_at_once(project: Project, device: str) -> int:
-    """How many batches are measured at once: one, but for quick runs on a CPU, of which each takes one core."""
-    return (os.cpu_count() or 1) if device == "cpu" and project.profile == "quick" else 1
-
-
 def seconds_each(project: Project, device: str) -> Mapping[str, float]:
     """How long each section took the last time [s], and each batch, as ``section/batch``, on such a device."""
     found = {}
@@ -83,31 +87,27 @@ def seconds_each(project: Project, device: str) -> Mapping[str, float]:
             if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
                 found[record.section] = record.measured["seconds"]
                 batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
-                found |= {f"{record.section}/{match[2]}": value for match, value in batches.items() if match}
+                found |= {f"{record.section}/{match[1]}": value for match, value in batches.items() if match}
     return found
 
 
-def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
-    """Measure the headline and keep nothing of it; what its program writes: machine, rows and seconds."""
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "headline.json"
-        _run(project, stack, "experiments.simulation.headline", device, "--json", str(path))
-        return json.loads(path.read_text(encoding="utf-8"))
+def _batches_at_once(project: Project, device: str) -> int:
+    """How many batches are measured at once: one, but for quick runs on a CPU, of which each takes one core."""
+    return (os.cpu_count() or 1) if device == "cpu" and project.profile == "quick" else 1
 
 
 def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
-    """Run a module of the experiments with a stack, on a device; ReportError when it fails.
+    """Run a module that measures with a stack, on a device; ReportError when it fails.
 
     What is not installed here is measured by the Python of its own environment.
     """
-    python = python_of(stack, expected_packages(project), project.root)
-    # It ends with this process: nobody would know of it otherwise.
-    beginning = partial(obey, os.getpid())
-    command = [str(python), "-m", module, "--device", device, *options]
+    command = [python_of(stack, expected_packages(project), project.root), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
-    # A Ctrl-C is for this process alone: it lets the other stop those that measure for it, which takes a moment.
+    # It ends with this process, since nobody would know of it otherwise. A Ctrl-C is for this process alone: it lets
+    # the other stop those that measure for it, which takes a moment.
+    beginning = partial(obey, os.getpid())
     with subprocess.Popen(
         command, cwd=project.root, preexec_fn=beginning, env=settings, start_new_session=True
     ) as measuring:
@@ -125,9 +125,9 @@ def _run(project: Project, stack: Stack, module: str, device: str, *options: str
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
-def _gpu_of(cluster: Cluster, python: Path, root: Path) -> str:
+def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
     """What the GPUs of a cluster elsewhere are called in a label."""
-    command = [str(python), "-m", "measured_report.measuring.cluster", cluster.asked]
+    command = [python, "-m", "measured_report.measuring.cluster", cluster.asked]
     said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
     if said.returncode:
         raise UsageError("")  # it has said why
@@ -141,16 +141,16 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
 
     Sections that need no GPU count as measured on any machine.
     """
+    label, option = project.label, config().option
     if not any(needs_gpu(section, project.root) for section in sections):
         return project
-    label = project.label
     if label.machine not in ("", machine):
-        raise UsageError(f"NEWTON={project.release} has the results of {label.machine}, and this is {machine}")
+        raise UsageError(f"{option}={project.release} has the results of {label.machine}, and this is {machine}")
     others = machines_besides(project, machine)
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))
-    print(f"NEWTON={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
+    print(f"{option}={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
     return found
 
 

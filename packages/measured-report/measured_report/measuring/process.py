@@ -1,4 +1,4 @@
-"""A process that measures batches for a worker, one after the other: ``python -m measured_report.measuring.process``.
+"""A worker process, which measures batches one after the other: ``python -m measured_report.measuring.process``.
 
 It reads calls from its input and answers on its output. When its input ends, whoever started it is gone, and it ends
 with all that it has started; so it does when nothing is asked of it for a while.
@@ -6,71 +6,74 @@ with all that it has started; so it does when nothing is asked of it for a while
 
 import os
 import pickle
-import queue
+import select
 import signal
 import sys
 import threading
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import BinaryIO
+import time
+from collections.abc import Mapping
+from pathlib import Path
 
+from measured_report import ReportError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
-from measured_report.measuring.outcome import Done, Failed, run_batch
-from measured_report.records.identity import Identity, identity_of
+from measured_report.measuring.outcome import BatchOutcome, Failed, run_batch
+from measured_report.records.identity import Identity, changes, files_digest, identity_of
 
 IDLE_S = 120.0
-SELF = "slot"
-"""The name under which the code of the slots themselves has an identity."""
+POLL_S = 0.25
+"""How soon it is noticed that whoever started it is gone."""
 
 
-@dataclass(frozen=True)
-class Greeting:
-    """What a host has to say before it measures."""
+def prepare(device: str, identities: Mapping[str, Identity], carrying: str) -> None:
+    """Make ready what sections need on this host, for all its processes.
 
-    identities: Mapping[str, Identity]
-    """What sections would be measured by there, and by which code of the slots."""
-
-
-def greet(device: str, sections: Sequence[str], profile: str) -> Greeting:
-    """Say what would measure here, and prepare that for all processes of this host.
+    Args:
+        identities: What the sections must be measured by.
+        carrying: What ``carrying_digest`` must be.
 
     Raises:
-        ReportError: It can't be measured here.
+        ReportError: They can't be measured here, or would be by something else.
     """
-    identities = {section: identity_of(section, profile) for section in (*sections, SELF)}
+    here = {section: identity_of(section, wanted.profile) for section, wanted in identities.items()}
+    words = [word for section, wanted in identities.items() for word in changes(here[section], wanted)]
+    if carrying != carrying_digest():
+        words.append("measured_report")
+    if words:
+        raise ReportError(f"it would measure with another {'; '.join(dict.fromkeys(words)):.200}")
     host().prepare(device)
-    return Greeting(identities)
 
 
-def main() -> None:
+def carrying_digest() -> str:
+    """Digest the code that hands out batches, which has to be the same on all hosts, though no record depends on it."""
+    folder = Path(__file__).parent
+    return files_digest(folder.glob("*.py"), folder)
+
+
+def main(device: str, parent: int) -> None:
+    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
     calls, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what is printed must not come between the answers
-    inbox: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-    threading.Thread(target=receive, args=(calls, inbox), daemon=True).start()
-    while True:
+    while select.select([calls], [], [], IDLE_S)[0]:
         try:
-            call = inbox.get(timeout=IDLE_S)
-        except queue.Empty:
+            call = pickle.load(calls)
+        except EOFError:
             break
-        pickle.dump(answer(sys.argv[1], call), answers, protocol=pickle.HIGHEST_PROTOCOL)
+        pickle.dump(_answer(device, call), answers, protocol=pickle.HIGHEST_PROTOCOL)
         answers.flush()
     os.killpg(0, signal.SIGKILL)
 
 
-def receive(calls: BinaryIO, inbox: queue.SimpleQueue) -> None:
-    """Read calls until there are no more."""
-    while True:
-        try:
-            inbox.put(pickle.load(calls))
-        except EOFError:
-            os.killpg(0, signal.SIGKILL)
+def _end_with(parent: int) -> None:
+    """End while it measures, too."""
+    while os.getppid() == parent:
+        time.sleep(POLL_S)
+    os.killpg(0, signal.SIGKILL)
 
 
-def answer(device: str, call: bytes) -> Done | Failed:
+def _answer(device: str, call: bytes) -> BatchOutcome:
     try:
-        here = machine(device)
-        host().device(device)  # what it settles has to be settled before a section is imported
+        here = machine(device)  # what the device settles has to be settled before a section is imported
         function, arguments = pickle.loads(call)
     except Exception as error:  # the device or the code is not there
         return Failed(" ".join(str(error).split()))
@@ -78,4 +81,4 @@ def answer(device: str, call: bytes) -> Done | Failed:
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1], int(sys.argv[2]))

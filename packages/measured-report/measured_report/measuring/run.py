@@ -11,7 +11,8 @@ import io
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from types import ModuleType
 
 from measured_report import ReportError
@@ -19,18 +20,19 @@ from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.config import config
 from measured_report.files.files import refuse_unwritable
-from measured_report.files.processes import workers
-from measured_report.measuring.course import Course, course_of
-from measured_report.measuring.forks import Forks
+from measured_report.measuring.cluster_address import read_cluster
+from measured_report.measuring.executors import Executor, LocalExecutor
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
+from measured_report.measuring.pool import processes
 from measured_report.measuring.progress import progress
-from measured_report.measuring.scheduler import Crew, Here, Study
-from measured_report.measuring.where import read_cluster
+from measured_report.measuring.scheduler import Scheduler
+from measured_report.measuring.section_run import SectionRun, section_run
 from measured_report.records.identity import sections
 from measured_report.records.provenance import EDITED, package_versions
 
-STOPPED = 130
+FAILED, UNFIT, STOPPED = 1, 2, 130
+"""Exit status where measuring failed, could not begin, and was stopped."""
 
 
 def main() -> int:
@@ -38,50 +40,22 @@ def main() -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # the output may know ASCII alone
-    arguments = parse_arguments()
+    arguments, status = parse_arguments(), UNFIT
     try:
-        project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
-        kind = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
-        modules = {section: section_module(section) for section in arguments.section}
-        refuse_unwritable(project.results)
-        known = json.loads(arguments.seconds)
-        courses = [course_of(project, section, module, kind, known) for section, module in modules.items()]
-        if arguments.cluster:
-            from measured_report.measuring.cluster import crew_of
-
-            asked = {course.section: course.identity for course in courses}
-            with crew_of(read_cluster(arguments.cluster), kind, arguments.processor, asked, project.profile) as crew:
-                return measure_all(courses, crew)
-        for each in sorted({course.device for course in courses}):
-            host().prepare(each)
+        with ExitStack() as stack:
+            runs = section_runs(arguments)
+            executor = stack.enter_context(executor_of(arguments, runs))
+            status = FAILED
+            scheduler = Scheduler(runs, executor)
+            with progress(scheduler.status):
+                return FAILED if scheduler.run() else 0
     except ReportError as error:
         print(error, file=sys.stderr)
-        return 2
+        return status
     except KeyboardInterrupt:
-        return stopped()
-    try:
-        if arguments.processes == 1:
-            return measure_all(courses, Here(machine(kind)))
-        with workers(arguments.processes, "fork") as pool:
-            return measure_all(courses, Forks(pool, arguments.processes, machine(kind)))
-    except ReportError as error:
-        print(error, file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        return stopped()
-
-
-def stopped() -> int:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    print("stopped; what is finished is kept", file=sys.stderr, flush=True)
-    return STOPPED
-
-
-def measure_all(courses: Sequence[Course], crew: Crew) -> int:
-    """Measure the sections, and return the exit status."""
-    study = Study(courses, crew)
-    with progress(study.status):
-        return int(study.run())
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        print("stopped; what is finished is kept", file=sys.stderr, flush=True)
+        return STOPPED
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -97,6 +71,37 @@ def parse_arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
+def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
+    """The runs of the sections that were asked for; ReportError where they can't be measured here."""
+    project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
+    arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
+    modules = {section: section_module(section) for section in arguments.section}
+    refuse_unwritable(project.results)
+    known = json.loads(arguments.seconds)
+    return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
+
+
+@contextmanager
+def executor_of(arguments: argparse.Namespace, runs: Sequence[SectionRun]) -> Iterator[Executor]:
+    """Open the executor that was asked for: this process, forks of it, or a cluster's workers."""
+    if arguments.cluster:
+        from measured_report.measuring.cluster import cluster_executor
+
+        identities = {run.section: run.identity for run in runs}
+        cluster = read_cluster(arguments.cluster)
+        with cluster_executor(cluster, arguments.device, arguments.processor, identities) as executor:
+            yield executor
+        return
+    for device in sorted({run.device for run in runs}):
+        host().prepare(device)
+    here = machine(arguments.device)
+    if arguments.processes == 1:
+        yield LocalExecutor(here)
+        return
+    with processes(arguments.processes, "fork") as pool:
+        yield LocalExecutor(here, pool, arguments.processes)
+
+
 def section_module(section: str) -> ModuleType:
     """The module that measures a section; ReportError when there is none."""
     if section.isidentifier() and importlib.util.find_spec(f"experiments.{section}"):
@@ -108,12 +113,12 @@ def section_module(section: str) -> ModuleType:
 
 def edition_of(asked: str | None) -> str:
     """The label that results of what is installed here are kept under; ReportError when another one was asked for."""
-    installed = package_versions()
-    version, edits, _ = installed[config().package].partition(f"{EDITED}.")
+    installed, package = package_versions(), config().package
+    version, edits, _ = installed[package].partition(f"{EDITED}.")
     version += EDITED if edits else ""
     label = read_label(asked or version)
-    if label is None or not label.is_installed_with({**installed, config().package: version}):
-        have = ", ".join(f"{package} {version}" for package, version in installed.items())
+    if label is None or not label.is_installed_with({**installed, package: version}):
+        have = ", ".join(f"{name} {found}" for name, found in installed.items())
         raise ReportError(f"{config().option}={asked or version} is not what is installed here ({have})")
     return str(label)
 

@@ -1,8 +1,9 @@
-"""What a worker does: it has a process for each of its slots, a GPU or a share of the CPU, and hands it batches.
+"""What a Dask worker does: it has processes, for a GPU, a share of one, or a core each, and hands them batches.
 
 The processes last, since each takes seconds to load the simulator and its kernels; one that fails, is killed, or
 measures what is wanted no longer makes room for a new one. The worker itself never loads the simulator, so that it
-always answers.
+always answers. Dask's nanny cannot do this: it would start a worker for each process, which does not answer while it
+compiles, and knows neither of what must be alone on a host nor of what may share a GPU.
 """
 
 import os
@@ -20,7 +21,9 @@ from pathlib import Path
 
 from measured_report import ROOT
 from measured_report.editions.devices import slug
-from measured_report.measuring.outcome import Done, Failed, Lost
+from measured_report.measuring.executors import Host
+from measured_report.measuring.machine import kind_of
+from measured_report.measuring.outcome import BatchOutcome, Done, Failed, Lost
 
 POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
@@ -34,27 +37,27 @@ CORES_EACH = 2
 
 
 @dataclass
-class Slot:
-    """A process, and the lock of whoever asks it something."""
+class Process:
+    """A worker process, and the lock of whoever asks it something."""
 
     device: str
     settings: Mapping[str, str]
-    process: subprocess.Popen | None = None
+    program: subprocess.Popen | None = None
     lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def ask(self, call: bytes, is_wanted: Callable[[], bool]) -> Done | Lost | Failed:
-        """What the process answers to a call, or how it was lost."""
+    def ask(self, call: bytes, is_wanted: Callable[[], bool]) -> BatchOutcome:
+        """Return what the process answers to a call, or how it was lost."""
         with self.lock:
-            if self.process is None or self.process.poll() is not None:
+            if self.program is None or self.program.poll() is not None:
                 self._begin()
             try:
-                pickle.dump(call, self.process.stdin, protocol=pickle.HIGHEST_PROTOCOL)
-                self.process.stdin.flush()
-                while not select.select([self.process.stdout], [], [], POLL_S)[0]:
+                pickle.dump(call, self.program.stdin, protocol=pickle.HIGHEST_PROTOCOL)
+                self.program.stdin.flush()
+                while not select.select([self.program.stdout], [], [], POLL_S)[0]:
                     if not is_wanted():
                         self.end()
                         return Lost("it is wanted no longer")
-                found = pickle.load(self.process.stdout)
+                found = pickle.load(self.program.stdout)
             except (OSError, EOFError, pickle.UnpicklingError):
                 return Lost(self.end())
             if isinstance(found, Failed):
@@ -62,88 +65,79 @@ class Slot:
             return found
 
     def _begin(self) -> None:
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "measured_report.measuring.process", self.device],
-            cwd=ROOT,
-            env={**os.environ, **self.settings, "TQDM_DISABLE": "1"},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            start_new_session=True,
-        )
+        command = [sys.executable, "-m", "measured_report.measuring.process", self.device, str(os.getpid())]
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+        settings = {**os.environ, **self.settings, "TQDM_DISABLE": "1"}
+        self.program = subprocess.Popen(command, cwd=ROOT, env=settings, start_new_session=True, **pipes)
 
     def end(self) -> str:
-        """End the process with all that it has started; how it had ended, if it had."""
-        process, self.process = self.process, None
-        if process is None:
+        """End the process with all that it has started, and say how it had ended, if it had."""
+        program, self.program = self.program, None
+        if program is None:
             return ""
         with suppress(subprocess.TimeoutExpired):
-            process.wait(timeout=0.1)
-        code = process.poll()
+            program.wait(timeout=0.1)
+        code = program.poll()
         with suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        for pipe in (process.stdin, process.stdout):
+            os.killpg(program.pid, signal.SIGKILL)
+        program.wait()
+        for pipe in (program.stdin, program.stdout):
             with suppress(OSError):
                 pipe.close()
         killed = code is not None and code < 0
         return f"its process was killed by {signal.Signals(-code).name}" if killed else f"its process ended with {code}"
 
 
-_slots: dict[tuple[str, str], Slot] = {}
-_slots_lock = threading.Lock()
+_processes: dict[tuple[str, str], Process] = {}
+_processes_lock = threading.Lock()
 
 
-@dataclass(frozen=True)
-class Place:
-    """A worker as it introduces itself."""
-
-    node: str
-    slots: Sequence[str]
-    shared: Sequence[str]
-    """See ``study.Host``."""
-    greeting: Done | Lost | Failed
-
-
-def introduce(device: str, processor: str | None, address: str, thread_count: int, call: bytes) -> Place:
-    """What slots the worker at ``address`` has, and what the process of the first says to ``call``.
+def introduce(device: str, processor: str | None, thread_count: int, call: bytes) -> tuple[str, Host | Lost | Failed]:
+    """Say what this worker is called and, once its first process has made a call, what processes it has.
 
     Args:
         device: ``cuda`` or ``cpu``.
         processor: What a GPU must be called in a label; None for any.
+        thread_count: How many processes there may be.
+        call: Prepares the host.
     """
     node, there = platform.node(), gpus() if device == "cuda" else []
     names = [uuid for uuid, name in there if processor in (None, slug(name))]
+    shared = shared_processes(names) if names else []
     if device == "cpu":
-        names = [f"{address}#{number}" for number in range(thread_count)]
+        names = [str(number) for number in range(thread_count)]
     if not names:
         others = ", ".join(sorted({name for _, name in there}))
-        return Place(node, [], [], Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}"))
-    return Place(node, names, shared_slots(names) if device == "cuda" else [], measure(device, names[0], call))
+        return node, Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}")
+    found = measure(device, names[0], call)
+    if isinstance(found, Done):
+        return node, Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
+    return node, found
 
 
-def shared_slots(gpus: Sequence[str]) -> list[str]:
-    """Slots that share GPUs, those of one GPU far apart; none where no daemon is there that lets processes do so."""
+def shared_processes(gpus: Sequence[str]) -> list[str]:
+    """Name processes that share GPUs, those of one far apart; none where no daemon is there that lets them do so."""
     if not (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
         return []
     count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus) // CORES_EACH)
     return [f"{gpu}/{number}" for number in range(count) for gpu in gpus] if count > 1 else []
 
 
-def measure(device: str, slot: str, call: bytes) -> Done | Lost | Failed:
-    """Let a slot measure a batch, as long as that is wanted."""
-    with _slots_lock:
-        mine = _slots.setdefault((device, slot), Slot(device, _settings(slot) if device == "cuda" else {}))
+def measure(device: str, name: str, call: bytes) -> BatchOutcome:
+    """Let a process measure a batch, as long as that is wanted."""
+    with _processes_lock:
+        mine = _processes.setdefault((device, name), Process(device, _settings(name) if device == "cuda" else {}))
     return mine.ask(call, _still_wanted())
 
 
-def _settings(slot: str) -> dict[str, str]:
+def _settings(name: str) -> dict[str, str]:
     """The environment of a process that measures on a GPU: only one that shares it finds the daemon."""
-    gpu, is_shared, _ = slot.partition("/")
+    gpu, is_shared, _ = name.partition("/")
     return {"CUDA_VISIBLE_DEVICES": gpu} | ({} if is_shared else {MPS: NOWHERE})
 
 
 def _still_wanted() -> Callable[[], bool]:
-    """Whether the task that this is called in is still waited for: its client may be gone, or have dropped it."""
+    """Ask whether the task that this is called in is still waited for: its client may be gone, or have dropped it."""
     from distributed import get_worker
 
     worker = get_worker()
@@ -158,12 +152,12 @@ def _still_wanted() -> Callable[[], bool]:
 
 async def stop() -> None:
     """End all processes: of what the worker is asked, only what is asynchronous is not waited for."""
-    for slot in list(_slots.values()):
-        slot.end()
+    for process in list(_processes.values()):
+        process.end()
 
 
 def gpus() -> list[tuple[str, str]]:
-    """UUID and name of each GPU that this worker may use."""
+    """List UUID and name of each GPU that this worker may use."""
     query = ["nvidia-smi", "--query-gpu=index,uuid,name", "--format=csv,noheader"]
     try:
         listing = subprocess.run(query, capture_output=True, text=True, check=False).stdout

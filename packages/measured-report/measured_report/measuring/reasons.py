@@ -9,10 +9,11 @@ OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE
 )
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 
 
 def reason_of(error: Exception) -> str:
-    """Why measuring failed, in one line, with what to do."""
+    """Say why measuring failed, in one line, with what to do."""
     said = " ".join(str(error).split())
     if is_out_of_memory(error):
         return f"the memory is too small ({said:.200}); free some of it, or PROFILE=quick measures small grids"
@@ -32,5 +33,5 @@ def is_out_of_memory(error: Exception) -> bool:
 
 def is_expected(error: Exception) -> bool:
     """Whether its reason says all there is; an error of the code itself has its trace as well."""
-    known = any(pattern.search(str(error)) for pattern in (OUT_OF_MEMORY, DEVICE_LOST))
-    return isinstance(error, ReportError | OSError | MemoryError) or known or bool(host().explained(error))
+    known = OUT_OF_MEMORY.search(str(error)) or DEVICE_LOST.search(str(error)) or host().explained(error)
+    return isinstance(error, ReportError | OSError | MemoryError) or bool(known)

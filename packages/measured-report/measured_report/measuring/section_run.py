@@ -1,4 +1,4 @@
-"""Courses: the way of a section from its first batch to its record."""
+"""Section runs: the way of a section from its first batch to its record."""
 
 import inspect
 import pickle
@@ -15,36 +15,21 @@ from measured_report.editions.devices import needs_gpu
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
 from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.executors import WHOLE, Task
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import alias_of, commit, kind_of, without_gpu
 from measured_report.measuring.measurement import Measurement
-from measured_report.measuring.outcome import Done, now
+from measured_report.measuring.outcome import Done, Failed, now
 from measured_report.records.columns import UNBELIEVED, is_number, number_problem, units_of
 from measured_report.records.identity import Identity, identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
 
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-WHOLE = "whole"
-"""The one batch of a section that has declared none."""
-
-
-@dataclass(frozen=True)
-class Task:
-    """A batch of a section."""
-
-    section: str
-    batch: Batch
-    seconds: float
-    """How long it is expected to take; 0 where nobody knows."""
-
-    @property
-    def name(self) -> str:
-        return self.section if self.batch.name == WHOLE else f"{self.section}/{self.batch.name}"
 
 
 @dataclass
-class Course:
+class SectionRun:
     """A section on its way to a record."""
 
     project: Project
@@ -68,53 +53,48 @@ class Course:
     failure: str = ""
 
     def tasks(self) -> list[Task]:
-        """What can be started."""
-        return [Task(self.section, batch, self.known.get(self._key(batch), 0.0)) for batch in self.waiting]
-
-    def _key(self, batch: Batch) -> str:
-        return self.section if batch.name == WHOLE else f"{self.section}/{batch.name}"
+        """List what can be started."""
+        tasks = (Task(self.section, batch) for batch in self.waiting)
+        return [Task(self.section, task.batch, self.known.get(task.name, 0.0)) for task in tasks]
 
     @property
     def batch_count(self) -> int:
         return len({*self.done, *(batch.name for batch in self.stage)})
 
-    def begin(self, kinds: set[tuple]) -> None:
-        """Ask for the first batches. Those that were measured before, on one of the ``kinds``, are found again."""
-        self._advance(None, kinds)
-        self._go_on(kinds)
-
-    def take(self, batch: Batch, done: Done, kinds: set[tuple]) -> None:
-        """Keep what a batch has returned, and go on when it was the last that the section waits for."""
+    def take(self, batch: Batch, done: Done) -> None:
+        """Keep what a batch has returned."""
         self.done[batch.name] = done
         if batch.name != WHOLE:
-            Cache(self.project.root).put(self._kept_as(batch), self.identity, done)
-        self._go_on(kinds)
+            Cache(self.project.root).put(self._kept_start + batch.name, self.identity, done)
 
-    def _go_on(self, kinds: set[tuple]) -> None:
+    def go_on(self, kinds: set[tuple]) -> None:
+        """Ask for the next batches as long as all that were asked for are done, and write the record at the end.
+
+        Those that were measured before, on one of these ``kinds`` of machine, are found again.
+        """
         while not self.is_over and all(batch.name in self.done for batch in self.stage):
-            self._advance([pickle.loads(self.done[batch.name].content) for batch in self.stage], kinds)
+            results = [pickle.loads(self.done[batch.name].content) for batch in self.stage]
+            try:
+                self.stage = list(self.plan.send(results or None))
+            except StopIteration as end:
+                self._write(end.value)
+                return
+            self._refuse_names([batch.name for batch in self.stage])
+            self.alone |= {batch.name for batch in self.stage if batch.alone}
+            for batch in self.stage:
+                kept = Cache(self.project.root).get(self._kept_start + batch.name, self.identity)
+                if kept and kind_of(kept.machine) in ({self.kind} if self.kind else kinds):
+                    self.kind = kind_of(kept.machine)
+                    self.done[batch.name] = kept
+            self.waiting = [batch for batch in self.stage if batch.name not in self.done]
 
-    def _advance(self, results: list | None, kinds: set[tuple]) -> None:
-        try:
-            self.stage = list(self.plan.send(results))
-        except StopIteration as end:
-            self._write(end.value)
-            return
-        names = [batch.name for batch in self.stage]
+    def _refuse_names(self, names: list[str]) -> None:
         if not names or not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < len(names) + len(self.done):
             raise ValueError(f"batches need names of their own, lower-case words joined by hyphens: {', '.join(names)}")
-        self.alone |= {batch.name for batch in self.stage if batch.alone}
-        for batch in self.stage:
-            kept = Cache(self.project.root).get(self._kept_as(batch), self.identity)
-            if kept and kind_of(kept.machine) in ({self.kind} if self.kind else kinds):
-                self.kind = kind_of(kept.machine)
-                self.done[batch.name] = kept
-        self.waiting = [batch for batch in self.stage if batch.name not in self.done]
 
-    def _kept_as(self, batch: Batch) -> str:
-        return f"{self._kept_start()}{batch.name}"
-
+    @property
     def _kept_start(self) -> str:
+        """How the names begin under which its batches are kept."""
         return f"batch.{self.project.profile}.{self.project.release}.{self.section}."
 
     def _write(self, measurement: Measurement) -> None:
@@ -123,11 +103,7 @@ class Course:
         machines = [without_gpu(part.machine) if self.device == "cpu" else part.machine for part in parts]
         names = dict.fromkeys(name for machine in machines for name in machine)
         seconds = round(sum(part.seconds for part in parts), 1)
-        each = {
-            f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
-            for name in sorted(self.done)
-            if name != WHOLE
-        }
+        batches = sorted(self.done.keys() - {WHOLE})
         record = Record(
             section=self.section,
             identity=self.identity,
@@ -139,7 +115,10 @@ class Course:
                 "commit": commit(),
                 "command": self.project.rerun(self.section, machines[0]["device"]),
                 "seconds": seconds,
-                **each,
+                **{
+                    f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
+                    for name in batches
+                },
             },
             units=units_of(measurement.rows),
             rows=[believable(row) for row in measurement.rows],
@@ -147,25 +126,27 @@ class Course:
         path = self.project.record_path(self.section)
         write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
         self.is_over = True
-        Cache(self.project.root).remove(self._kept_start())
+        Cache(self.project.root).remove(self._kept_start)
         tqdm.write(f"{self.section}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
 
-    def fail(self, reason: str, trace: str = "") -> None:
+    def fail(self, failed: Failed) -> None:
+        """Give the section up, and say why."""
         if not self.is_over:
-            self.is_over, self.failure, self.waiting = True, reason, []
-            tqdm.write(f"{trace}{self.section}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
+            self.is_over, self.failure, self.waiting = True, failed.reason, []
+            said = f"{self.section}: measuring failed; what was there is kept: {failed.reason}"
+            tqdm.write(failed.trace + said, file=sys.stderr)
 
 
-def course_of(project: Project, section: str, module: ModuleType, device: str, known: Mapping[str, float]) -> Course:
-    """The way of a section: of one that declares no batches, all of it as one."""
+def section_run(
+    project: Project, section: str, module: ModuleType, device: str, known: Mapping[str, float]
+) -> SectionRun:
+    """The run of a section: of one that declares no batches, all of it as one."""
     device = device if needs_gpu(section, project.root) else "cpu"
     identity = identity_of(section, project.profile, project.root)
     conditions = host().Conditions(device=alias_of(device), quick=project.profile == "quick")
-    if inspect.isgeneratorfunction(module.measure):
-        plan = module.measure(conditions)
-    else:
-        plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Course(project, section, device, plan, identity, known)
+    plans = inspect.isgeneratorfunction(module.measure)
+    plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
+    return SectionRun(project, section, device, plan, identity, known)
 
 
 def _as_one(batch: Batch) -> Plan:
@@ -174,7 +155,7 @@ def _as_one(batch: Batch) -> Plan:
 
 
 def _together(values: Iterable[str | None]) -> str | None:
-    """What several machines say: what they agree on, or each of what they say."""
+    """Join what several machines say: what they agree on, or each of what they say."""
     found = sorted({*values} - {None}, key=str) or [None]
     said = ", ".join(map(str, found))
     return found[0] if len(found) == 1 else said if len(said) <= 400 else f"{len(found)} different ones"

@@ -1,4 +1,4 @@
-"""Runs on the CPU in processes of their own, beside what the device does. Nothing may be timed meanwhile."""
+"""A pool of processes of this host: forks of one that has everything loaded, or processes that start afresh."""
 
 import os
 from collections.abc import Callable, Iterable, Sequence
@@ -11,12 +11,13 @@ from measured_report.files.processes import workers
 from measured_report.measuring.host import host
 
 
-def processes(count: int) -> AbstractContextManager[Executor]:
-    """A pool for ``count`` calls, or for as many at once as there are cores. Close it with ``with``.
+def processes(count: int, method: str = "spawn") -> AbstractContextManager[Executor]:
+    """Open a pool for ``count`` calls, or for as many at once as there are cores. Close it with ``with``.
 
-    What is called, and its arguments, must be found by name in a module: the processes start afresh.
+    Where the processes start afresh, as without ``method="fork"``, what is called, and its arguments, must be found by
+    name in a module. Nothing may be timed in another process meanwhile.
     """
-    return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", _begin)
+    return workers(max(1, min(count, os.cpu_count() or 1)), method, _begin)
 
 
 def start(pool: Executor, function: Callable, calls: Sequence[tuple]) -> list[Future]:
