@@ -188,7 +188,7 @@ def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
         ["nowhere.xml"],
         ["scene.txt"],
         ["no.such.module:function"],
-        ["tests.test_lint_command:nothing"],
+        ["tests.newton_lint.test_command:nothing"],
         ["nowhere.py:function"],
         ["os:getcwd"],
         ["broken"],
