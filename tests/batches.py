@@ -45,6 +45,13 @@ def die(log: str, times: int) -> dict:
     return {"case": "die", "slip_mm": 1.0}
 
 
+def is_running(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
 def double(rows: list) -> dict:
     return {"case": "sum", "slip_mm": 2.0 * sum(row["slip_mm"] for row in rows)}
 

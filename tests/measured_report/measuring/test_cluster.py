@@ -10,7 +10,7 @@ from pathlib import Path
 
 import batches
 import pytest
-from batches import begun, course, rows_of
+from batches import begun, course, is_running, rows_of
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
@@ -85,16 +85,9 @@ def running(log: Path) -> list[int]:
     """Processes that have measured and are still there, a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
     deadline = time.monotonic() + 5.0
-    while (left := [number for number in numbers if is_there(number)]) and time.monotonic() < deadline:
+    while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
         time.sleep(0.05)
     return left
-
-
-def is_there(process: int) -> bool:
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, capsys):
