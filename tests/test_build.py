@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from measured_report import ROOT
+from measured_report import ROOT, UsageError
+from measured_report.commands import options
 from measured_report.parts.parts import UNDRAWN
 from measured_report.site.check import check_site
 
@@ -27,7 +28,6 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["rerun", "--section", ""], "reproduction"),
         (["rerun", "--section", "frction"], "SECTION=frction is no section; near it: friction, "),
         (["bisect", "--claim", "gup.x", "--a", "1.4.0", "--b", "1.8.0"], "CLAIM=gup.x is in no section; near it: gap"),
-        (["rerun", "--section", "scene"], "there is no report/sections/scene.py; use one of"),
         (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
         (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
         (["check", "--section", "nothing"], "--section nothing"),
@@ -64,6 +64,14 @@ def test_bad_input_gets_one_line_and_status_2(arguments, message):
     assert message in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert done.stdout == ""
+
+
+def test_a_section_that_is_measured_and_not_derived_is_named(tmp_path, monkeypatch):
+    (tmp_path / "experiments").mkdir()
+    (tmp_path / "experiments" / "weight.py").touch()
+    monkeypatch.setattr(options, "ROOT", tmp_path)
+    with pytest.raises(UsageError, match=r"there is no report/sections/weight\.py; use one of"):
+        options.OPTIONS["section"]["type"]("weight")
 
 
 def test_status_does_not_import_the_simulator():

@@ -9,6 +9,7 @@ from pathlib import Path
 import batches
 import pytest
 import warp as wp
+from batches import begun, rows_of, run_of
 
 from measured_report import ROOT, UsageError
 from measured_report.measuring import worker
@@ -18,29 +19,7 @@ from measured_report.measuring.executors import Host, LocalExecutor, Task
 from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import processes
 from measured_report.measuring.scheduler import Scheduler, next_start
-from measured_report.measuring.section_run import SectionRun
-from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
-
-
-@pytest.fixture
-def log(tmp_path) -> Path:
-    path = tmp_path / "log"
-    path.touch()
-    return path
-
-
-def run_of(toy, plan) -> SectionRun:
-    return SectionRun(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
-
-
-def begun(log: Path) -> list[str]:
-    """Names of the batches that were begun, in order."""
-    return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
-
-
-def rows_of(toy) -> list:
-    return load_record(toy.record_path).rows
 
 
 def test_a_record_is_put_together_from_its_batches(toy, log):
@@ -221,7 +200,7 @@ def test_hosts_are_read_with_their_folders(tmp_path):
 
 
 def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
-    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path)}
     command = [sys.executable, ROOT / "tests" / "kernels_at_once.py", tmp_path / "cuda"]
 
     both = [subprocess.Popen(command, env=settings, stdout=subprocess.PIPE, text=True) for _ in range(2)]

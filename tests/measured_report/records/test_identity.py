@@ -92,7 +92,7 @@ def test_every_python_agrees_on_the_identity():
     if not pythons:
         pytest.skip("there is no other Python here")
     code = (
-        "from report.records.identity import identity_of; import sys;"
+        "from measured_report.records.identity import identity_of; import sys;"
         "print([identity_of(name, 'full').code for name in sys.argv[1:]])"
     )
     digests = {

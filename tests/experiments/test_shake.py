@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from experiments import shake
+from experiments.shake import command as shake
 from measured_report import ROOT
 
 CONTRACT = ("slip_mm", "drift_mm_s", "cube_height_m", "dropped")
