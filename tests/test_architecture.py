@@ -7,6 +7,7 @@ from graphlib import TopologicalSorter
 import pytest
 
 from measured_report import ROOT
+from measured_report.records.identity import sections
 
 SPEC = importlib.util.spec_from_file_location("rooms", ROOT / "docs" / "rooms.py")
 rooms = importlib.util.module_from_spec(SPEC)
@@ -14,6 +15,8 @@ SPEC.loader.exec_module(rooms)
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
 WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")
+CARRYING = {f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool", "reasons")}
+"""What carries calls to where they are made: its code is no part of a record's identity, and changes no row."""
 MOST_ROOMS, MOST_FLOORS, MOST_ARROWS = 13, 10, 60
 
 
@@ -42,6 +45,16 @@ def test_the_page_s_side_never_imports_the_simulator():
         reached |= more
     files = [modules[name] for name in reached]
     assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
+
+
+def test_what_computes_rows_has_the_generator_for_carrying_alone():
+    """Besides ROOT and the errors, which the package itself has: an identity stops at the generator."""
+    imports = rooms.imports()
+    reached = {f"experiments.{section}" for section in sections()}
+    while more := {n for name in reached for n in imports[name] if n.startswith("experiments.")} - reached:
+        reached |= more
+    used = {name for module in reached for name in imports[module] if name.startswith("measured_report.")}
+    assert used - {"measured_report.measuring"} == CARRYING
 
 
 def test_no_import_leads_in_a_circle():

@@ -1,4 +1,5 @@
-"""Kills of a study's processes, workers and driver, for ``make torture``: the record must be the same as without."""
+"""Kills of worker processes, workers and the driver while sections are measured, for ``make torture``: the records must
+be the same as without."""
 
 import json
 import os
@@ -71,7 +72,7 @@ def studies(world, trial, moments: int) -> Iterator:
 def _start(root: Path, cluster: Sequence[str]) -> subprocess.Popen:
     options = ("--device", "cpu", "--profile", "quick", *cluster)
     command = [sys.executable, "-m", "measured_report.measuring.run", *SECTIONS, *options]
-    with (root / "study.log").open("w") as log:
+    with (root / "driver.log").open("w") as log:
         env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, (root / "packages").iterdir()))}
         return subprocess.Popen(command, cwd=root, env=env, stderr=log, stdout=log, start_new_session=True)
 
@@ -102,8 +103,8 @@ def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
     _forget(root)
     wanted = ["process"] * PROCESS_KILLS + ["worker"] * WORKER_KILLS
     chance.shuffle(wanted)
-    study, hit, killed = _start(root, ("--cluster", "local:2")), set(), Counter()
-    while study.poll() is None:
+    driver, hit, killed = _start(root, ("--cluster", "local:2")), set(), Counter()
+    while driver.poll() is None:
         time.sleep(chance.uniform(0.1, 0.5))
         at_work = {number: name for number, name in _at_work(root).items() if name not in hit}
         if not wanted or not at_work or (wanted[0] == "worker" and len(at_work) < len(_at_work(root))):
@@ -116,7 +117,7 @@ def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
             continue
         hit |= set(at_work.values()) if wanted[0] == "worker" else {at_work[victim]}
         killed[wanted.pop(0)] += 1
-    found = [f"status {study.returncode}: {(root / 'study.log').read_text()[-300:]}"] if study.returncode else []
+    found = [f"status {driver.returncode}: {(root / 'driver.log').read_text()[-300:]}"] if driver.returncode else []
     return killed, found + [f"{len(wanted)} kills were left" for _ in wanted[:1]]
 
 
@@ -133,12 +134,12 @@ def _parent(process: int) -> int:
 def _kill_driver(root: Path, moment_s: float) -> None:
     """Kill the driver so long after the first batch is begun, and let another one finish, without a cluster."""
     _forget(root)
-    study = _start(root, ("--cluster", "local:2"))
-    while not _at_work(root) and study.poll() is None:
+    driver = _start(root, ("--cluster", "local:2"))
+    while not _at_work(root) and driver.poll() is None:
         time.sleep(0.1)
     time.sleep(moment_s)
-    os.kill(study.pid, signal.SIGKILL)
-    study.wait()
+    os.kill(driver.pid, signal.SIGKILL)
+    driver.wait()
     deadline = time.monotonic() + 5.0
     while _at_work(root) and time.monotonic() < deadline:
         time.sleep(0.1)
@@ -146,7 +147,7 @@ def _kill_driver(root: Path, moment_s: float) -> None:
 
 
 def _differs(root: Path, whole: dict[str, list]) -> list[str]:
-    """What is wrong with what a study has left."""
+    """Say what is wrong with what measuring has left."""
     found = [] if _rows(root) == whole and whole.keys() == set(SECTIONS) else ["other rows than without"]
     lines = [line.split() for line in (root / "many.log").read_text().splitlines()]
     begun = Counter(name for state, name, _ in lines if state == "begin")
