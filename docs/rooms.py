@@ -1,44 +1,45 @@
 """The rooms of the project and who reads whom, drawn from the imports: ``python docs/rooms.py`` renews the picture."""
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
 START, END = "```mermaid\n", "```\n"
-FOLDERS = ("experiments", "report")
-ROOMS = ("report.records", "report.deriving", "report.sections", "experiments", "report", "build")
-"""Rooms by the start of a module's name; the first that fits counts."""
-FACTS = "facts"
-SHARED = ("experiments.facts.case", "experiments.facts.classes", "experiments.facts.metrics", "experiments.facts.trace")
-"""The room of what both sides read, which has no name of its own, and its modules: the last two are what classify
-reads."""
-LABELS = {
-    "build": "build.py<br>the command line",
-    "experiments": "experiments/<br>measure",
-    FACTS: "experiments/: case, classify<br>facts of the scene and of how a run ends",
-    "report.records": "report/records/<br>what was measured",
-    "report": "report/<br>claims, figures, pages",
-    "report.deriving": "report/deriving/<br>what sections share",
-    "report.sections": "report/sections/<br>a module each",
+GENERATOR = "measured_report"
+PLACES = {"": ROOT, GENERATOR: ROOT / "packages/measured-report", "newton_lint": ROOT / "packages/newton-lint"}
+FOLDERS = ("experiments", "report", GENERATOR, "newton_lint")
+OUTSIDE = {
+    "build": "build.py",
+    "experiments": "experiments/<br>the sections, simulation, scenes, media",
+    "experiments.facts": "experiments/facts/<br>plain Python for both sides",
+    "report": "report/<br>sections, story, names",
+    "newton_lint": "newton_lint/<br>the lint",
 }
+"""Rooms beside the generator's, by the start of their modules' names, and what they are called in the picture."""
+Arrows = frozenset[tuple[str, str]]
 
 
-def modules() -> dict[str, Path]:
+@cache
+def modules() -> Mapping[str, Path]:
     """Every module of the project, by its name."""
-    files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
-    names = {".".join(path.relative_to(ROOT).with_suffix("").parts): path for path in files}
-    return {name.removesuffix(".__init__"): path for name, path in names.items()} | {"build": ROOT / "build.py"}
+    found = {"build": ROOT / "build.py"}
+    for folder in FOLDERS:
+        root = PLACES.get(folder, ROOT)
+        for path in sorted((root / folder).rglob("*.py")):
+            found[".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__")] = path
+    return found
 
 
-def imports() -> dict[str, set[str]]:
+@cache
+def imports() -> Mapping[str, frozenset[str]]:
     """The project's modules that each of its modules imports, wherever in it the import stands."""
-    known = modules()
     found = {}
-    for name, path in known.items():
+    for name, path in modules().items():
         named = set(_named(ast.parse(path.read_text(encoding="utf-8"))))
-        found[name] = {each for each in named if each in known and each != name}
+        found[name] = frozenset(each for each in named if each in modules() and each != name)
     return found
 
 
@@ -52,34 +53,55 @@ def _named(tree: ast.Module) -> Iterator[str]:
 
 
 def room_of(module: str) -> str:
-    if module in SHARED:
-        return FACTS
-    return next(room for room in ROOMS if module == room or module.startswith(f"{room}."))
+    """The room that a module is in: a folder of the generator, or one of those outside; empty for a bare package."""
+    parts = module.split(".")
+    if parts[0] == GENERATOR:
+        return parts[1] if len(parts) > 1 else ""
+    return max((room for room in OUTSIDE if module == room or module.startswith(f"{room}.")), key=len)
 
 
-def arrows() -> set[tuple[str, str]]:
-    """Pairs of rooms of which the first imports the second; the folders themselves, which all may name, left out."""
-    return {
-        (room_of(module), room_of(named))
-        for module, found in imports().items()
-        for named in found
-        if room_of(module) != room_of(named) and named not in FOLDERS
-    }
+def arrows() -> Arrows:
+    """Pairs of rooms of which the first imports the second; packages themselves, which all may name, left out."""
+    pairs = ((room_of(module), room_of(named)) for module, found in imports().items() for named in found)
+    return frozenset(pair for pair in pairs if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2])
+
+
+def inside(found: Arrows) -> Arrows:
+    """Those between the generator's own rooms."""
+    return frozenset(pair for pair in found if not {*pair} & {*OUTSIDE})
+
+
+def floors(found: Arrows) -> dict[str, int]:
+    """How many rooms lie below each, one on the other; ValueError where they go round in a circle."""
+    heights: dict[str, int] = {}
+    waiting = {room for pair in found for room in pair}
+    while waiting:
+        ready = {room for room in waiting if all(low in heights for high, low in found if high == room)}
+        if not ready:
+            raise ValueError(f"rooms that import each other: {', '.join(sorted(waiting))}")
+        heights |= {room: 1 + max((heights[low] for high, low in found if high == room), default=0) for room in ready}
+        waiting -= ready
+    return heights
+
+
+def reduced(found: Arrows) -> list[tuple[str, str]]:
+    """The arrows that do not follow from others."""
+
+    def leads(start: str, end: str, without: tuple[str, str]) -> bool:
+        steps = (low for high, low in found if high == start and (high, low) != without)
+        return any(low == end or leads(low, end, without) for low in steps)
+
+    return sorted(pair for pair in found if not leads(*pair, pair))
 
 
 def picture() -> str:
-    """The rooms as a diagram in Mermaid's language."""
-    lines = ["flowchart TD"]
-    lines += [f'    {_id(room)}["{LABELS[room]}"]' for room in LABELS]
-    lines += [f"    {_id(one)} --> {_id(other)}" for one, other in sorted(arrows())]
-    # These two are found by their names when they are needed, and imported nowhere.
-    lines += [f"    {_id('report')} -. by name .-> {_id('report.sections')}"]
-    lines += [f"    {_id('report.records')} -. a process .-> {_id('experiments')}"]
+    """The rooms as a diagram in Mermaid's language; an arrow that others imply is left out."""
+    found = arrows()
+    own = sorted({room for pair in inside(found) for room in pair})
+    lines = ["flowchart TD", f"    subgraph {GENERATOR}", *(f"        {room}" for room in own), "    end"]
+    lines += [f'    {room.replace(".", "_")}["{words}"]' for room, words in OUTSIDE.items()]
+    lines += [f"    {one.replace('.', '_')} --> {other.replace('.', '_')}" for one, other in reduced(found)]
     return "\n".join(lines) + "\n"
-
-
-def _id(room: str) -> str:
-    return room.replace(".", "_")
 
 
 if __name__ == "__main__":
