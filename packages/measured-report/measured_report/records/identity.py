@@ -14,7 +14,6 @@ from measured_report.records.provenance import package_changes, package_versions
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
 FileName = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
-Package = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9][A-Za-z0-9._-]*\Z", max_length=64)]
 Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
 Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
@@ -27,7 +26,7 @@ class Identity:
     """Digest of the definitions that its ``measure`` may run; see ``code``."""
     config: Digest
     """Digest of the profile and of the assets that these name."""
-    packages: Mapping[Package, Version]
+    packages: Mapping[str, Version]
     """Version by package."""
     profile: Profile = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)

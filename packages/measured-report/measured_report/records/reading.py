@@ -14,7 +14,7 @@ from msgspec import Meta, Struct
 
 from measured_report import ROOT
 from measured_report.files.cache import Cache
-from measured_report.files.config import FILE as CONFIG
+from measured_report.files.config import FILE, config
 from measured_report.files.files import RecordError, place_of, read_own_file
 from measured_report.records.columns import UNPRINTABLE, cell_problem
 from measured_report.records.identity import Identity
@@ -68,7 +68,7 @@ def load_record(path: Path, cache: Cache | None = None) -> Record:
 def _own_code() -> bytes:
     """What decides what is found whole, and how it is read."""
     names = ("reading.py", "record.py", "columns.py", "identity.py")
-    files = [*map(Path(__file__).with_name, names), ROOT / CONFIG]
+    files = [*map(Path(__file__).with_name, names), ROOT / FILE]
     return hashlib.sha256(b"".join(file.read_bytes() for file in files if file.is_file())).digest()
 
 
@@ -76,14 +76,15 @@ def _checked(content: bytes, path: Path) -> Record:
     place = place_of(path)
     try:
         data = json.loads(content.decode("utf-8"), object_pairs_hook=_unique, parse_constant=_refuse)
-        schema = data.get("schema") if isinstance(data, dict) else None
-        if schema is not None and schema != SCHEMA:
+        schema = data.get("schema") if isinstance(data, dict) else SCHEMA
+        if type(schema) is not int or schema != SCHEMA:
             raise RecordError(f"{place} has schema {schema!r:.40}, not {SCHEMA}")
         record = msgspec.convert(data, Record)
-        _refuse_others(data, Record, "schema")
-        _refuse_others(data["identity"], Identity)
+        _refuse_others(data, "schema", *(field.name for field in fields(Record)))
+        _refuse_others(data["identity"], *(field.name for field in fields(Identity)))
+        _refuse_others(data["identity"]["packages"], *config().packages)
         for seal in (data.get("traces") or {}).values():
-            _refuse_others(seal, Seal)
+            _refuse_others(seal, *(field.name for field in fields(Seal)))
         msgspec.convert(record.machine, _Machine)
         date = msgspec.convert(record.measured, _Measured).date
         if datetime.fromisoformat(date).tzinfo is None:
@@ -99,10 +100,10 @@ def _checked(content: bytes, path: Path) -> Record:
     return record
 
 
-def _refuse_others(data: Mapping[str, Any], kind: type, *known: str) -> None:
-    """ValueError for a key that is no field of ``kind``: whoever reads it would not know what it says."""
-    if others := data.keys() - {field.name for field in fields(kind)} - {*known}:
-        raise ValueError(f"{kind.__name__} has no field {min(others)!r:.80}")
+def _refuse_others(data: Mapping[str, Any], *known: str) -> None:
+    """ValueError for any key that is not ``known``."""
+    if others := data.keys() - {*known}:
+        raise ValueError(f"nothing here is called {min(others)!r:.80}")
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
