@@ -61,7 +61,7 @@ class Reader:
             for place, name in enumerate(names):
                 definitions.setdefault(name, []).append(self._definition(node, place))
         return Source(
-            digest=digest_of(_Canonical(whole=True).plain(self.tree, frozenset())),
+            digest=digest_of(Canonical(whole=True).plain(self.tree, frozenset())),
             modules=tuple(dict.fromkeys(name for node in nodes for name in self._modules(node))),
             assets=tuple(_named_assets(nodes)),
             top=dict(self._top()),
@@ -87,7 +87,7 @@ class Reader:
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
         inner = {name: what for each in ast.walk(node) for name, what in self._named(each)}
-        tree = _Canonical()
+        tree = Canonical()
         text = tree.top(node, self._names | inner.keys())
         decorators = (_chain(each.func if isinstance(each, ast.Call) else each) for each in _decorators(node))
         return Definition(
@@ -175,7 +175,7 @@ def _chain(node: ast.AST) -> str:
 
 
 @dataclass
-class _Canonical:
+class Canonical:
     """Makes plain tuples of a syntax tree, without comments, docstrings and positions.
 
     Fields that are empty or that only some Python versions know are left out: a record measured under one Python has
