@@ -19,7 +19,7 @@ from measured_report.deriving.keeping import surroundings
 from measured_report.files.cache import FOLDER, Cache
 from measured_report.pages.page import Templates
 from measured_report.records import identity
-from measured_report.records.identity import sources_kept
+from measured_report.records.code import sources_kept
 from measured_report.records.record import write_record
 from measured_report.records.traces import packed
 

@@ -21,8 +21,8 @@ from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, stack_of
 from measured_report.editions.status import expected_packages
 from measured_report.measuring import measure
-from measured_report.records import identity, sources
-from measured_report.records.identity import package_versions
+from measured_report.records import provenance
+from measured_report.records.provenance import package_versions
 from measured_report.records.record import write_record
 
 
@@ -88,10 +88,10 @@ def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     assert str(clean.label) == f"1.9.0.dev0+g{commit}" and clean.date
     (checkout / "newton/__init__.py").write_text("x = 2\n")
     stack_of.cache_clear()
-    edited, source = stack_of(str(checkout)), sources.checkout_source(checkout)
+    edited, source = stack_of(str(checkout)), provenance.checkout_source(checkout)
     assert str(edited.label) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert sources.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
+    assert provenance.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
 
 
 def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
@@ -100,7 +100,7 @@ def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
     git(checkout, "commit", "--quiet", "-a", "-m", "two")
     named = {stack_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
     assert {str(stack.label) for stack in named} == {f"1.9.0.dev0+g{first[:7]}"}
-    assert {stack.newton for stack in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
+    assert {stack.requirement for stack in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
     assert str(stack_of(f"{checkout}@main").label).startswith("1.10.0.dev0+g")
     with pytest.raises(UsageError, match="cannot be fetched"):
         stack_of(f"{checkout}@nothing")
@@ -110,12 +110,12 @@ def test_a_wheel_is_called_after_its_content(tmp_path):
     wheel = tmp_path / "newton-1.9.0.dev5-py3-none-any.whl"
     wheel.write_bytes(b"one")
     first = stack_of(str(wheel))
-    assert str(first.label).startswith("1.9.0.dev5+w") and first.newton == f"newton[sim] @ {wheel.as_uri()}"
+    assert str(first.label).startswith("1.9.0.dev5+w") and first.requirement == f"newton[sim] @ {wheel.as_uri()}"
     wheel.write_bytes(b"two")
     stack_of.cache_clear()
     assert stack_of(str(wheel)).label != first.label
     nightly = stack_of(f"https://example.org/nightly/{wheel.name}")
-    assert str(nightly.label).startswith("1.9.0.dev5+w") and nightly.newton.startswith("newton[sim] @ https://")
+    assert str(nightly.label).startswith("1.9.0.dev5+w") and nightly.requirement.startswith("newton[sim] @ https://")
 
 
 def test_with_names_packages(tmp_path):
@@ -144,7 +144,7 @@ def test_what_is_installed_must_be_what_was_asked_for(tmp_path, monkeypatch):
     python.parent.mkdir(parents=True)
     (python.parent.parent / ".ready").touch()
     (tmp_path / "pyproject.toml").write_text("")
-    missing = dict.fromkeys(package_versions(), identity.MISSING)
+    missing = dict.fromkeys(package_versions(), provenance.MISSING)
     for said, fault in ((missing | {"newton": "1.7.8"}, "newton 1.7.8"), (missing | {"newton": "1.7.9"}, "")):
         python.write_text(f"#!/bin/sh\necho '{json.dumps(said)}'\n")
         python.chmod(0o755)

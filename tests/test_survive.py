@@ -145,7 +145,8 @@ def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch
 
 def test_who_comes_second_waits_and_says_so(tmp_path):
     code = (
-        f"from pathlib import Path\nfrom report.records.files import locked\nwith locked(Path({str(tmp_path)!r})): pass"
+        "from pathlib import Path\nfrom measured_report.files.files import locked\n"
+        f"with locked(Path({str(tmp_path)!r})): pass"
     )
     with locked(tmp_path):
         second = subprocess.Popen(
@@ -312,4 +313,4 @@ def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
     data = json.loads(toy.record_path.read_text())
     FIELDS[name](data)
     with pytest.raises((ReportError, TypeError)):
-        requirements("", data["identity"]["packages"])
+        requirements(toy.project.root, data["identity"]["packages"])

@@ -10,7 +10,7 @@ from experiments.simulation.measurement import Conditions
 from measured_report import ReportError
 from measured_report.editions.devices import NO_CUDA
 from measured_report.measuring.host import Device
-from measured_report.records.identity import package_versions
+from measured_report.records.provenance import package_versions
 
 __all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.claims.claims import NEAR_NOISE, Claim, all_of, at_most, within
 from measured_report.parts.figures import INK, SERIES, new_figure
 from measured_report.parts.parts import Figure, Section, Table
-from measured_report.values.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
+from measured_report.records.columns import column_of
+from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
@@ -100,7 +101,7 @@ def _floor(results: Results, metric: str, unit: str, cells: dict[str, list[Quant
         for case, of_case in cells.items()
     ]
     column = {"slip": "slip_mm", "drift": "drift_mm_s"}[metric]
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[column], unit=unit)
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", column_of(column).resolution, unit=unit)
     formula = "largest of the cases, and at least the resolution"
     return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 

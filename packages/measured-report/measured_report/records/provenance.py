@@ -1,17 +1,52 @@
-"""Sources: which code of Newton is installed, where its version does not say: from a checkout or a wheel (PEP 610)."""
+"""Provenance of packages: which version of each is installed, and of which code where the version does not say.
+
+Code comes from an index, a commit, a checkout or a wheel, as PEP 610 notes it.
+"""
 
 import hashlib
 import json
 import subprocess
+from collections.abc import Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
 from measured_report import UsageError
+from measured_report.files.config import config
+from measured_report.records.code import files
 
 SHORT_COMMIT = 7
 EDITED = ".edited"
 """Behind a commit: a checkout of it differs."""
+MISSING = "missing"
+
+
+def package_versions() -> dict[str, str]:
+    """Version of each package that is installed here; of the first with its code, where that is not an index's."""
+    seen = files()
+    seen.versions = seen.versions or _installed_versions()
+    return dict(seen.versions)
+
+
+def _installed_versions() -> dict[str, str]:
+    versions = {package: _version(package) for package in config().packages}
+    source = source_of(config().package)
+    return versions | ({config().package: f"{versions[config().package]}+{source}"} if source else {})
+
+
+def _version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return MISSING
+
+
+def package_changes(
+    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = ()
+) -> list[str]:
+    """Which packages are of another version than before, each with both."""
+    versions = {name: (before.get(name), after.get(name)) for name in names or config().packages}
+    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
 def source_of(package: str) -> str:
@@ -33,25 +68,26 @@ def source_of(package: str) -> str:
 
 
 def checkout_source(folder: Path) -> str:
-    """The commit that a checkout of Newton is at, with ``.edited.`` and a digest of its code where that differs."""
-    code = digest_of(sorted((folder / "newton").rglob("*.py")), folder)
+    """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
+    module = config().package.replace("-", "_")
+    code = _digest(sorted((folder / module).rglob("*.py")), folder)
     commit = git(folder, "rev-parse", f"--short={SHORT_COMMIT}", "HEAD")
     if not commit:
         return f"x{code}"
-    edited = git(folder, "status", "--porcelain", "--", "newton")
+    edited = git(folder, "status", "--porcelain", "--", module)
     return f"g{commit[:SHORT_COMMIT]}{EDITED}.{code}" if edited else f"g{commit[:SHORT_COMMIT]}"
 
 
 def wheel_source(path: Path) -> str:
-    return f"w{digest_of([path], path.parent)}"
+    return f"w{_digest([path], path.parent)}"
 
 
 def address_source(address: str) -> str:
-    """Of a wheel that is fetched: another one has another address."""
+    """The same of a wheel that is fetched: another one has another address."""
     return f"w{hashlib.sha256(address.encode()).hexdigest()[:SHORT_COMMIT]}"
 
 
-def digest_of(paths: list[Path], root: Path) -> str:
+def _digest(paths: list[Path], root: Path) -> str:
     """Seven digits for the files, by their names below ``root`` and what they hold."""
     digest = hashlib.sha256()
     for path in paths:
