@@ -27,6 +27,8 @@ from measured_report.records.traces import packed
 from measured_report.site.site import build
 from measured_report.site.surroundings import ASSETS
 
+IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
+os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
 
@@ -252,3 +254,22 @@ def poses_path(tmp_path_factory) -> Path:
     results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
     shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
     return results / "poses.json"
+
+
+def git(folder: Path, *command: str) -> str:
+    who = ["-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
+    done = subprocess.run(["git", "-C", folder, *who, *command], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+@pytest.fixture
+def checkout(tmp_path) -> Path:
+    """A repository with a package newton."""
+    folder = tmp_path / "newton"
+    (folder / "newton").mkdir(parents=True)
+    (folder / "newton/__init__.py").write_text("x = 1\n")
+    (folder / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.9.0.dev0"\n')
+    git(folder, "init", "--quiet", "--initial-branch", "main")
+    git(folder, "add", ".")
+    git(folder, "commit", "--quiet", "-m", "one")
+    return folder

@@ -43,6 +43,13 @@ def mm_s_along_x(model: mujoco.MjModel, data: mujoco.MjData) -> float:
     return 1e3 * (data.qpos[1] - start)
 
 
+def predicted_at(model: mujoco.MjModel, data: mujoco.MjData, solref, solimp, **known):
+    """What is predicted of the ball where it is now."""
+    impedance = impedance_at(solimp, data.contact[0].dist)
+    weight = model.body_invweight0[:, 0].sum()
+    return predicted_creep(solref, solimp[1], inverse_mass_1_kg=weight, impedance=impedance, **known)
+
+
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 @pytest.mark.parametrize("impratio", [1.0, 10.0])
 @pytest.mark.parametrize("solref", [(0.02, 1.0), (0.001, 1.0), (-2500.0, -50.0)])
@@ -51,17 +58,8 @@ def test_the_creep_under_a_load_is_the_engines(solref, impratio, cone):
     model, data = scene(solref, solimp, cone, impratio)
     data.qfrc_applied[1] = load_n
     found = mm_s_along_x(model, data)
-    predicted = predicted_creep(
-        solref,
-        solimp[1],
-        timestep_s=TIMESTEP_S,
-        load_n=load_n,
-        inverse_mass_1_kg=model.body_invweight0[:, 0].sum(),
-        impedance=impedance_at(solimp, data.contact[0].dist),
-        impratio=impratio,
-        cone=cone,
-        mu=MU,
-    )
+    of_cone = {"impratio": impratio, "cone": cone, "mu": MU}
+    predicted = predicted_at(model, data, solref, solimp, timestep_s=TIMESTEP_S, load_n=load_n, **of_cone)
     assert predicted.acceleration_mm_s == 0.0
     assert predicted.load_mm_s == predicted.total_mm_s == pytest.approx(found, rel=1e-4)
 
@@ -81,15 +79,9 @@ def test_the_creep_under_an_acceleration_that_the_rows_leave_out_is_the_engines(
         mujoco.mj_step(model, data)
         radii.append(math.hypot(radius_m + data.qpos[1], data.qpos[2]))
     found_mm_s = 1e3 * (radii[-1] - radii[1999]) / 0.2
-    predicted = predicted_creep(
-        solref,
-        solimp[1],
-        timestep_s=1e-4,
-        acceleration_m_s2=rate_1_s**2 * radius_m,
-        load_n=model.body_mass[2] * rate_1_s**2 * radius_m,
-        inverse_mass_1_kg=model.body_invweight0[:, 0].sum(),
-        impedance=impedance_at(solimp, data.contact[0].dist),
-    )
+    acceleration = rate_1_s**2 * radius_m
+    known = {"acceleration_m_s2": acceleration, "load_n": model.body_mass[2] * acceleration}
+    predicted = predicted_at(model, data, solref, solimp, timestep_s=1e-4, **known)
     assert predicted.acceleration_mm_s > 9.0 * predicted.load_mm_s > 0.0
     assert predicted.total_mm_s == pytest.approx(found_mm_s, rel=0.02)
 

@@ -4,12 +4,10 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
-import subprocess
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from conftest import Toy
+from conftest import Toy, git
 
 from measured_report import ReportError, UsageError
 from measured_report.commands import building
@@ -24,25 +22,6 @@ from measured_report.measuring import measure
 from measured_report.records import provenance
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import write_record
-
-
-def git(folder: Path, *command: str) -> str:
-    who = ["-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
-    done = subprocess.run(["git", "-C", folder, *who, *command], capture_output=True, text=True, check=True)
-    return done.stdout.strip()
-
-
-@pytest.fixture
-def checkout(tmp_path) -> Path:
-    """A repository with a package newton."""
-    folder = tmp_path / "newton"
-    (folder / "newton").mkdir(parents=True)
-    (folder / "newton/__init__.py").write_text("x = 1\n")
-    (folder / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.9.0.dev0"\n')
-    git(folder, "init", "--quiet", "--initial-branch", "main")
-    git(folder, "add", ".")
-    git(folder, "commit", "--quiet", "-m", "one")
-    return folder
 
 
 @pytest.mark.parametrize(

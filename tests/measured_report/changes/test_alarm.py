@@ -5,11 +5,12 @@ import re
 from argparse import Namespace
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
-from conftest import MODULE, ROWS, Toy
-from damage import damage_record
+from conftest import MODULE, ROWS
+from damage import damage
 
 import build
 from measured_report import ROOT
@@ -112,7 +113,7 @@ def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
     newer = toy.of("1.8.0")
     arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="sums")
-    for change, kind in ((damage_record_of(newer), "damaged"), (remove_record_of(newer), "missing")):
+    for change, kind in ((partial(damage, name="field: unit 'm'"), "damaged"), (Path.unlink, "missing")):
         newer.measure()
         newer.write("report/sections/other.py", MODULE)
         newer.write("templates/sections/other.md.j2", (toy.project.templates / "sections/toy.md.j2").read_text())
@@ -121,17 +122,9 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
             write_record(side.project.record_path("other"), side.record(section="other"))
         assert build.diff(toy.project, arguments) == 0
         capsys.readouterr()
-        change()
+        change(newer.record_path)
         assert build.diff(toy.project, arguments) == 1
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
-
-
-def damage_record_of(side: Toy) -> Callable[[], None]:
-    return lambda: damage_record(side.record_path, "field: unit 'm'")
-
-
-def remove_record_of(side: Toy) -> Callable[[], None]:
-    return lambda: side.record_path.unlink()
 
 
 def test_what_cannot_be_shown_is_named_first(toy):

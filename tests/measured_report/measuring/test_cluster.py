@@ -10,7 +10,7 @@ from pathlib import Path
 
 import batches
 import pytest
-from test_study import begun, course, log, rows_of  # noqa: F401
+from batches import begun, course, is_running, rows_of
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
@@ -24,24 +24,20 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.scheduler import Here, Study
 from measured_report.measuring.where import read_cluster
 
-PATH = os.pathsep.join([str(ROOT), str(ROOT / "tests")])
-
 
 @pytest.fixture(scope="module")
 def scheduler():
     """Address of a cluster of one worker with two slots, as somebody may have started it."""
-    with pytest.MonkeyPatch.context() as settings:
-        settings.setenv("PYTHONPATH", PATH)
-        options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
-        with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options) as cluster:
-            yield cluster.scheduler_address
+    options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
+    with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options) as cluster:
+        yield cluster.scheduler_address
 
 
 def crew(scheduler: str):
     return crew_of(read_cluster(scheduler), "cpu", None, {}, "quick")
 
 
-def spans(log: Path) -> dict[str, tuple[float, float]]:  # noqa: F811
+def spans(log: Path) -> dict[str, tuple[float, float]]:
     """When each batch was last begun and ended."""
     found: dict[str, list[float]] = {}
     for line in log.read_text().splitlines():
@@ -54,7 +50,7 @@ def named(course, section: str):
     return course
 
 
-def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, log, scheduler, capsys):  # noqa: F811
+def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, log, scheduler, capsys):
     whole = course(toy, batches.section(str(log), "abcdefg", 0.1, alone="cf"))
     mortal = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 2)))), "mortal")
     doomed = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 99)))), "doomed")
@@ -85,20 +81,13 @@ def test_a_worker_of_this_host_comes_back_however_often_it_is_killed():
         client.wait_for_workers(1, timeout=10.0)
 
 
-def running(log: Path) -> list[int]:  # noqa: F811
+def running(log: Path) -> list[int]:
     """Processes that have measured and are still there, a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
     deadline = time.monotonic() + 5.0
-    while (left := [number for number in numbers if is_there(number)]) and time.monotonic() < deadline:
+    while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
         time.sleep(0.05)
     return left
-
-
-def is_there(process: int) -> bool:
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, capsys):
@@ -124,28 +113,26 @@ import sys
 import batches
 from pathlib import Path
 from measured_report.measuring.cluster import crew_of
-from measured_report.measuring.course import Course
 from measured_report.measuring.scheduler import Study
 from measured_report.measuring.where import read_cluster
-from measured_report.records.identity import identity_of
 from measured_report.editions.project import Project
+from types import SimpleNamespace
 
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
     cluster, root, log = sys.argv[1:]
-    project = Project("1.4.0", root=Path(root))
-    course = Course(project, "toy", "cpu", batches.slow_after(log, "ab"), identity_of("toy", "full", project.root), {})
+    toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
     with crew_of(read_cluster(cluster), "cpu", None, {}, "quick") as crew:
-        Study([course], crew).run()
+        Study([batches.course(toy, batches.slow_after(log, "ab"))], crew).run()
 """
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
-def test_a_study_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):  # noqa: F811
+def test_a_study_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):
     own = "local:2" if sent == signal.SIGKILL else scheduler
     driver = subprocess.Popen(
         [sys.executable, "-c", DRIVER, own, str(toy.project.root), str(log)],
-        cwd=ROOT, env={**os.environ, "PYTHONPATH": PATH}, stderr=subprocess.PIPE, start_new_session=True,
+        cwd=ROOT, stderr=subprocess.PIPE, start_new_session=True,
     )  # fmt: skip
     while "begin slow" not in log.read_text():
         assert driver.poll() is None, driver.stderr.read().decode()

@@ -9,8 +9,7 @@ from dataclasses import replace
 from html import unescape
 
 import pytest
-from conftest import ROWS, TEMPLATE, Toy
-from test_stack import checkout, git  # noqa: F401
+from conftest import ROWS, TEMPLATE, Toy, git
 
 import build
 from measured_report import ReportError, UsageError
@@ -121,7 +120,7 @@ def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
     assert not isinstance(error.value, UsageError)
 
 
-def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
+def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
     code = checkout / "newton/__init__.py"
     commits = []
     for value in range(2, 8):
@@ -140,7 +139,7 @@ def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):  # noqa: F811
         subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
 
 
-def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):  # noqa: F811
+def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
     for value in range(2, 5):
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
@@ -148,7 +147,7 @@ def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):  # noq
         bisect_commits(checkout, "HEAD~3", "main", [sys.executable, "-c", "import nothing_like_it"], tmp_path / "clone")
 
 
-def test_commits_of_one_repository_are_seen_as_such(checkout):  # noqa: F811
+def test_commits_of_one_repository_are_seen_as_such(checkout):
     first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
     assert common_repository(first, last) == (checkout, "HEAD", "main")
     assert common_repository(first, stack_of("1.8.9")) is None

@@ -25,22 +25,25 @@ ShapeConfig = newton.ModelBuilder.ShapeConfig
 PAIR = ("body_0/box_0", "body_1/box_1")
 
 
-def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
-    """Two boxes that can touch; ``attributes`` are the solver's custom ones, a value for each box."""
+def builder_of_the_solver() -> newton.ModelBuilder:
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
+    return builder
+
+
+def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
+    """Two boxes that can touch; ``attributes`` are the solver's custom ones, a value for each box."""
+    builder = builder_of_the_solver()
     for index, config in enumerate((first, second)):
         body = builder.add_body(label=f"body_{index}")
         custom = {f"mujoco:{name}": values[index] for name, values in attributes.items()}
-        builder.add_shape_box(
-            body, cfg=ShapeConfig(**{"gap": 0.001, **config}), label=f"box_{index}", custom_attributes=custom
-        )
+        config = ShapeConfig(**{"gap": 0.001, **config})
+        builder.add_shape_box(body, cfg=config, label=f"box_{index}", custom_attributes=custom)
     return builder.finalize(device="cpu")
 
 
 def read_mjcf(xml: str) -> newton.Model:
-    builder = newton.ModelBuilder()
-    SolverMuJoCo.register_custom_attributes(builder)
+    builder = builder_of_the_solver()
     builder.add_mjcf(xml)
     return builder.finalize(device="cpu")
 
@@ -55,43 +58,56 @@ def found(model: newton.Model, **options) -> list[tuple]:
     ]
 
 
-def test_what_a_higher_priority_overrules_is_named():
-    model = two_boxes({"ke": 8e4, "mu": 0.3}, {"kd": 200.0}, geom_priority=(0, 2))
-    assert found(model) == [("priority", PAIR, "ke", 8e4, 2.5e3), ("priority", PAIR, "mu", 0.3, 1.0)]
+GAP = newton.ModelBuilder().rigid_gap
+STIFF = {"ke": 2.5e5, "kd": 1e3}
+UNREAD = {"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}
+FOUND = {
+    "what a higher priority overrules": (
+        *({"ke": 8e4, "mu": 0.3}, {"kd": 200.0}, {"geom_priority": (0, 2)}),
+        [("priority", PAIR, "ke", 8e4, 2.5e3), ("priority", PAIR, "mu", 0.3, 1.0)],
+    ),
+    "not what reaches the solver": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (0, 0)}, []),
+    "nor what has the higher priority": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (2, 0)}, []),
+    "nor what both say": ({"mu": 0.3}, {"mu": 0.3}, {"geom_priority": (0, 1)}, []),
+    "solimp entry by entry": (
+        *({}, {}, {"geom_priority": (0, 1), "geom_solimp": ((0.7, 0.95, 0.001, 0.5, 2.0), SOLIMP)}),
+        [("priority", PAIR, "solimp[0]", 0.7, SOLIMP[0])],
+    ),
+    "a gap left at the default beside one that was set": (
+        *({"gap": None}, {"gap": 0.004}, {}, [("default-gap", PAIR[:1], "gap", GAP, GAP + 0.004)]),
+    ),
+    "two such gaps are no finding": ({"gap": None}, {"gap": None}, {}, []),
+    "nor are two that were set": ({"gap": 0.002}, {"gap": 0.004}, {}, []),
+    "a timeconst below two substeps": (STIFF, STIFF, {}, [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]),
+    "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, []),
+    "a solref of its own takes the place of ke and kd": (
+        *({"ke": 8e4}, {}, {"solref": ((1e-3, 1.0),) * 2, "solref_mode": (RAW, RAW), "geom_priority": (0, 1)}),
+        [("timeconst", PAIR[::-1], "timeconst", 1e-3, 2 * DT)],
+    ),
+    "a small damping ratio": (*[{"ke": 1e4, "kd": 5.0}] * 2, {}, [("dampratio", PAIR, "dampratio", 0.025, 1.0)]),
+    "a large one": (*[{"ke": 1e4, "kd": 900.0}] * 2, {}, [("dampratio", PAIR, "dampratio", 4.5, 1.0)]),
+    "0.5 is not far from 1": (*[{"ke": 1e4, "kd": 100.0}] * 2, {}, []),
+    "nor is that of a stiffness and a damping": (
+        *({}, {}, {"solref": ((-2500.0, -100.0),) * 2, "solref_mode": (RAW, RAW)}, []),
+    ),
+    "but for a small one": (
+        *({}, {}, {"solref": ((-2500.0, -2.0),) * 2, "solref_mode": (RAW, RAW)}),
+        [("dampratio", PAIR, "dampratio", 0.02, 1.0)],
+    ),
+    "what no row of a contact reads": (
+        *(UNREAD, {}, {}, [("unused", PAIR[:1], name, value, None) for name, value in UNREAD.items()]),
+    ),
+}
 
 
-@pytest.mark.parametrize("priority", [(0, 0), (2, 0)])
-def test_what_reaches_the_solver_is_not(priority):
-    assert found(two_boxes({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, geom_priority=priority)) == []
+@pytest.mark.parametrize("name", FOUND)
+def test_what_is_found_and_what_is_not(name):
+    first, second, attributes, expected = FOUND[name]
+    assert found(two_boxes(first, second, **attributes)) == expected
 
 
-def test_what_both_say_is_not_lost():
-    assert found(two_boxes({"mu": 0.3}, {"mu": 0.3}, geom_priority=(0, 1))) == []
-
-
-def test_solimp_is_compared_entry_by_entry():
-    model = two_boxes({}, {}, geom_priority=(0, 1), geom_solimp=((0.7, 0.95, 0.001, 0.5, 2.0), SOLIMP))
-    assert [(rule, name) for rule, _, name, *_ in found(model)] == [("priority", "solimp[0]")]
-
-
-def test_a_gap_left_at_the_default_beside_one_that_was_set():
-    default = newton.ModelBuilder().rigid_gap
-    model = two_boxes({"gap": None}, {"gap": 0.004})
-    assert found(model) == [("default-gap", PAIR[:1], "gap", default, default + 0.004)]
-    assert found(two_boxes({"gap": None}, {"gap": None})) == []
-    assert found(two_boxes({"gap": 0.002}, {"gap": 0.004})) == []
-
-
-def test_a_timeconst_below_two_substeps():
-    stiff = {"ke": 2.5e5, "kd": 1e3}
-    assert found(two_boxes(stiff, stiff)) == [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]
-    assert found(two_boxes(stiff, stiff), refsafe=False) == []
-    assert found(two_boxes(stiff, {})) == []  # the pair's is the mean of 2 ms and 20 ms
-
-
-def test_a_solref_of_its_own_takes_the_place_of_ke_and_kd():
-    model = two_boxes({"ke": 8e4}, {}, solref=((1e-3, 1.0), (1e-3, 1.0)), solref_mode=(RAW, RAW), geom_priority=(0, 1))
-    assert [(rule, name) for rule, _, name, *_ in found(model)] == [("timeconst", "timeconst")]
+def test_without_refsafe_no_timeconst_is_clamped():
+    assert found(two_boxes(STIFF, STIFF), refsafe=False) == []
 
 
 CUBE_ON_FLOOR = """
@@ -130,7 +146,6 @@ def test_a_solref_of_lower_priority_is_none_that_mujoco_solves_with(floor, cube,
     assert not [finding for finding in lint(read_mjcf(level), ENGINE) if finding.rule == "priority"]
 
 
-STIFF = {"ke": 2.5e5, "kd": 1e3}
 SOLREFS = ((0.05, 1.0), (0.02, 1.0))
 MINIMAL = {
     "priority": ({"mu": 0.3}, {}, {"geom_priority": (0, 1)}),
@@ -161,24 +176,11 @@ def test_a_ke_without_kd_is_not_read(material, parameter):
         assert found(two_boxes(material, material, solref=[DEFAULT_SOLREF] * 2, solref_mode=(mode, mode))) == []
 
 
-@pytest.mark.parametrize(("kd", "ratio"), [(5.0, 0.025), (900.0, 4.5)])
-def test_a_damping_ratio_far_from_one(kd, ratio):
-    material = {"ke": 1e4, "kd": kd}
-    assert found(two_boxes(material, material)) == [("dampratio", PAIR, "dampratio", ratio, 1.0)]
-    assert found(two_boxes(*[{"ke": 1e4, "kd": 100.0}] * 2)) == []  # 0.5 is not far
-
-
 def test_a_kd_taken_for_a_share_of_ke_makes_a_timeconst_of_many_seconds():
     """As in Newton 1.4.0's franka_cable_ik_pick_place, which gives all its shapes ke 1e4 and kd 1e-5 ke."""
     [finding] = lint(two_boxes(*[{"ke": 1e4, "kd": 0.1}] * 2), ENGINE)
     assert (finding.rule, finding.value) == ("dampratio", pytest.approx(5e-4))
     assert "timeconst is 20 s" in finding.message
-
-
-def test_the_damping_ratio_of_a_stiffness_and_a_damping():
-    for damping, rules in ((100.0, []), (2.0, ["dampratio"])):
-        model = two_boxes({}, {}, solref=((-2500.0, -damping),) * 2, solref_mode=(RAW, RAW))
-        assert [rule for rule, *_ in found(model)] == rules
 
 
 def test_kf_is_read_by_some_releases_and_cones_and_contacts():
@@ -207,12 +209,6 @@ def test_a_kf_of_0_that_is_read_takes_the_friction_and_the_creep(kf):
     gone = kf == 0.0 and kf_is_read()
     assert [finding.parameter for finding in lint(model, engine) if "friction away" in finding.message] == ["mu"] * gone
     assert len(predictions(model, engine, Load(load_n=1.0))) == 1 - gone
-
-
-def test_what_no_row_of_a_contact_reads():
-    model = two_boxes({"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}, {})
-    authored = {"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}
-    assert found(model) == [("unused", PAIR[:1], name, value, None) for name, value in authored.items()]
 
 
 @pytest.mark.parametrize(("condim", "unread"), [(3, 2), (4, 1), (6, 0)])
@@ -272,15 +268,13 @@ def test_600_shapes_in_under_a_second():
 
 
 def test_shapes_that_cannot_touch_are_left_alone():
-    builder = newton.ModelBuilder()
-    SolverMuJoCo.register_custom_attributes(builder)
+    builder = builder_of_the_solver()
     body = builder.add_body(label="body")
     for priority in (0, 1):
         builder.add_shape_box(
-            body,
-            cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
+            body, cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
             custom_attributes={"mujoco:geom_priority": priority},
-        )
+        )  # fmt: skip
     assert lint(builder.finalize(device="cpu"), ENGINE) == []
 
 
@@ -296,8 +290,7 @@ def test_the_constants_are_newtons():
 
     modes = (constants.SOLREF_MODE_FORCE_SPACE, constants.SOLREF_MODE_RAW, constants.SOLREF_MODE_MJCF_DEFAULT)
     assert modes == (FORCE_SPACE, RAW, CONVERTED)
-    builder = newton.ModelBuilder()
-    SolverMuJoCo.register_custom_attributes(builder)
+    builder = builder_of_the_solver()
     assert builder.custom_attributes["mujoco:condim"].default == CONDIM
     assert CONES[int(builder.custom_attributes["mujoco:cone"].default)] == "pyramidal"
     np.testing.assert_allclose(builder.custom_attributes["mujoco:geom_solimp"].default, SOLIMP)

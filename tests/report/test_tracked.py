@@ -25,7 +25,7 @@ from report.story.story import story_of
 
 NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
 """A number with a unit."""
-TWICE = Path(__file__).parent / "sentences" / "twice.txt"
+TWICE = ROOT / "tests" / "sentences" / "twice.txt"
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
 
 

@@ -9,40 +9,20 @@ from pathlib import Path
 import batches
 import pytest
 import warp as wp
+from batches import begun, course, rows_of
 
 from measured_report import ROOT, UsageError
 from measured_report.files.processes import workers
 from measured_report.measuring import on_paper
 from measured_report.measuring import worker as slots
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.course import Course, Task
+from measured_report.measuring.course import Task
 from measured_report.measuring.forks import Forks
 from measured_report.measuring.machine import machine
 from measured_report.measuring.on_paper import hosts_of, makespan
 from measured_report.measuring.scheduler import Here, Host, Study, next_start
 from measured_report.measuring.where import read_cluster
-from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
-
-
-@pytest.fixture
-def log(tmp_path) -> Path:
-    path = tmp_path / "log"
-    path.touch()
-    return path
-
-
-def course(toy, plan) -> Course:
-    return Course(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
-
-
-def begun(log: Path) -> list[str]:
-    """Names of the batches that were begun, in order."""
-    return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
-
-
-def rows_of(toy) -> list:
-    return load_record(toy.record_path).rows
 
 
 def test_a_record_is_put_together_from_its_batches(toy, log):
@@ -240,7 +220,7 @@ def test_hosts_are_read_with_their_folders(tmp_path):
 
 
 def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
-    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path)}
     command = [sys.executable, ROOT / "tests" / "kernels_at_once.py", tmp_path / "cuda"]
 
     both = [subprocess.Popen(command, env=settings, stdout=subprocess.PIPE, text=True) for _ in range(2)]

@@ -256,7 +256,7 @@ def upgraded(toy) -> Toy:
     floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
     toy.write(
         "report/sections/noise.py",
-        "from report.parts import Section\n\norder = 0\n\n\ndef derive(results):\n"
+        "from measured_report.parts.parts import Section\n\norder = 0\n\n\ndef derive(results):\n"
         f"    {floor.format('slip', 'mm')}\n    {floor.format('drift', 'mm/s')}\n    return Section()\n",
     )
     toy.write("templates/sections/noise.md.j2", "# Noise\n")
