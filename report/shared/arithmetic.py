@@ -1,7 +1,7 @@
 """What several sections share."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
@@ -40,6 +40,11 @@ def departure(results: Results, name: str, formula: str, found: Quantity, refere
 def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
     """In the unit of both."""
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
+
+
+def size_difference(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
+    """Derive how far apart two numbers are, in the unit of both."""
+    return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
 
 
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
@@ -124,11 +129,30 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
-    """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+def by_case(rows: Sequence[Row], columns: Mapping[str, str | Sequence], **numbers: Quantity | str | bool) -> Table:
+    """Make a table with a line for each row, under the name of its case.
+
+    Args:
+        columns: By what stands above it, a column of the record, or its cells.
+        numbers: What the caption can name.
+    """
+    return table_of("case", [case_html(row.case) for row in rows], cells_of(rows, columns), **numbers)
+
+
+def table_of(
+    heading: str, names: Iterable[str], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool
+) -> Table:
+    """Make a table with a line for each name; ``heading`` stands above the names, and the caption can name numbers."""
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
+    return Table(pd.DataFrame(columns, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+
+
+def cells_of(rows: Sequence[Row], columns: Mapping[str, str | Sequence]) -> dict[str, Sequence]:
+    """Look up the cells of each column that is given by its name in the record; others are cells already."""
+    return {
+        above: [row[column] for row in rows] if isinstance(column, str) else column for above, column in columns.items()
+    }
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
