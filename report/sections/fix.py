@@ -21,7 +21,8 @@ SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
 
 def derive(results: Results) -> Section:
     bound, rows = results.chosen("gain_bound", *SETTLES), results.rows
-    shipped, fixed, *in_c = (results.row[case] for case in (*CASES, *(f"{case}-mujoco-c" for case in CASES)))
+    shipped, fixed = (results.row[case] for case in CASES)
+    shipped_c, fixed_c = (results.row[f"{case}-mujoco-c"] for case in CASES)
     engines = [ENGINES.get(row.backend, row.backend) for row in rows]
     columns = {"engine": engines, "its test": [PASSED[test_passed(row)] for row in rows]}
     columns |= cells_of(rows, {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"})
@@ -31,7 +32,7 @@ def derive(results: Results) -> Section:
             _gains(results, "recommended", "gain", shipped, fixed, bound, decided(test_passed(fixed), fixed.slip_mm)),
             _patch_rounds_up(results),
             _test_tells(shipped, fixed),
-            _gains(results, "same_on_mujoco_c", "gain_mujoco_c", *in_c, bound),
+            _gains(results, "same_on_mujoco_c", "gain_mujoco_c", shipped_c, fixed_c, bound),
             _same_as_report(results),
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],

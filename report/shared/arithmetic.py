@@ -149,7 +149,7 @@ def table_of(
     return Table(pd.DataFrame(columns, index=pd.Index(list(names), name=heading), dtype=object), numbers)
 
 
-def cells_of(rows: Sequence[Row], columns: Mapping[str, str | Sequence]) -> dict[str, Sequence]:
+def cells_of(rows: Sequence[Row], columns: Mapping[str, str | Sequence]) -> dict[str, list]:
     """Look up the cells of each column that is given by its name in the record; others are cells already."""
     return {
         above: [row[column] for row in rows] if isinstance(column, str) else column for above, column in columns.items()

@@ -36,8 +36,8 @@ class Variants:
     @property
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
-        numbers = {"largest": self.largest, "share": self.largest_share, "most": case_html(self.most)}
-        return numbers | {"baseline": self.baseline.slip_mm, "floor": self.floor}
+        numbers: dict[str, Quantity | str] = {"largest": self.largest, "share": self.largest_share}
+        return numbers | {"most": case_html(self.most), "baseline": self.baseline.slip_mm, "floor": self.floor}
 
     @property
     def all_rows(self) -> list[Row]:
