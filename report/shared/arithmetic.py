@@ -1,10 +1,10 @@
 """What several sections share."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
+from measured_report.claims.claims import FAILS, Claim, Outcome, at_least, at_most
 from measured_report.parts.parts import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
@@ -14,6 +14,7 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
+
 NO_DRIFT = ("no comparable drift", 10.0)
 """Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
@@ -42,6 +43,11 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
+def size_difference(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
+    """Derive how far apart two numbers are, in the unit of both."""
+    return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
+
+
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
     """Slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
 
@@ -56,15 +62,12 @@ def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
 def spread(
     results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
 ) -> Value:
-    """Largest less smallest; without a number when there is none."""
-    return results.value(
-        name,
-        formula,
-        lambda *found: max(found) - min(found) if found else math.nan,
-        *cells,
-        unit=unit,
-        is_noise=is_noise,
-    )
+    """Derive the largest less the smallest; without a number when there is none."""
+    return results.value(name, formula, _range, *cells, unit=unit, is_noise=is_noise)
+
+
+def _range(*found: float) -> float:
+    return max(found) - min(found) if found else math.nan
 
 
 def extreme(
@@ -93,20 +96,23 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
     """
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = size_share(results, "hold_share", formula, held, shaken)
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(name, at_most(part, bound), numbers)
+
+
+def settles(gain: Quantity) -> Outcome:
+    """Tell whether a slip that is so many times less settles the matter."""
+    why, bound = SETTLES
+    return at_least(gain, bound, why)
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:
     """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
     found = at_most(noise, bound)
-    return (
-        found
-        if found != FAILS
-        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
-    )
+    reason = "the noise is larger than what is looked for"
+    return replace(found, name="unknown", reason=reason) if found == FAILS else found
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
@@ -124,11 +130,30 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
-    """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+def by_case(rows: Sequence[Row], columns: Mapping[str, str | Sequence], **numbers: Quantity | str | bool) -> Table:
+    """Make a table with a line for each row, under the name of its case.
+
+    Args:
+        columns: By what stands above it, a column of the record, or its cells.
+        numbers: What the caption can name.
+    """
+    return table_of("case", [case_html(row.case) for row in rows], cells_of(rows, columns), **numbers)
+
+
+def table_of(
+    heading: str, names: Iterable[str], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool
+) -> Table:
+    """Make a table with a line for each name; ``heading`` stands above the names, and the caption can name numbers."""
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
+    return Table(pd.DataFrame(columns, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+
+
+def cells_of(rows: Sequence[Row], columns: Mapping[str, str | Sequence]) -> dict[str, list]:
+    """Look up the cells of each column that is given by its name in the record; others are cells already."""
+    return {
+        above: [row[column] for row in rows] if isinstance(column, str) else column for above, column in columns.items()
+    }
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
