@@ -1,8 +1,9 @@
 """What several sections share."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
 from measured_report.parts.parts import Table
@@ -40,6 +41,25 @@ def departure(results: Results, name: str, formula: str, found: Quantity, refere
 def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
     """In the unit of both."""
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
+
+
+def excess(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """How much more than the reference it is, of that, in percent; negative where it is less."""
+    return results.value(name, formula, lambda a, b: 100 * (a / b - 1), found, reference, unit="%")
+
+
+def distance(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
+    """Size of the difference, in the unit of both."""
+    return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
+
+
+def largest_size(results: Results, name: str, formula: str, cells: Iterable[Quantity], *, unit: str = "1") -> Value:
+    """The largest of the cells, signs left out; without a number when one of them has none."""
+    return results.value(name, formula, lambda *found: max(map(abs, found)), *cells, unit=unit)
+
+
+def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
+    return results.value(name, formula, lambda *counts: sum(counts), *cells)
 
 
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
@@ -124,11 +144,31 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
+Column = str | Callable[[Row], Any] | Sequence
+"""A column of a table: the name of a record's column, what gives the cell of a row, or the cells."""
+
+
+def by_case(rows: Iterable[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
     """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+    rows = list(rows)
+    return by_name("case", [case_html(row.case) for row in rows], rows, columns, **numbers)
+
+
+def by_name(
+    corner: str, names: Iterable, rows: Iterable[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool
+) -> Table:
+    """A table with a row for each of ``rows`` under its name of ``names``; ``corner`` says what these are."""
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
+    rows = list(rows)
+    cells = {label: _cells(rows, column) for label, column in columns.items()}
+    return Table(pd.DataFrame(cells, index=pd.Index(list(names), name=corner), dtype=object), numbers)
+
+
+def _cells(rows: Sequence[Row], column: Column) -> Sequence:
+    if isinstance(column, str):
+        return [row[column] for row in rows]
+    return [column(row) for row in rows] if callable(column) else column
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
