@@ -28,8 +28,10 @@ def derive(results: Results) -> Section:
     findings = [row for row in results.rows if "rule" in row]
     shipped, fixed = ([row for row in findings if row.scene == scene] for scene in SCENES)
     return Section(
-        tables={name: by_name("rule", [row.rule for row in rows], rows, COLUMNS)
-                for name, rows in (("as_shipped", shipped), ("fixed", fixed))},
+        tables={
+            name: by_name("rule", [row.rule for row in rows], rows, COLUMNS)
+            for name, rows in (("as_shipped", shipped), ("fixed", fixed))
+        },
         claims=[
             _pads_decide(results, "names_the_material", shipped, AS_SHIPPED),
             _names_the_gap(results, shipped),

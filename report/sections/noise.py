@@ -69,7 +69,10 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"groups": by_name("case", [group.label for group in groups], (), columns)},
         figures={"runs": runs},
-        claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means["slip"], spreads["slip"])],
+        claims=[
+            _noise_is_small(results, groups, floors),
+            _batch_or_alone(results, groups, means["slip"], spreads["slip"]),
+        ],
     )
 
 
