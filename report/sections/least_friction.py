@@ -9,8 +9,8 @@ from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure, ti
 from measured_report.parts.parts import Figure, Section
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import by_name, cell_count, departure, excess, extreme, ratio
-from report.shared.drawing import draw_marks
+from report.shared.arithmetic import cell_count, departure, excess, extreme, ratio, table_of
+from report.shared.drawing import mark_cells, name_lines
 
 order = 181
 page = "scenes"
@@ -41,7 +41,7 @@ def derive(results: Results) -> Section:
         numbers={name: rows[setting].least_factor for name, setting in shown.items()},
     )
     return Section(
-        tables={"settings": by_name("setting", map(case_html, SETTINGS), rows.values(), COLUMNS)},
+        tables={"settings": table_of("setting", map(case_html, SETTINGS), COLUMNS, rows.values())},
         figures={"factors": factors},
         claims=[
             _as_published(results),
@@ -120,15 +120,12 @@ def _draw(rows: Mapping[str, Row]) -> Drawing:
         ("least_factor", "least that holds", SERIES[0], "o"),
         ("coulomb_factor", "by Coulomb's law, where the cube is held", INK, "|"),
     ):
-        cells = [rows[name][column].value for name in SETTINGS]
-        places = [place for place, cell in enumerate(cells) if cell is not None]
-        style = {"markersize": 10, "markerfacecolor": "none", "color": colour, "label": label}
-        draw_marks(axes, [cells[place] for place in places], places, marker, **style)
+        cells = [rows[name][column] for name in SETTINGS]
+        mark_cells(axes, cells, colour, label, marker=marker, markersize=10, markerfacecolor="none")
     axes.axvline(1.0, color=INK, linewidth=0.8, marker="", linestyle=":")
     axes.set_xscale("log")
     tick_125(axes.xaxis)
-    axes.set_yticks(range(len(SETTINGS)), map(name_of, SETTINGS))
-    axes.invert_yaxis()
+    name_lines(axes, map(name_of, SETTINGS))
     axes.set_xlabel("friction, over m g / N")
     drawing.legend(loc="outside upper center", ncols=1 if is_narrow() else 2)
     return drawing

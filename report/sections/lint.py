@@ -7,7 +7,7 @@ from measured_report.claims.claims import FAILS, Claim, Outcome, all_of, at_leas
 from measured_report.parts.parts import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import by_name, cell_or_absent
+from report.shared.arithmetic import cell_or_absent, table_of
 
 order = 130
 page = "fix"
@@ -29,7 +29,7 @@ def derive(results: Results) -> Section:
     shipped, fixed = ([row for row in findings if row.scene == scene] for scene in SCENES)
     return Section(
         tables={
-            name: by_name("rule", [row.rule for row in rows], rows, COLUMNS)
+            name: table_of("rule", [row.rule for row in rows], COLUMNS, rows)
             for name, rows in (("as_shipped", shipped), ("fixed", fixed))
         },
         claims=[

@@ -14,8 +14,8 @@ from measured_report.values.noise import CONFIDENCE, PAIRS, RESOLUTION, toleranc
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.shared.arithmetic import by_name, cell_count, distance, share, spread
-from report.shared.drawing import draw_marks
+from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
+from report.shared.drawing import mark_points
 
 order = 20
 page = "method"
@@ -67,7 +67,7 @@ def derive(results: Results) -> Section:
         "drift spread": spreads["drift"],
     }
     return Section(
-        tables={"groups": by_name("case", [group.label for group in groups], (), columns)},
+        tables={"groups": table_of("case", [group.label for group in groups], columns)},
         figures={"runs": runs},
         claims=[
             _noise_is_small(results, groups, floors),
@@ -142,7 +142,7 @@ def _batch_or_alone(
     kinds = [group.kind for group in groups]
     batch, alone = kinds.index("batch"), kinds.index("alone")
     formula = "difference between the mean slip in a batch and alone"
-    apart = distance(results, "alone_difference", formula, means[batch], means[alone])
+    apart = size_difference(results, "alone_difference", formula, means[batch], means[alone])
     of_slip = share(results, "alone_share", "that difference, of the mean slip in a batch", apart, means[batch])
     formula = "larger of the spreads in a batch and alone"
     pair = spreads[batch], spreads[alone]
@@ -159,8 +159,8 @@ def _draw_runs(groups: Sequence[Group]) -> Drawing:
         # Dots of one group take turns in height, so that equal slips are still seen as many.
         heights = place + 0.09 * (np.arange(len(slips)) % 5 - 2)
         colour, marker = (SERIES[0], "o") if group.kind == "batch" else (SERIES[1], "^")
-        style = {"markersize": 5, "markerfacecolor": "none", "color": colour}
-        draw_marks(axes, slips - np.mean(of_case), heights, marker, **style)
+        style = {"markersize": 5, "markerfacecolor": "none", "color": colour, "marker": marker}
+        mark_points(axes, zip(slips - np.mean(of_case), heights, strict=True), **style)
         axes.vlines(slips.mean() - np.mean(of_case), place - 0.3, place + 0.3, color=INK, linewidth=1.2)
     axes.set_yticks(range(len(groups)), [group.label for group in groups])
     axes.set_ylim(len(groups) - 0.5, -0.5)

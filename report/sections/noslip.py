@@ -7,7 +7,7 @@ from measured_report.parts.parts import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.names import case_html
-from report.shared.arithmetic import by_name, excess, largest_size, told
+from report.shared.arithmetic import excess, largest_size, table_of, told
 
 order = 75
 page = "cause"
@@ -38,7 +38,7 @@ def derive(results: Results) -> Section:
         "slip with noslip": [row.slip_mm for row in treated],
     }
     return Section(
-        tables={"cases": by_name("case", map(case_html, cases), without, columns)},
+        tables={"cases": table_of("case", map(case_html, cases), columns, without)},
         claims=[_does_not_help(results, engine, changes) for engine in ENGINES],
     )
 

@@ -12,8 +12,8 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import by_name, departure, difference, extreme, share, total
-from report.shared.drawing import draw_marks
+from report.shared.arithmetic import departure, difference, extreme, share, table_of, total
+from report.shared.drawing import mark_points, name_lines
 
 order = 182
 page = "scenes"
@@ -53,7 +53,7 @@ def derive(results: Results) -> Section:
         numbers={kind: rows[f"{kind}-2ms-published-c"].median_drop_s for kind in OBJECTS},
     )
     return Section(
-        tables={"runs": _table(rows), "held": by_name("grasp", map(case_html, HELD), held.values(), HELD_COLUMNS)},
+        tables={"runs": _table(rows), "held": table_of("grasp", map(case_html, HELD), HELD_COLUMNS, held.values())},
         figures={"drops": figure},
         claims=[
             _fails_as_published(results, rows),
@@ -187,7 +187,7 @@ def _table(rows: Rows) -> Table:
     for engine, label in ENGINES.items():
         columns[f"held, {label}"] = [rows[f"{run}-{engine}"].held_count for run in RUNS]
         columns[f"dropped at, {label}"] = [rows[f"{run}-{engine}"].median_drop_s for run in RUNS]
-    return by_name("run", map(case_html, RUNS), (), columns)
+    return table_of("run", map(case_html, RUNS), columns)
 
 
 def _draw(rows: Rows, published: Times) -> Drawing:
@@ -208,9 +208,8 @@ def _draw(rows: Rows, published: Times) -> Drawing:
     for kind in OBJECTS:
         place = runs.index(f"{kind}-2ms-published")
         label = "published" if kind == OBJECTS[0] else None
-        draw_marks(axes, [published[kind, "2ms"].value], [place], "D", color=INK, label=label)
-    axes.set_yticks(range(len(runs)), map(name_of, runs))
-    axes.invert_yaxis()
+        mark_points(axes, [(published[kind, "2ms"].value, place)], marker="D", color=INK, label=label)
+    name_lines(axes, map(name_of, runs))
     axes.set(xlim=(4.0, 20.5), xlabel="dropped at [s]; held where an arrow ends it")
     drawing.legend(loc="outside upper center", ncols=1 if is_narrow() else 3)
     return drawing

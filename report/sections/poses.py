@@ -3,7 +3,7 @@
 from measured_report.claims.claims import Claim, at_least, at_most, greater
 from measured_report.parts.parts import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import by_name, noise_floor
+from report.shared.arithmetic import noise_floor, table_of
 
 order = 25
 label = "see it move"
@@ -30,7 +30,7 @@ def derive(results: Results) -> Section:
         greater(shipped.slip_mm, stiff.slip_mm, noise=noise_floor(results, "slip_floor")),
         {"duration": shipped.shake_duration_s, "shipped": shipped.slip_mm, "stiff": stiff.slip_mm},
     )
-    runs = by_name("run", NAMES.values(), [results.row[case] for case in NAMES], COLUMNS)
+    runs = table_of("run", NAMES.values(), COLUMNS, [results.row[case] for case in NAMES])
     return Section(tables={"runs": runs}, claims=[moves, *_shaken_farther(results)])
 
 
