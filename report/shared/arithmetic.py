@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from measured_report.claims.claims import FAILS, Claim, Outcome, at_least, at_most
 from measured_report.parts.parts import Table
@@ -10,6 +11,8 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html
 
+Column = str | Callable[[Row], Any] | Sequence
+"""A column of a table: a column of the record, what makes a cell of a row, or the cells."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
@@ -46,6 +49,21 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
 def size_difference(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
     """Derive how far apart two numbers are, in the unit of both."""
     return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
+
+
+def excess(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """Derive how much more than the reference it is, of that, in percent; negative where it is less."""
+    return results.value(name, formula, lambda a, b: 100 * (a / b - 1), found, reference, unit="%")
+
+
+def largest_size(results: Results, name: str, formula: str, cells: Iterable[Quantity], *, unit: str = "1") -> Value:
+    """Derive the largest of the cells, signs left out; without a number when one of them has none."""
+    return results.value(name, formula, lambda *found: max(map(abs, found)), *cells, unit=unit)
+
+
+def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
+    """Derive the sum of the cells, which are counts."""
+    return results.value(name, formula, lambda *counts: sum(counts), *cells)
 
 
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
@@ -130,30 +148,41 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, str | Sequence], **numbers: Quantity | str | bool) -> Table:
-    """Make a table with a line for each row, under the name of its case.
-
-    Args:
-        columns: By what stands above it, a column of the record, or its cells.
-        numbers: What the caption can name.
-    """
-    return table_of("case", [case_html(row.case) for row in rows], cells_of(rows, columns), **numbers)
+def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
+    """Make a table with a line for each row, under the name of its case."""
+    return table_of("case", [case_html(row.case) for row in rows], columns, rows, **numbers)
 
 
 def table_of(
-    heading: str, names: Iterable[str], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool
+    heading: str,
+    names: Iterable[str],
+    columns: Mapping[str, Column],
+    rows: Iterable[Row] = (),
+    **numbers: Quantity | str | bool,
 ) -> Table:
-    """Make a table with a line for each name; ``heading`` stands above the names, and the caption can name numbers."""
+    """Make a table with a line for each name.
+
+    Args:
+        heading: Stands above the names.
+        columns: By what stands above it, a column of the record, what makes a cell of a row, or the cells.
+        rows: A row for each name, for columns that are not given by their cells.
+        numbers: What the caption can name.
+    """
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    return Table(pd.DataFrame(columns, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+    cells = cells_of(list(rows), columns)
+    return Table(pd.DataFrame(cells, index=pd.Index(list(names), name=heading), dtype=object), numbers)
 
 
-def cells_of(rows: Sequence[Row], columns: Mapping[str, str | Sequence]) -> dict[str, list]:
-    """Look up the cells of each column that is given by its name in the record; others are cells already."""
-    return {
-        above: [row[column] for row in rows] if isinstance(column, str) else column for above, column in columns.items()
-    }
+def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, Sequence]:
+    """Look up the cells of each column in the rows; those that are given stay."""
+    return {above: _cells(rows, column) for above, column in columns.items()}
+
+
+def _cells(rows: Sequence[Row], column: Column) -> Sequence:
+    if isinstance(column, str):
+        return [row[column] for row in rows]
+    return [column(row) for row in rows] if callable(column) else column
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
