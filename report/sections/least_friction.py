@@ -2,16 +2,15 @@
 
 from collections.abc import Mapping
 
-import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claims import Claim, all_of, at_least, at_most, decided
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure, tick_125
-from measured_report.parts.parts import Figure, Section, Table
-from measured_report.values.quantities import Value
+from measured_report.parts.parts import Figure, Section
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import cell_count, departure, extreme
+from report.shared.arithmetic import cell_count, departure, excess, extreme, ratio, table_of
+from report.shared.drawing import mark_cells, name_lines
 
 order = 181
 page = "scenes"
@@ -25,22 +24,25 @@ TRIED = ("0.90", "0.98", "1.00", "1.02", "1.10")
 """Multiples of m g / N; with none of them either integrator held the cube, as was published."""
 STILL = tuple(setting for setting in SETTINGS if "euler" not in setting)
 """Settings with which the arm stands still."""
+COLUMNS = {
+    "least friction": "least_factor",
+    "by Coulomb's law": "coulomb_factor",
+    "fingers press with": "grip_force_n",
+    "cube's speed, held": "rms_speed_mm_s",
+}
 
 
 def derive(results: Results) -> Section:
     rows = {setting: results.row[setting] for setting in SETTINGS}
-    figure = Figure(
+    shown = {"pyramidal": "published-implicitfast", "elliptic": "elliptic-impratio-10", "euler": "published-euler"}
+    factors = Figure(
         draw=lambda: _draw(rows),
         sources=[row.least_factor for row in rows.values()],
-        numbers={
-            "pyramidal": rows["published-implicitfast"].least_factor,
-            "elliptic": rows["elliptic-impratio-10"].least_factor,
-            "euler": rows["published-euler"].least_factor,
-        },
+        numbers={name: rows[setting].least_factor for name, setting in shown.items()},
     )
     return Section(
-        tables={"settings": _table(rows)},
-        figures={"factors": figure},
+        tables={"settings": table_of("setting", map(case_html, SETTINGS), COLUMNS, rows.values())},
+        figures={"factors": factors},
         claims=[
             _as_published(results),
             _by_coulomb(results, rows),
@@ -60,12 +62,10 @@ def _as_published(results: Results) -> Claim:
     count = cell_count(results, "tried_count", "published frictions that were tried", slips)
     force = results.row["published-euler"].grip_force_n
     published = results.value("published_force", "published, and not measured here", lambda: 6.96, unit="N")
-    off = departure(
-        results, "force_off", "force of the fingers less the published one, of the latter", force, published
-    )
-    same = results.chosen("force_bound", "the same force", 5.0, unit="%")
+    formula = "force of the fingers less the published one, of the latter"
+    off = departure(results, "force_off", formula, force, published)
     numbers = {"count": count, "force": force, "published": published, "least": least, "lost": lost}
-    return Claim("as_published", all_of(at_most(off, same), at_least(least, lost)), numbers)
+    return Claim("as_published", all_of(at_most(off, 5.0, why="the same force"), at_least(least, lost)), numbers)
 
 
 def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:
@@ -74,7 +74,6 @@ def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:
         departure(results, f"{name}_off", formula, rows[name].least_factor, rows[name].coulomb_factor) for name in STILL
     ]
     largest = extreme(results, "coulomb_off", "largest of the departures from Coulomb's law", max, found)
-    bound = results.chosen("coulomb_bound", "the same friction", 5.0, unit="%")
     elliptic = rows["elliptic-impratio-1"]
     factor, law = (
         results.value(
@@ -83,23 +82,15 @@ def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:
         for name, cell in (("least_excess", elliptic.least_factor), ("coulomb_excess", elliptic.coulomb_factor))
     )
     numbers = {"largest": largest, "factor": factor, "law": law}
-    return Claim("by_coulomb", at_most(largest, bound), numbers)
+    return Claim("by_coulomb", at_most(largest, 5.0, why="the same friction"), numbers)
 
 
 def _pyramid_asks_for_more(results: Results, rows: Mapping[str, Row]) -> Claim:
     pyramid, elliptic = rows["published-implicitfast"].least_factor, rows["elliptic-impratio-1"].least_factor
-    more = results.value(
-        "pyramid_more",
-        "least friction with a pyramidal cone, beyond that with an elliptic one",
-        lambda a, b: 100 * (a / b - 1),
-        pyramid,
-        elliptic,
-        unit="%",
-    )
-    bound = results.chosen("pyramid_bound", "more than the search resolves", 1.0, unit="%")
-    return Claim(
-        "pyramid_asks_for_more", at_least(more, bound), {"pyramid": pyramid, "elliptic": elliptic, "more": more}
-    )
+    formula = "least friction with a pyramidal cone, beyond that with an elliptic one"
+    more = excess(results, "pyramid_more", formula, pyramid, elliptic)
+    numbers = {"pyramid": pyramid, "elliptic": elliptic, "more": more}
+    return Claim("pyramid_asks_for_more", at_least(more, 1.0, why="more than the search resolves"), numbers)
 
 
 def _impratio_changes_nothing(results: Results, rows: Mapping[str, Row]) -> Claim:
@@ -108,39 +99,19 @@ def _impratio_changes_nothing(results: Results, rows: Mapping[str, Row]) -> Clai
     formula = "least friction less that with impratio 1, in size, of the latter"
     found = [departure(results, f"helps_{index}", formula, other, plain) for index, other in enumerate(others)]
     largest = extreme(results, "helps_most", "largest change by impratio or noslip", max, found)
-    bound = results.chosen("helps_bound", "no more than the search resolves", 1.0, unit="%")
-    return Claim("impratio_changes_nothing", at_most(largest, bound), {"largest": largest, "plain": plain})
+    outcome = at_most(largest, 1.0, why="no more than the search resolves")
+    return Claim("impratio_changes_nothing", outcome, {"largest": largest, "plain": plain})
 
 
 def _euler_shakes(results: Results, rows: Mapping[str, Row]) -> Claim:
     euler, implicit = rows["published-euler"], rows["published-implicitfast"]
-    times = results.value(
-        "euler_times",
-        "least friction with Euler, of that with implicitfast",
-        lambda a, b: a / b,
-        euler.least_factor,
-        implicit.least_factor,
-    )
-    bound = results.chosen("euler_bound", "several times as much", 2.0)
-    still = decided(
-        None not in (euler.rms_speed_mm_s.value, implicit.rms_speed_mm_s.value)
-        and euler.rms_speed_mm_s.value > 10.0 * implicit.rms_speed_mm_s.value,
-        euler.rms_speed_mm_s,
-        implicit.rms_speed_mm_s,
-    )
+    formula = "least friction with Euler, of that with implicitfast"
+    times = ratio(results, "euler_times", formula, euler.least_factor, implicit.least_factor)
+    speed, still = euler.rms_speed_mm_s, implicit.rms_speed_mm_s
+    shakes = decided(None not in (speed.value, still.value) and speed.value > 10.0 * still.value, speed, still)
     numbers = {"euler": euler.least_factor, "implicit": implicit.least_factor, "times": times}
-    numbers |= {"speed": euler.rms_speed_mm_s, "still": implicit.rms_speed_mm_s}
-    return Claim("euler_shakes", all_of(at_least(times, bound), still), numbers)
-
-
-def _table(rows: Mapping[str, Row]) -> Table:
-    columns: dict[str, list[Value]] = {
-        "least friction": [row.least_factor for row in rows.values()],
-        "by Coulomb's law": [row.coulomb_factor for row in rows.values()],
-        "fingers press with": [row.grip_force_n for row in rows.values()],
-        "cube's speed, held": [row.rms_speed_mm_s for row in rows.values()],
-    }
-    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, SETTINGS), name="setting")))
+    outcome = all_of(at_least(times, 2.0, why="several times as much"), shakes)
+    return Claim("euler_shakes", outcome, {**numbers, "speed": speed, "still": still})
 
 
 def _draw(rows: Mapping[str, Row]) -> Drawing:
@@ -149,24 +120,12 @@ def _draw(rows: Mapping[str, Row]) -> Drawing:
         ("least_factor", "least that holds", SERIES[0], "o"),
         ("coulomb_factor", "by Coulomb's law, where the cube is held", INK, "|"),
     ):
-        places = [place for place, name in enumerate(SETTINGS) if rows[name][column].value is not None]
-        values = [rows[SETTINGS[place]][column].value for place in places]
-        axes.plot(
-            values,
-            places,
-            linestyle="",
-            marker=marker,
-            markersize=10,
-            markerfacecolor="none",
-            markevery=1,
-            color=colour,
-            label=label,
-        )
+        cells = [rows[name][column] for name in SETTINGS]
+        mark_cells(axes, cells, colour, label, marker=marker, markersize=10, markerfacecolor="none")
     axes.axvline(1.0, color=INK, linewidth=0.8, marker="", linestyle=":")
     axes.set_xscale("log")
     tick_125(axes.xaxis)
-    axes.set_yticks(range(len(SETTINGS)), map(name_of, SETTINGS))
-    axes.invert_yaxis()
+    name_lines(axes, map(name_of, SETTINGS))
     axes.set_xlabel("friction, over m g / N")
     drawing.legend(loc="outside upper center", ncols=1 if is_narrow() else 2)
     return drawing

@@ -1,13 +1,13 @@
 """The lint: what it says of the scene as shipped and of the fixed one."""
 
-import pandas as pd
+from collections.abc import Callable
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from measured_report.claims.claims import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
-from measured_report.parts.parts import Section, Table
+from measured_report.parts.parts import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_or_absent
+from report.shared.arithmetic import cell_or_absent, table_of
 
 order = 130
 page = "fix"
@@ -17,8 +17,8 @@ SCENES = ("as-shipped", "fixed")
 NOT_FOUND = "the lint does not find it"
 UNITS = ("", "_m", "_s", "_count")
 """Ends of the columns that hold a finding's values, by unit."""
-ROUNDING = 1e-5
-"""Chosen: up to this share of a number two are the same in single precision."""
+ROUNDING, ROUNDED = 1e-5, "the same in single precision"
+"""Chosen: up to which share of a number two are the same, and why."""
 MATERIAL = ("ke", "kd")
 MENDED = ("default-gap", "buffer")
 """Rules of which nothing is found in the fixed scene."""
@@ -28,7 +28,10 @@ def derive(results: Results) -> Section:
     findings = [row for row in results.rows if "rule" in row]
     shipped, fixed = ([row for row in findings if row.scene == scene] for scene in SCENES)
     return Section(
-        tables={"as_shipped": _table(shipped), "fixed": _table(fixed)},
+        tables={
+            name: table_of("rule", [row.rule for row in rows], COLUMNS, rows)
+            for name, rows in (("as_shipped", shipped), ("fixed", fixed))
+        },
         claims=[
             _pads_decide(results, "names_the_material", shipped, AS_SHIPPED),
             _names_the_gap(results, shipped),
@@ -42,15 +45,13 @@ def derive(results: Results) -> Section:
 
 def _pads_decide(results: Results, claim: str, findings: list[Row], case: Case) -> Claim:
     """Whether the lint says that ke and kd of the cube go unused, and the pads' of that case are used instead."""
-    found = {name: _find(findings, "priority", "cube", name) for name in MATERIAL}
-    outcomes = []
-    for name, finding in found.items():
-        pads = results.chosen(
-            f"{claim}_{name}", f"{name} authored on the pads of {case.name}", getattr(case, f"pad_{name}")
-        )
-        outcomes.append(_named(finding) or _same(results, f"{claim}_{name}", _cell(finding, "used"), pads))
-    numbers = {name: _cell(finding, "authored") for name, finding in found.items()}
-    numbers |= {f"{name}_used": _cell(finding, "used") for name, finding in found.items()}
+    outcomes, numbers = [], {}
+    for name in MATERIAL:
+        finding = _find(findings, "priority", "cube", name)
+        numbers |= {name: _cell(finding, "authored"), f"{name}_used": _cell(finding, "used")}
+        why = f"{name} authored on the pads of {case.name}"
+        pads = results.chosen(f"{claim}_{name}", why, getattr(case, f"pad_{name}"))
+        outcomes.append(_same(numbers[f"{name}_used"], pads) if finding else FAILS)
     return Claim(claim, all_of(*outcomes), numbers)
 
 
@@ -64,15 +65,11 @@ def _names_the_gap(results: Results, findings: list[Row]) -> Claim:
         gap,
         unit="m",
     )
-    outcome = _named(found) or _same(results, "gap_sum", total, expected)
-    return Claim("names_the_gap", outcome, numbers={"gap": gap, "sum": total})
+    return Claim("names_the_gap", _same(total, expected) if found else FAILS, {"gap": gap, "sum": total})
 
 
-def _same(results: Results, name: str, found: Quantity, expected: Quantity) -> Outcome:
-    rounding = results.chosen(
-        f"{name}_rounding", "the same in single precision", ROUNDING * (expected.value or 0.0), unit=found.unit
-    )
-    return equal_within([found, expected], noise=rounding)
+def _same(found: Quantity, expected: Quantity) -> Outcome:
+    return equal_within([found, expected], noise=ROUNDING * (expected.value or 0.0), why=ROUNDED)
 
 
 def _names_the_buffers(results: Results, findings: list[Row]) -> Claim:
@@ -84,7 +81,7 @@ def _names_the_buffers(results: Results, findings: list[Row]) -> Claim:
         size, peak = _cell(finding, "authored_count"), _cell(finding, "used_count")
         formula = f"how many times the most {name} that a world had there is room for"
         room = results.value(f"{name}_room", formula, lambda room, most: room // most, size, peak)
-        outcomes.append(_named(finding) or at_least(room, bound))
+        outcomes.append(at_least(room, bound) if finding else FAILS)
         numbers |= {f"{name}_size": size, f"{name}_peak": peak, f"{name}_room": room}
     return Claim("names_the_buffers", all_of(*outcomes), numbers)
 
@@ -102,19 +99,11 @@ def _gap_and_buffers_mended(results: Results, shipped: list[Row], fixed: list[Ro
 def _names_the_clamp(results: Results, findings: list[Row]) -> Claim:
     found = next((row for row in findings if row.rule == "timeconst"), None)
     timeconst, used = _cell(found, "authored_s", "s"), _cell(found, "used_s", "s")
-    rounding = results.chosen(
-        "timeconst_rounding", "the same in single precision", ROUNDING * (timeconst.value or 0.0), unit="s"
-    )
     kd = results.chosen("fix_kd", "kd authored on the pads with the fix", STIFF_PADS.pad_kd)
     limit = results.value("clamped_kd", "kd of which two substeps are the timeconst, 2 / kd", lambda a: 2 / a, used)
-    outcome = _named(found) or all_of(greater(used, timeconst, noise=rounding), at_least(kd, limit))
-    numbers = {"timeconst": timeconst, "used": used, "kd": kd, "limit": limit}
-    return Claim("fix_is_clamped", outcome, numbers=numbers)
-
-
-def _named(finding: Row | None) -> Outcome | None:
-    """What is not named at all fails."""
-    return None if finding else FAILS
+    is_longer = greater(used, timeconst, noise=ROUNDING * (timeconst.value or 0.0), why=ROUNDED)
+    outcome = all_of(is_longer, at_least(kd, limit)) if found else FAILS
+    return Claim("fix_is_clamped", outcome, {"timeconst": timeconst, "used": used, "kd": kd, "limit": limit})
 
 
 def _find(findings: list[Row], rule: str, subject: str, parameter: str) -> Row | None:
@@ -126,18 +115,17 @@ def _cell(finding: Row | None, column: str, unit: str = "1") -> Quantity:
     return cell_or_absent(finding, column, unit, NOT_FOUND)
 
 
-def _table(findings: list[Row]) -> Table:
-    columns = {
-        "of": ["" if row.rule == "buffer" else row.subject for row in findings],
-        "against": [row.against for row in findings],
-        "pairs": [row.pair_count if row.against else None for row in findings],
-        "parameter": [row.parameter for row in findings],
-        "authored": [_value(row, "authored") for row in findings],
-        "used": [_value(row, "used") for row in findings],
-    }
-    index = pd.Index([row.rule for row in findings], name="rule")
-    return Table(pd.DataFrame(columns, index=index, dtype=object))
+def _value(name: str) -> Callable[[Row], Quantity]:
+    """The cell of a column that has one of several units, whichever a row has."""
+    lost = absent("1", "it was not kept")
+    return lambda row: next((row[name + unit] for unit in UNITS if name + unit in row), lost)
 
 
-def _value(row: Row, name: str) -> Quantity:
-    return next((row[name + unit] for unit in UNITS if name + unit in row), absent("1", "it was not kept"))
+COLUMNS = {
+    "of": lambda row: "" if row.rule == "buffer" else row.subject,
+    "against": "against",
+    "pairs": lambda row: row.pair_count if row.against else None,
+    "parameter": "parameter",
+    "authored": _value("authored"),
+    "used": _value("used"),
+}

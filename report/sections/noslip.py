@@ -2,14 +2,12 @@
 
 from collections.abc import Mapping
 
-import pandas as pd
-
 from measured_report.claims.claims import Claim, at_most
-from measured_report.parts.parts import Section, Table
+from measured_report.parts.parts import Section
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
 from report.names import case_html
-from report.shared.arithmetic import told
+from report.shared.arithmetic import excess, largest_size, table_of, told
 
 order = 75
 page = "cause"
@@ -20,56 +18,42 @@ PADS = ("as-shipped", "stiff-pads")
 
 
 def derive(results: Results) -> Section:
-    pairs = {
-        f"{pads}-{engine}": (results.row[f"{pads}-{engine}"], results.row[f"{pads}-{engine}-noslip"])
-        for engine in ENGINES
-        for pads in PADS
+    cases = [f"{pads}-{engine}" for engine in ENGINES for pads in PADS]
+    without, treated = [results.row[case] for case in cases], [results.row[f"{case}-noslip"] for case in cases]
+    changes = {
+        row.case: excess(
+            results,
+            f"{row.case}_change",
+            f"drift of {row.case} with noslip less that without, of that without",
+            found.drift_mm_s,
+            row.drift_mm_s,
+        )
+        for row, found in zip(without, treated, strict=True)
     }
-    changes = {case: _change(results, case, *pair) for case, pair in pairs.items()}
-    bound = results.chosen("change_bound", "it is the same drift", 10.0, unit="%")
+    columns = {
+        "drift": "drift_mm_s",
+        "drift with noslip": [row.drift_mm_s for row in treated],
+        "change": list(changes.values()),
+        "slip": "slip_mm",
+        "slip with noslip": [row.slip_mm for row in treated],
+    }
     return Section(
-        tables={"cases": _table(pairs, changes)},
-        claims=[_does_not_help(results, engine, pairs, changes, bound) for engine in ENGINES],
+        tables={"cases": table_of("case", map(case_html, cases), columns, without)},
+        claims=[_does_not_help(results, engine, changes) for engine in ENGINES],
     )
 
 
-def _change(results: Results, case: str, without: Row, treated: Row) -> Value:
-    return results.value(
-        f"{case}_change",
-        f"drift of {case} with noslip less that without, of that without",
-        lambda found, before: 100 * (found / before - 1),
-        treated.drift_mm_s,
-        without.drift_mm_s,
-        unit="%",
-    )
-
-
-def _does_not_help(
-    results: Results, engine: str, pairs: Mapping[str, tuple[Row, Row]], changes: Mapping[str, Value], bound: Value
-) -> Claim:
+def _does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
     formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
     of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
-    largest = results.value(f"{engine}_change", formula, lambda *change: max(map(abs, change)), *of_engine, unit="%")
-    (without, treated), (without_stiff, treated_stiff) = (pairs[f"{pads}-{engine}"] for pads in PADS)
+    largest = largest_size(results, f"{engine}_change", formula, of_engine, unit="%")
     drifts = {
-        "treated": treated.drift_mm_s,
-        "without": without.drift_mm_s,
-        "treated_stiff": treated_stiff.drift_mm_s,
-        "without_stiff": without_stiff.drift_mm_s,
+        name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s
+        for pads, end in zip(PADS, ("", "_stiff"), strict=True)
+        for name, way in (("without", ""), ("treated", "-noslip"))
     }
     return Claim(
         f"noslip_does_not_help_in_{engine.replace('-', '_')}",
-        at_most(largest, bound),
-        numbers={"iterations": treated.noslip_iterations, **told(largest, drifts)},
+        at_most(largest, 10.0, why="it is the same drift"),
+        {"iterations": results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations, **told(largest, drifts)},
     )
-
-
-def _table(pairs: Mapping[str, tuple[Row, Row]], changes: Mapping[str, Value]) -> Table:
-    columns = {
-        "drift": [without.drift_mm_s for without, _ in pairs.values()],
-        "drift with noslip": [treated.drift_mm_s for _, treated in pairs.values()],
-        "change": [changes[case] for case in pairs],
-        "slip": [without.slip_mm for without, _ in pairs.values()],
-        "slip with noslip": [treated.slip_mm for _, treated in pairs.values()],
-    }
-    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, pairs), name="case")))

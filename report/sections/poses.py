@@ -1,11 +1,9 @@
 """The runs that are shown moving: what they come to, so that a picture and the page say the same."""
 
-import pandas as pd
-
 from measured_report.claims.claims import Claim, at_least, at_most, greater
-from measured_report.parts.parts import Section, Table
+from measured_report.parts.parts import Section
 from measured_report.values.results import Results
-from report.shared.arithmetic import noise_floor
+from report.shared.arithmetic import noise_floor, table_of
 
 order = 25
 label = "see it move"
@@ -17,6 +15,12 @@ NAMES = {
     "stiff-pads-10cm": "stiff pads, shaken farther",
     "hold-60s": "shipped pads, held still",
 }
+COLUMNS = {
+    "amplitude": "shake_amplitude_m",
+    "time": "shake_duration_s",
+    "slip at the end": "slip_mm",
+    "out of the grasp after": "left_grasp_s",
+}
 
 
 def derive(results: Results) -> Section:
@@ -26,26 +30,17 @@ def derive(results: Results) -> Section:
         greater(shipped.slip_mm, stiff.slip_mm, noise=noise_floor(results, "slip_floor")),
         {"duration": shipped.shake_duration_s, "shipped": shipped.slip_mm, "stiff": stiff.slip_mm},
     )
-    return Section(tables={"runs": _table(results)}, claims=[moves, *_shaken_farther(results)])
+    runs = table_of("run", NAMES.values(), COLUMNS, [results.row[case] for case in NAMES])
+    return Section(tables={"runs": runs}, claims=[moves, *_shaken_farther(results)])
 
 
 def _shaken_farther(results: Results) -> list[Claim]:
     shipped, stiff = results.row["as-shipped-10cm"], results.row["stiff-pads-10cm"]
-    bound = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", 80.0, unit="mm")
+    reach, why = 80.0, "farther from where it was, a cube is out of the grasp"
     metres = shipped.shake_amplitude_m
     numbers = {"amplitude": results.value("amplitude", "in whole mm", lambda m: round(1e3 * m), metres, unit="mm")}
+    falls, holds = at_least(shipped.slip_mm, reach, why=why), at_most(stiff.slip_mm, reach, why=why)
     return [
-        Claim("falls_when_shaken_farther", at_least(shipped.slip_mm, bound), numbers | {"shipped": shipped.slip_mm}),
-        Claim("stiff_pads_hold_when_shaken_farther", at_most(stiff.slip_mm, bound), numbers | {"stiff": stiff.slip_mm}),
+        Claim("falls_when_shaken_farther", falls, numbers | {"shipped": shipped.slip_mm}),
+        Claim("stiff_pads_hold_when_shaken_farther", holds, numbers | {"stiff": stiff.slip_mm}),
     ]
-
-
-def _table(results: Results) -> Table:
-    rows = [results.row[case] for case in NAMES]
-    columns = {
-        "amplitude": [row.shake_amplitude_m for row in rows],
-        "time": [row.shake_duration_s for row in rows],
-        "slip at the end": [row.slip_mm for row in rows],
-        "out of the grasp after": [row.left_grasp_s for row in rows],
-    }
-    return Table(pd.DataFrame(columns, index=pd.Index(NAMES.values(), name="run")))

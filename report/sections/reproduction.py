@@ -49,28 +49,16 @@ BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
 
 def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
-    _scene(results, shipped)
+    _scene(results, shipped, stiff)
     traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
+    shaken = {name: traces[name] for name in CALIBRATED}
     slips = _slips(results, shipped)
-    claims = [
-        slips,
-        _steady(results, shipped, traces["as-shipped"]),
-        _alternates(results, shipped, traces["as-shipped"]),
-        needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
-        _moves_little_when_held(results, shipped, hold),
-        _same_on_both_engines(results, slips),
-        _stiff_pads_hold(results, shipped, stiff),
-        _batch_is_cheap(results),
-    ]
-    launched = bool(_batches(results, launched=True))
-    if launched:
-        claims.append(_launching_costs(results))
+    launched = _batches(results, launched=True)
     displacement = Figure(
         draw=lambda: _draw_displacement(traces),
         sources=list(traces.values()),
         numbers={"shipped": shipped.slip_mm, "stiff": stiff.slip_mm, "hold": hold.slip_mm},
     )
-    shaken = {name: traces[name] for name in ("as-shipped", "stiff-pads")}
     increments = Figure(
         draw=lambda: _draw_increments(shaken, shipped.shake_frequency_hz.value),
         sources=list(shaken.values()),
@@ -79,13 +67,23 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"cases": _table(results)},
         figures={"displacement": displacement, "increments": increments},
-        claims=claims,
+        claims=[
+            slips,
+            _steady(results, shipped, traces["as-shipped"]),
+            _alternates(results, shipped, traces["as-shipped"]),
+            needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
+            _moves_little_when_held(results, shipped, hold),
+            _same_on_both_engines(results, slips),
+            _stiff_pads_hold(results, shipped, stiff),
+            _batch_is_cheap(results),
+            *([_launching_costs(results, *launched)] if launched else []),
+        ],
         unmeasured=() if launched else ("launching_costs",),
     )
 
 
-def _scene(results: Results, shipped: Row) -> None:
-    """What is simulated, for pages that tell it; what no record says is as in ``experiments/``."""
+def _scene(results: Results, shipped: Row, stiff: Row) -> None:
+    """Say what is simulated, for pages that tell it; what no record says is as in ``experiments/``."""
     for name, value, unit in SCENE:
         results.value(name, "set in the scene", lambda value=value: value, unit=unit)
     amplitude = shipped.shake_amplitude_m
@@ -94,16 +92,13 @@ def _scene(results: Results, shipped: Row) -> None:
     results.chosen("little_effect", "a change in slip, of it, that is little", 100 * LITTLE, unit="%")
     results.chosen("hardly_any_effect", "a change in slip, of it, that is hardly any", 100 * HARDLY, unit="%")
     formula = "size of the change in slip with stiff pads, of the slip as shipped"
-    departure(results, "stiff_share", formula, results.row["stiff-pads"].slip_mm, shipped.slip_mm)
+    departure(results, "stiff_share", formula, stiff.slip_mm, shipped.slip_mm)
 
 
 def _slips(results: Results, shipped: Row) -> Claim:
     bound = results.chosen("slip_bound", "a slip that can be seen", 1.0, unit="mm")
-    return Claim(
-        "slips",
-        at_least(shipped.slip_mm, bound),
-        numbers={"slip": shipped.slip_mm, "duration": shipped.shake_duration_s, "bound": bound},
-    )
+    numbers = {"slip": shipped.slip_mm, "duration": shipped.shake_duration_s, "bound": bound}
+    return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
 
 
 def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
@@ -114,33 +109,24 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
         count = len(later) // 4 * 2
         return _mean(later[:count]), _mean(later[len(later) - count :]), count
 
-    count = results.value(
-        "steady_cycle_count",
-        "largest even number of cycles of which there are two sets after the first cycle",
-        lambda frame, frequency_hz: halves(frame, frequency_hz)[2],
-        trace,
-        shipped.shake_frequency_hz,
-    )
-
+    cells = (trace, shipped.shake_frequency_hz)
     early, late = (
         results.value(
             f"increment_{name}",
             f"mean increment in the {name} half of the cycles after the first",
-            lambda frame, frequency_hz, index=index: halves(frame, frequency_hz)[index],
-            trace,
-            shipped.shake_frequency_hz,
+            lambda *found, index=index: halves(*found)[index],
+            *cells,
             unit="mm",
         )
         for index, name in enumerate(("earlier", "later"))
     )
+    formula = "largest even number of cycles of which there are two sets after the first cycle"
+    count = results.value("steady_cycle_count", formula, lambda *found: halves(*found)[2], *cells)
     formula = "size of the difference between the two halves, of the earlier"
     change = departure(results, "increment_change", formula, late, early)
     bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, unit="%")
-    return Claim(
-        "drift_is_steady",
-        at_most(change, bound),
-        numbers={"early": early, "late": late, "change": change, "count": count, "bound": bound},
-    )
+    numbers = {"early": early, "late": late, "change": change, "count": count, "bound": bound}
+    return Claim("drift_is_steady", at_most(change, bound), numbers)
 
 
 def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
@@ -156,16 +142,10 @@ def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
         )
         for name, start in (("even", 1), ("odd", 2))
     )
-    share = results.value(
-        "alternation",
-        "difference between the mean increments of odd and even cycles, of their mean",
-        lambda a, b: 200 * abs(a - b) / abs(a + b),
-        even,
-        odd,
-        unit="%",
-    )
-    bound = results.chosen("alternation_bound", "steps this unequal alternate", 10.0, unit="%")
-    return Claim("steps_alternate", at_least(share, bound), numbers={"even": even, "odd": odd})
+    formula = "difference between the mean increments of odd and even cycles, of their mean"
+    part = results.value("alternation", formula, lambda a, b: 200 * abs(a - b) / abs(a + b), even, odd, unit="%")
+    outcome = at_least(part, 10.0, why="steps this unequal alternate")
+    return Claim("steps_alternate", outcome, {"even": even, "odd": odd})
 
 
 def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
@@ -180,46 +160,35 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     """On each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told to agree."""
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
-    shipped, stiff = ([results.row[f"{case}{suffix}"].slip_mm for suffix in places] for case in CALIBRATED)
-    spreads = [
+    cells = [[results.row[f"{case}{suffix}"].slip_mm for suffix in places] for case in CALIBRATED]
+    formula = "largest less smallest slip of any engine and device that has one, with {} pads"
+    shipped, stiff = (
         spread(
             results,
-            f"engine_difference_{name}",
-            f"largest less smallest slip of any engine and device that has one, {words}",
-            [slip for slip in slips if slip.value is not None],
+            f"engine_difference_{pads}",
+            formula.format(pads),
+            [slip for slip in found if slip.value is not None],
             unit="mm",
         )
-        for name, words, slips in (("shipped", "with shipped pads", shipped), ("stiff", "with stiff pads", stiff))
-    ]
-    difference = results.value(
-        "engine_difference",
-        "the larger of the two differences between engines and devices, as shipped and with stiff pads",
-        max,
-        *spreads,
-        unit="mm",
+        for pads, found in zip(("shipped", "stiff"), cells, strict=True)
     )
-    cases = [f"{case}{suffix}" for case in CALIBRATED for suffix in places]
-    lost = [case for case in cases if results.row[case].slip_mm.value is None]
+    formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"
+    difference = results.value("engine_difference", formula, max, shipped, stiff, unit="mm")
     bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
+    lost = [
+        row
+        for row in (results.row[f"{case}{suffix}"] for case in CALIBRATED for suffix in places)
+        if row.slip_mm.value is None
+    ]
+    reason = lost[0].slip_mm.reason if lost else ""
     outcome = at_most(difference, bound)
-    agree_shipped, agree_stiff = (at_most(each, bound) == HOLDS for each in spreads)
     if lost and outcome == HOLDS:
-        outcome = Outcome("unknown", results.row[lost[0]].slip_mm.reason)
-    return Claim(
-        "same_on_both_engines",
-        outcome,
-        numbers={
-            "places": _listed(list(places.values())),
-            "shipped": spreads[0],
-            "stiff": spreads[1],
-            "agree_shipped": agree_shipped,
-            "agree_stiff": agree_stiff,
-            "bound": bound,
-            "lost": cases_html(lost) if lost else "",
-            "reason": results.row[lost[0]].slip_mm.reason if lost else "",
-            "slips": slips.outcome == HOLDS,
-        },
-    )
+        outcome = Outcome("unknown", reason)
+    agree_shipped, agree_stiff = (at_most(each, bound) == HOLDS for each in (shipped, stiff))
+    numbers = {"shipped": shipped, "stiff": stiff, "agree_shipped": agree_shipped, "agree_stiff": agree_stiff}
+    numbers |= {"places": _listed(list(places.values())), "bound": bound, "slips": slips.outcome == HOLDS}
+    numbers |= {"lost": cases_html(row.case for row in lost) if lost else "", "reason": reason}
+    return Claim("same_on_both_engines", outcome, numbers)
 
 
 def _listed(things: Sequence[str]) -> Markup:
@@ -229,8 +198,8 @@ def _listed(things: Sequence[str]) -> Markup:
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
-    bound = results.chosen("stiff_gain_bound", *SETTLES)
-    return Claim("stiff_pads_hold", at_least(gain, bound), numbers={"slip": stiff.slip_mm, "gain": gain})
+    outcome = at_least(gain, results.chosen("stiff_gain_bound", *SETTLES))
+    return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "gain": gain})
 
 
 def _batch_is_cheap(results: Results) -> Claim:
@@ -238,37 +207,23 @@ def _batch_is_cheap(results: Results) -> Claim:
     cost = ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
     device = results.record.machine["device"]
     bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
-    return Claim(
-        "batch_is_cheap", at_most(cost, bound), numbers={"worlds": many.world_count, "cost": cost, "bound": bound}
-    )
+    return Claim("batch_is_cheap", at_most(cost, bound), {"worlds": many.world_count, "cost": cost, "bound": bound})
 
 
-def _launching_costs(results: Results) -> Claim:
+def _launching_costs(results: Results, one: Row, many: Row) -> Claim:
     """Of the same worlds, each frame launched kernel by kernel instead of replayed as one graph."""
-    one = _batches(results, launched=False)[0]
-    one_launched, many_launched = _batches(results, launched=True)
-    share = results.value(
-        "launch_share",
-        "wall time of one world launched kernel by kernel less that as a graph, of the former",
-        lambda launched, graph: 100 * (launched - graph) / launched,
-        one_launched.wall_s,
-        one.wall_s,
-        unit="%",
-    )
+    graph = _batches(results, launched=False)[0].wall_s
+    formula = "wall time of one world launched kernel by kernel less that as a graph, of the former"
+    part = results.value("launch_share", formula, lambda a, b: 100 * (a - b) / a, one.wall_s, graph, unit="%")
     formula = "wall time of a batch over that of one world, both launched kernel by kernel"
-    cost = ratio(results, "launched_batch_cost", formula, many_launched.wall_s, one_launched.wall_s)
-    bound = results.chosen("launch_share_bound", "launching costs more than computing", 50.0, unit="%")
-    return Claim(
-        "launching_costs",
-        at_least(share, bound),
-        numbers={"launched": one_launched.wall_s, "graph": one.wall_s, "share": share, "cost": cost},
-    )
+    ratio(results, "launched_batch_cost", formula, many.wall_s, one.wall_s)
+    outcome = at_least(part, 50.0, why="launching costs more than computing")
+    return Claim("launching_costs", outcome, {"launched": one.wall_s, "graph": graph, "share": part})
 
 
 def _batches(results: Results, *, launched: bool) -> list[Row]:
     """The rows that were timed alone and as a batch, in this order."""
-    rows = [row for row in results.rows if row.case.startswith("batch-")]
-    rows = [row for row in rows if row.case.endswith("-launched") == launched]
+    rows = [row for row in results.rows if row.case.startswith("batch-") and row.case.endswith("-launched") == launched]
     rows = sorted(rows, key=lambda row: row.world_count.value or 0)
     missing = [results.row["a batch"]] * (2 - len(rows))
     return [*rows, *missing] if rows or not launched else []
@@ -279,17 +234,10 @@ def _mean(increments: np.ndarray) -> float:
 
 
 def _table(results: Results) -> Table:
-    rows = [row for row in results.rows if "slip_mm" in row]
-    columns = {
-        "engine": [_engine(results, row) for row in rows],
-        "slip": [row.slip_mm for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
-        "per cycle": [row.increment_mean_mm for row in rows],
-        "oscillation": [row.oscillation_mm for row in rows],
-        "wander": [row.wander_mm for row in rows],
-        "dropped": [row.dropped for row in rows],
-    }
-    return by_case(rows, columns)
+    columns = {"engine": lambda row: _engine(results, row), "slip": "slip_mm", "drift": "drift_mm_s"}
+    columns |= {"per cycle": "increment_mean_mm", "oscillation": "oscillation_mm"}
+    columns |= {"wander": "wander_mm", "dropped": "dropped"}
+    return by_case([row for row in results.rows if "slip_mm" in row], columns)
 
 
 def _engine(results: Results, row: Row) -> str:

@@ -2,8 +2,8 @@
 
 from measured_report.claims.claims import Claim, within
 from measured_report.parts.parts import Section
-from measured_report.values.quantities import Value
-from measured_report.values.results import Results, Row
+from measured_report.values.results import Results
+from report.shared.arithmetic import largest_size
 from report.shared.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
 
 order = 50
@@ -20,61 +20,30 @@ LABELS = {
 
 def derive(results: Results) -> Section:
     variants = variants_of(results, "iterations-15")
+    claims = [
+        _converged(results, variants),
+        _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
+        _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
+    ]
     return Section(
         tables={"cases": variant_table(variants, LABELS)},
         figures={"cases": variant_figure(variants)},
-        claims=[
-            not_the_cause(results, variants),
-            within_noise(variants),
-            _converged(results, variants),
-            _impratio(results, variants),
-            _smaller_steps(results, variants),
-        ],
+        claims=[not_the_cause(results, variants), within_noise(variants), *claims],
     )
 
 
 def _converged(results: Results, variants: Variants) -> Claim:
     more, tighter = results.row["iterations-200"], results.row["tolerance-1e-10"]
-    largest = results.value(
-        "convergence_difference",
-        "larger difference in slip from the baseline, of more iterations and of a tighter tolerance",
-        lambda *difference: max(map(abs, difference)),
-        variants.difference[more.case],
-        variants.difference[tighter.case],
-        unit="mm",
-    )
-    return Claim(
-        "solver_has_converged",
-        within(largest, variants.floor),
-        numbers=variants.numbers | {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest},
-    )
+    formula = "larger difference in slip from the baseline, of more iterations and of a tighter tolerance"
+    differences = [variants.difference[row.case] for row in (more, tighter)]
+    largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
+    numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
+    return Claim("solver_has_converged", within(largest, variants.floor), variants.numbers | numbers)
 
 
-def _impratio(results: Results, variants: Variants) -> Claim:
-    row = results.row["impratio-1000"]
-    reduction = _reduction(results, variants, row)
-    return Claim(
-        "impratio_does_not_help",
-        within(reduction, variants.floor),
-        numbers=variants.numbers | {"impratio": row.impratio, "slip": row.slip_mm, "reduction": reduction},
-    )
-
-
-def _smaller_steps(results: Results, variants: Variants) -> Claim:
-    row = results.row["substeps-64"]
-    reduction = _reduction(results, variants, row)
-    return Claim(
-        "smaller_steps_do_not_help",
-        within(reduction, variants.floor),
-        numbers=variants.numbers | {"substeps": row.substeps, "slip": row.slip_mm, "reduction": reduction},
-    )
-
-
-def _reduction(results: Results, variants: Variants, row: Row) -> Value:
-    return results.value(
-        f"{row.case}_reduction",
-        f"slip of the baseline less that of {row.case}",
-        lambda difference: -difference,
-        variants.difference[row.case],
-        unit="mm",
-    )
+def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
+    """Tell whether the slip of a case is less than the baseline's; its wording can name what ``column`` says."""
+    row, formula = results.row[case], f"slip of the baseline less that of {case}"
+    reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
+    numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
+    return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers)

@@ -1,55 +1,49 @@
 """The survey: what the lint says of the examples that Newton ships, release by release."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import zip_longest
-from typing import Any
-
-import pandas as pd
 
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.parts import Section, Table
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count
+from report.shared.arithmetic import Column, cell_count, table_of
 
 order = 185
 page = "scenes"
 label = "Newton's examples, linted"
 
 RULES = {
-    "priority": "priority_count",
-    "default-gap": "default_gap_count",
-    "timeconst": "timeconst_count",
-    "ke-without-kd": "ke_without_kd_count",
-    "dampratio": "dampratio_count",
-    "kf": "kf_count",
-    "unused": "unused_count",
+    rule: f"{rule.replace('-', '_')}_count"
+    for rule in ("priority", "default-gap", "timeconst", "ke-without-kd", "dampratio", "kf", "unused")
 }
+"""Columns that count what a rule finds, by the rule."""
 MUJOCO = "SolverMuJoCo"
 UNDAMPED = ("newton_cradle-mujoco", "domino_spiral-mujoco", "balance_bird-mujoco")
 """Examples that author a ke with a kd of 0 and can be solved by MuJoCo."""
 
 
 def derive(results: Results, releases: Releases) -> Section:
-    linted, unbuilt = _linted(results), [row for row in _examples(results) if row.unbuilt]
+    surveys = {release: chapters["survey"].results for release, chapters in releases.items() if "survey" in chapters}
+    ends = list(surveys.values())[:: len(surveys) - 1] if len(surveys) > 1 else []
+    changed = _changed(*ends) if ends else []
+    linted = _linted(results)
     solved = [row for row in linted if row.solver == MUJOCO]
-    found = [row for row in solved if row.finding_count.value]
-    ends = _ends(releases)
+    unbuilt = sorted((row for row in _examples(results) if row.unbuilt), key=lambda row: (row.unbuilt, row.case))
     return Section(
         tables={
-            "rules": _rule_table(results, releases),
-            "scenes": _scene_table(results, found),
+            "rules": _rule_table(results, surveys),
+            "scenes": _scene_table(results, [row for row in solved if row.finding_count.value]),
             "others": _scene_table(results, [row for row in linted if row.solver != MUJOCO]),
-            "changed": _changed_table(ends),
-            "unbuilt": _unbuilt_table(unbuilt),
+            "changed": _changed_table(ends, changed),
+            "unbuilt": table_of("example", [row.case for row in unbuilt], {"why": "unbuilt"}, unbuilt),
         },
         claims=[
             _many_are_linted(results, linted),
-            _mujoco_scenes_say_what_is_not_done(results, solved, found),
+            _mujoco_scenes_say_what_is_not_done(results, solved),
             _names_the_undamped(results),
-            _releases_differ(results, ends),
+            _releases_differ(results, ends, changed),
         ],
     )
 
@@ -63,49 +57,29 @@ def _linted(results: Results) -> list[Row]:
 
 
 def _many_are_linted(results: Results, linted: Sequence[Row]) -> Claim:
-    shapes = [row.shape_count for row in linted]
-    formula = "examples of which the shapes were counted"
+    shapes, formula = [row.shape_count for row in linted], "examples of which the shapes were counted"
     count = results.value("linted", formula, lambda *found: sum(each >= 0 for each in found), *shapes)
     bound = results.chosen("enough", "examples that a survey takes", 40)
     return Claim("many_are_linted", at_least(count, bound), {"count": count, "bound": bound})
 
 
-def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row], found: Sequence[Row]) -> Claim:
+def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row]) -> Claim:
     counts = [row.finding_count for row in solved]
     every = cell_count(results, "solved", "examples that MuJoCo solves", counts)
-    some = results.value(
-        "found", "of those, how many have a finding", lambda *found: sum(each > 0 for each in found), *counts
-    )
-    outcome = decided(bool(found), every, some)
+    some = results.value("found", "of those, how many have a finding", _positive_count, *counts)
+    outcome = decided(bool(some.value), every, some)
     return Claim("shipped_scenes_have_findings", outcome, {"count": some, "all": every})
+
+
+def _positive_count(*counts: float) -> int:
+    return sum(count > 0 for count in counts)
 
 
 def _names_the_undamped(results: Results) -> Claim:
     if any(case not in results.row for case in UNDAMPED):
         return Claim("names_the_undamped", Outcome("unknown", "this release does not have all three, or not linted"))
     counts = [results.row[case].ke_without_kd_count for case in UNDAMPED]
-    outcomes = [decided(bool(count.value), count) for count in counts]
-    return Claim("names_the_undamped", all_of(*outcomes))
-
-
-@dataclass(frozen=True)
-class Ends:
-    """The oldest and the newest release that were surveyed, and the examples that both have."""
-
-    old: Results
-    new: Results
-
-    @property
-    def changed(self) -> list[str]:
-        """Those in which another thing is found, or the same with another value."""
-        both = [row.case for row in _linted(self.old) if row.case in {row.case for row in _linted(self.new)}]
-        return [case for case in both if _told(self.old, case) != _told(self.new, case)]
-
-
-def _ends(releases: Releases) -> Ends | None:
-    """None where there is only one survey."""
-    found = [chapters["survey"].results for chapters in releases.values() if "survey" in chapters]
-    return Ends(found[0], found[-1]) if len(found) > 1 else None
+    return Claim("names_the_undamped", all_of(*(decided(bool(count.value), count) for count in counts)))
 
 
 def _findings(results: Results, case: str) -> list[Row]:
@@ -116,97 +90,73 @@ def _authored(row: Row) -> Quantity:
     return next((row[column] for column in ("authored_s", "authored_m") if column in row), row.authored)
 
 
-def _told(results: Results, case: str) -> list[tuple[str, str, float | None]]:
-    return [(row.rule, row.parameter, _authored(row).value) for row in _findings(results, case)]
+def _changed(old: Results, new: Results) -> list[str]:
+    """List the examples of two surveys in which another thing is found, or the same with another value."""
+
+    def told(results: Results, case: str) -> list[tuple[str, str, float | None]]:
+        return [(row.rule, row.parameter, _authored(row).value) for row in _findings(results, case)]
+
+    both = {row.case for row in _linted(new)}
+    cases = [row.case for row in _linted(old) if row.case in both]
+    return [case for case in cases if told(old, case) != told(new, case)]
 
 
-def _releases_differ(results: Results, ends: Ends | None) -> Claim:
-    """Whether an example that two releases have has other findings in the newer of them."""
+def _releases_differ(results: Results, ends: Sequence[Results], changed: Sequence[str]) -> Claim:
+    """Tell whether an example that the oldest and the newest survey have has other findings in the newer of them."""
     if not ends:
         alone = "only one release was surveyed"
         return Claim("releases_differ", Outcome("unknown", alone), {"count": absent("1", alone)})
-    changed = len(ends.changed)
-    cells = [_authored(row) for side in (ends.old, ends.new) for row in side.rows if "rule" in row]
-    count = results.value(
-        "changed",
-        "examples of both releases of which another rule, parameter or value is found",
-        lambda *_: changed,
-        *cells,
-        across=True,
-    )
+    cells = [_authored(row) for side in ends for row in side.rows if "rule" in row]
+    formula = "examples of both releases of which another rule, parameter or value is found"
+    count = results.value("changed", formula, lambda *_: len(changed), *cells, across=True)
     outcome = Outcome("unknown", count.reason) if count.value is None else HOLDS if changed else FAILS
     return Claim("releases_differ", outcome.having_read(count), {"count": count})
 
 
-def _changed_table(ends: Ends | None) -> Table:
-    """What is found in the examples that changed, the oldest and the newest release side by side."""
-    changed = ends.changed if ends else []
-    lines: list[tuple[str, ...]] = []
-    cells: list[tuple[Any, ...]] = []
-    """What is authored in either release, or words where it is not found there."""
+def _changed_table(ends: Sequence[Results], changed: Sequence[str]) -> Table:
+    """Show what is authored in the examples that changed, or words where it is not found, release beside release."""
+    lines: list[tuple] = []
     for case in changed:
-        found = [_by_parameter(_findings(side, case)) for side in (ends.old, ends.new)]
+        found = [_by_parameter(_findings(side, case)) for side in ends]
         for said in dict.fromkeys([*found[0], *found[1]]):
-            values = list(zip_longest(*(side.get(said, []) for side in found), fillvalue="nothing"))
-            cells += values
-            lines += [(case, *said)] * len(values)
-    columns: dict[str, list] = {"rule": [line[1] for line in lines], "parameter": [line[2] for line in lines]}
-    for index, side in enumerate((ends.old, ends.new) if ends else ()):
-        columns[side.edition] = [cell[index] for cell in cells]
-    return Table(_frame(columns, [line[0] for line in lines], "example"))
+            values = zip_longest(*(side.get(said, []) for side in found), fillvalue="nothing")
+            lines += [(case, *said, *cells) for cells in values]
+    names = ["rule", "parameter", *(side.edition for side in ends)]
+    columns = {name: [line[place] for line in lines] for place, name in enumerate(names, start=1)}
+    return table_of("example", [line[0] for line in lines], columns)
 
 
 def _by_parameter(findings: Sequence[Row]) -> dict[tuple[str, str], list[Quantity]]:
-    """What is authored, by rule and parameter."""
+    """Sort what is authored by rule and parameter."""
     found: dict[tuple[str, str], list[Quantity]] = {}
     for row in findings:
         found.setdefault((row.rule, row.parameter), []).append(_authored(row))
     return found
 
 
-def _columns(findings: Sequence[Row]) -> dict[str, list]:
-    return {
-        "rule": [row.rule for row in findings],
-        "parameter": [row.parameter for row in findings],
-        "authored": [_authored(row) for row in findings],
-    }
-
-
-def _frame(columns: Mapping[str, Sequence], index: Sequence[str], name: str) -> pd.DataFrame:
-    return pd.DataFrame(columns, index=pd.Index(index, name=name), dtype=object)
-
-
-def _rule_table(results: Results, releases: Releases) -> Table:
-    """In how many examples each rule finds something, by release."""
-    columns: dict[str, list[Quantity]] = {}
-    for release, chapters in releases.items():
-        if "survey" not in chapters:
-            continue
-        found = chapters["survey"].results
-        columns[release] = [
+def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
+    """Count the examples in which each rule finds something, by release."""
+    formula = "examples in which the rule finds something"
+    columns = {
+        release: [
             results.value(
-                f"{name}_in_{release}",
-                "examples in which the rule finds something",
-                lambda *counts: sum(count > 0 for count in counts),
-                *[row[column] for row in _linted(found)],
-                across=True,
+                f"{name}_in_{release}", formula, _positive_count, *[row[column] for row in _linted(found)], across=True
             )
             for name, column in RULES.items()
         ]
-    return Table(_frame(columns, list(RULES), "rule"))
+        for release, found in surveys.items()
+    }
+    return table_of("rule", RULES, columns)
 
 
 def _scene_table(results: Results, rows: Sequence[Row]) -> Table:
-    """A line for each thing that is found in these examples."""
+    """Show a line for each thing that is found in these examples."""
     found = [(row, finding) for row in rows for finding in _findings(results, row.case)]
-    columns = {
+    columns: dict[str, Column] = {
         "solver": [row.solver.removeprefix("Solver") for row, _ in found],
-        **_columns([finding for _, finding in found]),
-        "places": [finding.place_count for _, finding in found],
+        "rule": "rule",
+        "parameter": "parameter",
+        "authored": _authored,
+        "places": "place_count",
     }
-    return Table(_frame(columns, [row.case for row, _ in found], "example"))
-
-
-def _unbuilt_table(rows: Sequence[Row]) -> Table:
-    ordered = sorted(rows, key=lambda row: (row.unbuilt, row.case))
-    return Table(_frame({"why": [row.unbuilt for row in ordered]}, [row.case for row in ordered], "example"))
+    return table_of("example", [row.case for row, _ in found], columns, [finding for _, finding in found])

@@ -2,19 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
-import pandas as pd
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report import ROOT
 from measured_report.claims.claims import FAILS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.parts import Download, Figure, Section, Table
+from measured_report.parts.parts import Download, Figure, Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import cell_count, departure, extreme, size_share
+from report.shared.arithmetic import Column, cell_count, departure, extreme, largest_size, size_share, table_of
+from report.shared.drawing import mark_cells, name_lines
 
 order = 141
 page = "cure"
@@ -25,8 +25,6 @@ BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
-
-
 VARIANTS = (
     *("plain", "noslip", "impratio", "pyramidal", "euler", "rk4", "half-timeconst", "half-step"),
     *("term", "term-pyramidal", "term-rk4", "term-centred", *CURED),
@@ -43,15 +41,19 @@ def derive(results: Results) -> Section:
         unit="%/s",
     )
     rows = {case: results.row[case] for case in (f"{variant}-{engine}" for variant in VARIANTS for engine in ENGINES)}
-    measured = {case: _percent(results, row, "growth_per_s") for case, row in rows.items()}
-    law = {case: _percent(results, row, "predicted_growth_per_s") for case, row in rows.items()}
+    measured, law = (
+        {case: _percent(results, row, column) for case, row in rows.items()}
+        for column in ("growth_per_s", "predicted_growth_per_s")
+    )
+    columns: dict[str, Column] = {label: _of_engine(measured, engine) for engine, label in ENGINES.items()}
+    columns |= {"law": _of_engine(law, "c"), "start": "start_radius_mm", "end": "end_radius_mm"}
     rates = Figure(
         draw=lambda: _draw(measured, law),
         sources=[row.growth_per_s for row in rows.values()],
         numbers={"plain": measured["plain-warp"], "term": measured["term-warp"]},
     )
     return Section(
-        tables={"runs": _table(rows, measured, law)},
+        tables={"runs": table_of("run", map(case_html, VARIANTS), columns, _of_engine(rows, "c"))},
         figures={"rates": rates},
         claims=[
             _follows_law(results, measured, law, resolution),
@@ -63,6 +65,10 @@ def derive(results: Results) -> Section:
         ],
         downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
     )
+
+
+def _of_engine(found: Mapping[str, Any], engine: str) -> list:
+    return [found[f"{variant}-{engine}"] for variant in VARIANTS]
 
 
 def _percent(results: Results, row: Row, column: str) -> Value:
@@ -79,14 +85,10 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     slow = [case for case in there if case not in fast]
     formula = "largest difference from the law, of the runs for which it gives less than the resolution"
     rest = _largest_gap(results, "law_gap", formula, [(measured[case], law[case]) for case in slow])
-    count = cell_count(results, "fast_count", "runs for which it gives more", shares)
-    bound = results.chosen("law_bound", "the same growth", 0.5, unit="%")
-    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "count": count}
-    return Claim(
-        "follows_law",
-        all_of(at_most(largest, bound), at_most(rest, resolution)),
-        numbers=numbers | {"rest": rest, "resolution": resolution},
-    )
+    numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "rest": rest}
+    numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
+    outcome = all_of(at_most(largest, 0.5, why="the same growth"), at_most(rest, resolution))
+    return Claim("follows_law", outcome, numbers | {"resolution": resolution})
 
 
 def _largest_gap(results: Results, name: str, formula: str, pairs: Sequence[tuple[Quantity, Quantity]]) -> Value:
@@ -100,80 +102,54 @@ def _largest_gap(results: Results, name: str, formula: str, pairs: Sequence[tupl
 
 
 def _same_in_both(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    pairs = [(measured[f"{variant}-warp"], measured[f"{variant}-c"]) for variant in VARIANTS]
+    pairs = zip(*(_of_engine(measured, engine) for engine in ENGINES), strict=True)
     there = [pair for pair in pairs if pair[0].value is not None]
     largest = _largest_gap(results, "engine_gap", "largest difference between the growths in the two engines", there)
-    return Claim("same_in_both", at_most(largest, resolution), numbers={"largest": largest, "resolution": resolution})
+    return Claim("same_in_both", at_most(largest, resolution), {"largest": largest})
 
 
 def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     """In C, which has noslip in all releases."""
-    plain, *found = (measured[f"{variant}-c"] for variant in ("plain", *NO_HELP))
-    formula = "change of the growth, in size, of the growth with nothing done"
-    changes = [
-        departure(results, f"{variant}_change", formula, growth, plain)
-        for variant, growth in zip(NO_HELP, found, strict=True)
-    ]
+    plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
+    found = {variant: measured[f"{variant}-c"] for variant in NO_HELP}
+    changes = [departure(results, f"{variant}_change", formula, growth, plain) for variant, growth in found.items()]
     largest = results.value("setting_change", "largest of these changes", max, *changes, unit="%")
-    bound = results.chosen("setting_bound", "a remedy would take more of it away", 10.0, unit="%")
-    numbers = {"plain": plain, "largest": largest, **dict(zip(NO_HELP, found, strict=True))}
-    outcome = all_of(at_most(largest, bound), at_least(plain, resolution))
-    if at_least(plain, resolution) == FAILS:
+    there = at_least(plain, resolution)
+    outcome = all_of(at_most(largest, 10.0, why="a remedy would take more of it away"), there)
+    if there == FAILS:
         outcome = replace(outcome, name="unknown", reason="there is no growth to stop")
-    return Claim("no_setting_stops_it", outcome, numbers=numbers)
+    return Claim("no_setting_stops_it", outcome, {"plain": plain, "largest": largest, **found})
 
 
 def _goes_with_timeconst(measured: Mapping[str, Value], resolution: Value) -> Claim:
     plain, half = measured["plain-warp"], measured["half-timeconst-warp"]
-    outcome = greater(plain, half, noise=resolution)
-    return Claim("goes_with_timeconst", outcome, numbers={"plain": plain, "half": half})
+    return Claim("goes_with_timeconst", greater(plain, half, noise=resolution), {"plain": plain, "half": half})
 
 
 def _term_leaves_step(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
     plain, term = measured["plain-warp"], measured["term-warp"]
-    none = results.chosen("no_growth", "neither outward nor inward", 0.0, unit="%/s")
     formula = "growth with the term put back, in size, of that with nothing done"
     left = size_share(results, "term_share", formula, term, plain)
-    bound = results.chosen("term_bound", "most of it is gone", 10.0, unit="%")
-    outcome = all_of(at_most(left, bound), greater(none, term, noise=resolution))
-    return Claim("term_leaves_step", outcome, numbers={"plain": plain, "term": term, "share": left})
+    inward = greater(0.0, term, noise=resolution, why="neither outward nor inward")
+    outcome = all_of(at_most(left, 10.0, why="most of it is gone"), inward)
+    return Claim("term_leaves_step", outcome, {"plain": plain, "term": term, "share": left})
 
 
 def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    largest = results.value(
-        "cured_growth",
-        "largest growth, in size, with the term, without the error of the step and with a high impratio",
-        lambda *found: max(map(abs, found)),
-        *(measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES),
-        unit="%/s",
-    )
-    return Claim("cured", at_most(largest, resolution), numbers={"largest": largest, "resolution": resolution})
-
-
-def _table(rows: Mapping[str, Row], measured: Mapping[str, Value], law: Mapping[str, Value]) -> Table:
-    columns = {label: [measured[f"{variant}-{engine}"] for variant in VARIANTS] for engine, label in ENGINES.items()}
-    columns["law"] = [law[f"{variant}-c"] for variant in VARIANTS]
-    columns["start"] = [rows[f"{variant}-c"].start_radius_mm for variant in VARIANTS]
-    columns["end"] = [rows[f"{variant}-c"].end_radius_mm for variant in VARIANTS]
-    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, VARIANTS), name="run")))
+    formula = "largest growth, in size, with the term, without the error of the step and with a high impratio"
+    growths = (measured[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES)
+    largest = largest_size(results, "cured_growth", formula, growths, unit="%/s")
+    return Claim("cured", at_most(largest, resolution), {"largest": largest, "resolution": resolution})
 
 
 def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
     drawing, axes = new_figure(7.2, 0.9 + (0.36 if is_narrow() else 0.27) * len(VARIANTS))
     marks = {"warp": {"marker": "o", "markersize": 9, "markerfacecolor": "none"}, "c": {"marker": "x", "markersize": 6}}
     for number, (engine, label) in enumerate(ENGINES.items()):
-        _mark(axes, [measured[f"{variant}-{engine}"] for variant in VARIANTS], label, SERIES[number], **marks[engine])
-    _mark(axes, [law[f"{variant}-c"] for variant in VARIANTS], "law", INK, marker="|", markersize=15)
+        mark_cells(axes, _of_engine(measured, engine), SERIES[number], label, **marks[engine])
+    mark_cells(axes, _of_engine(law, "c"), INK, "law", marker="|", markersize=15)
     axes.axvline(0.0, color=INK, linewidth=0.8, marker="")
-    axes.set_yticks(range(len(VARIANTS)), map(name_of, VARIANTS))
-    axes.invert_yaxis()
+    name_lines(axes, map(name_of, VARIANTS))
     axes.set_xlabel("growth of the distance from the axis [%/s]")
     drawing.legend(loc="outside upper center", ncols=3)
     return drawing
-
-
-def _mark(axes: Axes, cells: Sequence[Value], label: str, colour: str, **style) -> None:
-    """A mark for each cell that there is, in the line of its place."""
-    places = [place for place, cell in enumerate(cells) if cell.value is not None]
-    values = [cells[place].value for place in places]
-    axes.plot(values, places, linestyle="", markevery=1, color=colour, label=label, **style)

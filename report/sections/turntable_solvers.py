@@ -2,13 +2,11 @@
 
 from collections.abc import Mapping
 
-import pandas as pd
-
 from measured_report.claims.claims import Claim, all_of, at_least, at_most
-from measured_report.parts.parts import Section, Table
-from measured_report.values.quantities import Value, absent
+from measured_report.parts.parts import Section
+from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, extreme, ratio
+from report.shared.arithmetic import cell_count, departure, extreme, ratio, table_of
 
 order = 142
 page = "cure"
@@ -30,8 +28,12 @@ Growths = Mapping[tuple[str, str], Value]
 def derive(results: Results) -> Section:
     rows = {(solver, step): results.row[f"{solver}-{step}"] for solver in SOLVERS for step in STEPS}
     growths = {key: _growth(results, key, row) for key, row in rows.items() if row and row.stays}
+    columns = {
+        f"step of {step.replace('ms', ' ms')}": [_shown(rows, growths, (solver, step)) for solver in SOLVERS]
+        for step in STEPS
+    }
     return Section(
-        tables={"solvers": _table(rows, growths)},
+        tables={"solvers": table_of("solver", SOLVERS.values(), columns)},
         claims=[_only_here_it_stays(results, rows, growths), _kamino_walks_by_its_step(results, rows, growths)],
     )
 
@@ -42,28 +44,23 @@ def _growth(results: Results, key: tuple[str, str], row: Row) -> Value:
 
 
 def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
-    """Whether half the step halves the walk in the other solvers, and not in MuJoCo Warp."""
+    """Tell whether half the step halves the walk in the other solvers, and not in MuJoCo Warp."""
+    formula = "growth with half the step over that with the whole"
     kept = {
-        solver: ratio(
-            results,
-            f"{solver}_kept",
-            "growth with half the step over that with the whole",
-            growths[solver, SHORT],
-            growths[solver, LONG],
-        )
+        solver: ratio(results, f"{solver}_kept", formula, growths[solver, SHORT], growths[solver, LONG])
         for solver in SOLVERS
         if {(solver, SHORT), (solver, LONG)} <= set(growths)
     }
-    mine = kept.get("mujoco") or absent("1", "MuJoCo Warp was not run")
-    largest = extreme(results, "others_kept", "largest of the others", max, [kept[s] for s in kept if s != "mujoco"])
-    count = cell_count(results, "other_count", "others", [kept[s] for s in kept if s != "mujoco"])
-    most = results.chosen("kept_most", "about half", 0.6)
-    least = results.chosen("kept_least", "about as much", 0.9)
+    mine = kept.pop("mujoco", None) or absent("1", "MuJoCo Warp was not run")
+    others = list(kept.values())
+    largest = extreme(results, "others_kept", "largest of the others", max, others)
+    count = cell_count(results, "other_count", "others", others)
     lost = absent("%/s", "MuJoCo Warp does not hold the box, or was not run")
-    long, short = (growths.get(("mujoco", step)) or lost for step in STEPS)
-    numbers = {"growth_long": long, "growth_short": short, "largest": largest, "count": count}
-    numbers |= {"long": rows["mujoco", LONG].step_ms, "short": rows["mujoco", SHORT].step_ms}
-    return Claim("only_here_it_stays", all_of(at_least(mine, least), at_most(largest, most)), numbers=numbers)
+    numbers = {"largest": largest, "count": count}
+    for name, step in (("long", LONG), ("short", SHORT)):
+        numbers |= {name: rows["mujoco", step].step_ms, f"growth_{name}": growths.get(("mujoco", step)) or lost}
+    outcome = all_of(at_least(mine, 0.9, why="about as much"), at_most(largest, 0.6, why="about half"))
+    return Claim("only_here_it_stays", outcome, numbers)
 
 
 def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
@@ -78,19 +75,13 @@ def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], R
         results.chosen("turn", "given: how fast the table turns [rad/s]", 2.0),
         unit="%/s",
     )
-    off = results.value(
-        "step_walk_off", "growth over that, less one", lambda a, b: 100 * abs(a / b - 1), found, law, unit="%"
-    )
-    bound = results.chosen("step_walk_bound", "the same", 5.0, unit="%")
-    return Claim("kamino_walks_by_its_step", at_most(off, bound), numbers={"growth": found, "law": law})
+    off = departure(results, "step_walk_off", "growth over that, less one", found, law)
+    return Claim("kamino_walks_by_its_step", at_most(off, 5.0, why="the same"), {"growth": found, "law": law})
 
 
-def _table(rows: Mapping[tuple[str, str], Row], growths: Growths) -> Table:
-    def cell(solver: str, step: str):
-        row = rows[solver, step]
-        if row and not row.stays:
-            return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
-        return growths.get((solver, step)) or absent("%/s", "it was not run")
-
-    columns = {f"step of {step.replace('ms', ' ms')}": [cell(solver, step) for solver in SOLVERS] for step in STEPS}
-    return Table(pd.DataFrame(columns, index=pd.Index(list(SOLVERS.values()), name="solver")))
+def _shown(rows: Mapping[tuple[str, str], Row], growths: Growths, key: tuple[str, str]) -> Quantity | str:
+    """What the table shows of a run: its growth, or how the box was lost."""
+    row = rows[key]
+    if row and not row.stays:
+        return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
+    return growths.get(key) or absent("%/s", "it was not run")

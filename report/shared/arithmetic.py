@@ -1,19 +1,23 @@
 """What several sections share."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
-from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
+from measured_report.claims.claims import FAILS, Claim, Outcome, at_least, at_most
 from measured_report.parts.parts import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html
 
+Column = str | Callable[[Row], Any] | Sequence
+"""A column of a table: a column of the record, what makes a cell of a row, or the cells."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
+
 NO_DRIFT = ("no comparable drift", 10.0)
 """Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
@@ -42,6 +46,26 @@ def difference(results: Results, name: str, formula: str, minuend: Quantity, sub
     return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
 
 
+def size_difference(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
+    """Derive how far apart two numbers are, in the unit of both."""
+    return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
+
+
+def excess(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
+    """Derive how much more than the reference it is, of that, in percent; negative where it is less."""
+    return results.value(name, formula, lambda a, b: 100 * (a / b - 1), found, reference, unit="%")
+
+
+def largest_size(results: Results, name: str, formula: str, cells: Iterable[Quantity], *, unit: str = "1") -> Value:
+    """Derive the largest of the cells, signs left out; without a number when one of them has none."""
+    return results.value(name, formula, lambda *found: max(map(abs, found)), *cells, unit=unit)
+
+
+def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) -> Value:
+    """Derive the sum of the cells, which are counts."""
+    return results.value(name, formula, lambda *counts: sum(counts), *cells)
+
+
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
     """Slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
 
@@ -56,15 +80,12 @@ def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
 def spread(
     results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
 ) -> Value:
-    """Largest less smallest; without a number when there is none."""
-    return results.value(
-        name,
-        formula,
-        lambda *found: max(found) - min(found) if found else math.nan,
-        *cells,
-        unit=unit,
-        is_noise=is_noise,
-    )
+    """Derive the largest less the smallest; without a number when there is none."""
+    return results.value(name, formula, _range, *cells, unit=unit, is_noise=is_noise)
+
+
+def _range(*found: float) -> float:
+    return max(found) - min(found) if found else math.nan
 
 
 def extreme(
@@ -93,20 +114,23 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
     """
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = size_share(results, "hold_share", formula, held, shaken)
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(name, at_most(part, bound), numbers)
+
+
+def settles(gain: Quantity) -> Outcome:
+    """Tell whether a slip that is so many times less settles the matter."""
+    why, bound = SETTLES
+    return at_least(gain, bound, why)
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:
     """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
     found = at_most(noise, bound)
-    return (
-        found
-        if found != FAILS
-        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
-    )
+    reason = "the noise is larger than what is looked for"
+    return replace(found, name="unknown", reason=reason) if found == FAILS else found
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
@@ -124,11 +148,41 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
 
 
-def by_case(rows: Sequence[Row], columns: Mapping[str, Sequence], **numbers: Quantity | str | bool) -> Table:
-    """A table with a row for each of ``rows``, under the name of its case; its caption can name the numbers."""
+def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
+    """Make a table with a line for each row, under the name of its case."""
+    return table_of("case", [case_html(row.case) for row in rows], columns, rows, **numbers)
+
+
+def table_of(
+    heading: str,
+    names: Iterable[str],
+    columns: Mapping[str, Column],
+    rows: Iterable[Row] = (),
+    **numbers: Quantity | str | bool,
+) -> Table:
+    """Make a table with a line for each name.
+
+    Args:
+        heading: Stands above the names.
+        columns: By what stands above it, a column of the record, what makes a cell of a row, or the cells.
+        rows: A row for each name, for columns that are not given by their cells.
+        numbers: What the caption can name.
+    """
     import pandas as pd  # it takes long, and what is kept from before needs none of it
 
-    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.case) for row in rows], name="case")), numbers)
+    cells = cells_of(list(rows), columns)
+    return Table(pd.DataFrame(cells, index=pd.Index(list(names), name=heading), dtype=object), numbers)
+
+
+def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, Sequence]:
+    """Look up the cells of each column in the rows; those that are given stay."""
+    return {above: _cells(rows, column) for above, column in columns.items()}
+
+
+def _cells(rows: Sequence[Row], column: Column) -> Sequence:
+    if isinstance(column, str):
+        return [row[column] for row in rows]
+    return [column(row) for row in rows] if callable(column) else column
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

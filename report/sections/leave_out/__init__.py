@@ -1,7 +1,7 @@
 """What the scene has and does not use, what each of it costs, and that nothing changes without it."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
@@ -15,13 +15,13 @@ from report.sections.leave_out.variants import (
     ALL,
     REFERENCE,
     Variant,
-    find,
+    Variants,
     is_identical,
     reference_of,
     row_of,
     was_compared,
 )
-from report.shared.arithmetic import DEVICES, difference, noise_floor, ratio
+from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio
 from report.shared.timing import cell, frame_spread
 
 order = 150
@@ -35,7 +35,7 @@ BASELINE = "as-shipped"
 
 def derive(results: Results) -> Section:
     variants = _variants(results)
-    differences = {variant.name: _difference(results, variants, variant) for variant in variants}
+    differences = {variant.name: _difference(results, variants, variant) for variant in variants.values()}
     panels = _panels(variants)
     doubles = [row for row in results.rows if row.case.startswith("double-")]
     changes = [change_in_double(results, row) for row in doubles]
@@ -62,59 +62,52 @@ def derive(results: Results) -> Section:
     )
 
 
-def _variants(results: Results) -> list[Variant]:
+def _variants(results: Results) -> Variants:
     timed = [row for row in results.rows if "device" in row and row.device in DEVICES]
     keys = dict.fromkeys((row.device, row.case) for row in timed)
-    return [Variant(*key, [row for row in timed if (row.device, row.case) == key]) for key in keys]
+    return {key: Variant(*key, [row for row in timed if (row.device, row.case) == key]) for key in keys}
 
 
-def _gain(results: Results, variants: Sequence[Variant], device: str, worlds: int) -> Value:
-    """How many times as fast the scene is with all left out."""
-    times = []
-    for case in (REFERENCE, ALL):
-        row = row_of(variants, device, case, worlds)
-        times.append(cell(results, row, "frame_ms", f"{case} in a batch of {worlds} on a {DEVICES[device]}"))
+def _gain(results: Results, variants: Variants, device: str, worlds: int) -> Value:
+    """Derive how many times as fast the scene is with all left out."""
+    rows = {case: row_of(variants, device, case, worlds) for case in (REFERENCE, ALL)}
+    where = f"in a batch of {worlds} on a {DEVICES[device]}"
+    times = (cell(results, row, "frame_ms", f"{case} {where}") for case, row in rows.items())
     formula = "time of a frame exactly as shipped over that without all that is unneeded"
     return ratio(results, f"{device}_gain_{worlds}", formula, *times)
 
 
-def _faster_on_gpu(results: Results, variants: Sequence[Variant]) -> Claim:
+def _faster_on_gpu(results: Results, variants: Variants) -> Claim:
     one, many = (_gain(results, variants, "cuda", worlds) for worlds in (1, MANY_COUNT))
     smaller = results.value("cuda_gain", "smaller of the gains with one world and with the most", min, one, many)
     bound = results.chosen("cuda_gain_bound", "a gain worth having on a GPU", 1.25)
     row = row_of(variants, "cuda", ALL, MANY_COUNT)
-    return Claim(
-        "faster_on_gpu",
-        at_least(smaller, bound),
-        numbers={"one": one, "many": many, "bound": bound, "worlds": row.worlds if row else ""},
-    )
+    numbers = {"one": one, "many": many, "bound": bound, "worlds": row.worlds if row else ""}
+    return Claim("faster_on_gpu", at_least(smaller, bound), numbers)
 
 
-def _faster_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
+def _faster_on_cpu(results: Results, variants: Variants) -> Claim:
     gain = _gain(results, variants, "cpu", 1)
     bound = results.chosen("cpu_gain_bound", "a gain worth having on a CPU", 4.0)
-    return Claim("faster_on_cpu", at_least(gain, bound), numbers={"gain": gain, "bound": bound})
+    return Claim("faster_on_cpu", at_least(gain, bound), {"gain": gain, "bound": bound})
 
 
-def _buffers_on_cpu(results: Results, variants: Sequence[Variant]) -> Claim:
-    """Whether smaller buffers alone make a frame faster on a CPU, by more than frames of one run spread."""
+def _buffers_on_cpu(results: Results, variants: Variants) -> Claim:
+    """Tell whether smaller buffers alone make a frame faster on a CPU, by more than frames of one run spread."""
     rows = [row_of(variants, "cpu", case) for case in (REFERENCE, "without-buffers")]
     before, time = (cell(results, row, "frame_ms", "the scene with and without large buffers on a CPU") for row in rows)
     spread = frame_spread(results, "cpu_buffers_spread", *rows)
-    return Claim(
-        "buffers_on_cpu",
-        greater(before, time, noise=spread),
-        numbers={"before": before, "time": time, "spread": spread},
-    )
+    numbers = {"before": before, "time": time, "spread": spread}
+    return Claim("buffers_on_cpu", greater(before, time, noise=spread), numbers)
 
 
-def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
+def _less_memory(results: Results, variants: Variants) -> Claim:
     """Where the saving is least, of all devices and numbers of worlds."""
     pairs = [
         (before.buffer_bytes_per_world, after.buffer_bytes_per_world)
-        for full in variants
-        if full.case == REFERENCE and (lean := find(variants, full.device, ALL))
-        for before, after in zip(full.rows, lean.rows, strict=False)
+        for device in DEVICES
+        if (device, REFERENCE) in variants and (device, ALL) in variants
+        for before, after in zip(variants[device, REFERENCE].rows, variants[device, ALL].rows, strict=False)
         if None not in (before.buffer_bytes_per_world.value, after.buffer_bytes_per_world.value)
     ]
     none = cell(results, None, "buffer_bytes_per_world", "the memory before and after")
@@ -122,55 +115,41 @@ def _less_memory(results: Results, variants: Sequence[Variant]) -> Claim:
     formula = "contact and constraint memory per world exactly as shipped over that without all that is unneeded"
     saving = ratio(results, "memory_saving", formula, before, after)
     bound = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
-    return Claim(
-        "less_memory",
-        at_least(saving, bound),
-        numbers={"saving": saving, "bound": bound, "before": before, "after": after},
-    )
+    numbers = {"saving": saving, "bound": bound, "before": before, "after": after}
+    return Claim("less_memory", at_least(saving, bound), numbers)
 
 
-def _difference(results: Results, variants: Sequence[Variant], variant: Variant) -> Value:
+def _difference(results: Results, variants: Variants, variant: Variant) -> Value:
     reference = reference_of(variants, variant.device)
     of_reference = cell(results, reference.run if reference else None, "slip_mm", "a run to the end")
-    return difference(
-        results,
-        f"{variant.name}_difference",
-        f"slip of {variant.case} less that of {reference.case if reference else REFERENCE}, on the same device",
-        variant.run.slip_mm,
-        of_reference,
-    )
+    name = f"{variant.name}_difference"
+    formula = f"slip of {variant.case} less that of {reference.case if reference else REFERENCE}, on the same device"
+    return difference(results, name, formula, variant.run.slip_mm, of_reference)
 
 
-def _same_slip(results: Results, variants: Sequence[Variant], differences: dict[str, Value], device: str) -> Claim:
+def _same_slip(results: Results, variants: Variants, differences: Mapping[str, Value], device: str) -> Claim:
     """Of the means over the worlds that each case was run in."""
     floor = noise_floor(results, "slip_floor")
-    mine = [variant for variant in variants if variant.device == device and variant.run.slip_mm.value is not None]
-    largest = results.value(
-        f"{device}_largest_difference",
-        "largest difference in slip from the reference of that device, either way",
-        lambda *difference: max(map(abs, difference), default=math.nan),
-        *(differences[variant.name] for variant in mine),
-        unit="mm",
-    )
-    most = max(mine, key=lambda variant: abs(differences[variant.name].value or 0.0)).case if mine else ""
+    ran = [each for each in variants.values() if each.device == device and each.run.slip_mm.value is not None]
+    formula = "largest difference in slip from the reference of that device, either way"
+    cells = [differences[variant.name] for variant in ran]
+    largest = largest_size(results, f"{device}_largest_difference", formula, cells, unit="mm")
+    most = [max(ran, key=lambda variant: abs(differences[variant.name].value or 0.0)).case] if ran else []
     # On a CPU the difference is exact; on a GPU both it and the floor are chance.
     judge = within if device == "cuda" else at_most
-    outcome = judge(largest, floor) if mine else Outcome("unknown", "no case was run to the end there")
-    return Claim(
-        f"same_slip_on_{DEVICES[device].lower()}",
-        outcome,
-        numbers={"largest": largest, "floor": floor, "most": cases_html([most] if most else [])},
-    )
+    outcome = judge(largest, floor) if ran else Outcome("unknown", "no case was run to the end there")
+    numbers = {"largest": largest, "floor": floor, "most": cases_html(most)}
+    return Claim(f"same_slip_on_{DEVICES[device].lower()}", outcome, numbers)
 
 
-def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
-    """Whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
+def _each_helps(results: Results, variants: Variants, panels: Sequence[tuple[str, int]]) -> Claim:
+    """Tell whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
     outcomes: dict[str, list[Outcome]] = {}
     for device, worlds in panels:
-        for variant in variants:
-            if variant.device == device and variant.at(worlds) and variant.case not in (REFERENCE, ALL, BASELINE):
-                outcome = _is_faster(results, variants, device, worlds, REFERENCE, variant.case)
-                outcomes.setdefault(variant.case, []).append(outcome)
+        for of_device, case in variants:
+            if of_device == device and case not in (REFERENCE, ALL, BASELINE) and variants[device, case].at(worlds):
+                outcome = _is_faster(results, variants, device, worlds, REFERENCE, case)
+                outcomes.setdefault(case, []).append(outcome)
     helping = [case for case, found in outcomes.items() if HOLDS in found]
     idle = [case for case in outcomes if case not in helping]
     outcome = decided(not idle) if outcomes else Outcome("unknown", "nothing was left out alone")
@@ -179,68 +158,43 @@ def _each_helps(results: Results, variants: Sequence[Variant], panels: Sequence[
     return Claim("each_helps", replace(outcome, reads=reads), numbers)
 
 
-def _rest_helps(results: Results, variants: Sequence[Variant], panels: Sequence[tuple[str, int]]) -> Claim:
-    """Whether what this report's baseline still has of it counts, where there are most worlds."""
+def _rest_helps(results: Results, variants: Variants, panels: Sequence[tuple[str, int]]) -> Claim:
+    """Tell whether what this report's baseline still has of it counts, where there are most worlds."""
     device, worlds = max(panels, key=lambda panel: panel[1], default=("cuda", MANY_COUNT))
-    rows = [row_of(variants, device, case, worlds) for case in (BASELINE, ALL)]
+    rows = (row_of(variants, device, case, worlds) for case in (BASELINE, ALL))
     before, after = (cell(results, row, "frame_ms", "the baseline, or the scene without it all,") for row in rows)
-    return Claim(
-        "rest_helps",
-        _is_faster(results, variants, device, worlds, BASELINE, ALL),
-        numbers={
-            "baseline": case_html(BASELINE),
-            "worlds": worlds_name(worlds),
-            "device": DEVICES[device],
-            "before": before,
-            "after": after,
-        },
-    )
+    numbers = {"baseline": case_html(BASELINE), "worlds": worlds_name(worlds), "device": DEVICES[device]}
+    outcome = _is_faster(results, variants, device, worlds, BASELINE, ALL)
+    return Claim("rest_helps", outcome, numbers | {"before": before, "after": after})
 
 
-def _is_faster(
-    results: Results, variants: Sequence[Variant], device: str, worlds: int, case: str, other: str
-) -> Outcome:
-    """Whether a frame takes longer in ``case`` than in ``other``, by more than frames of one run spread."""
+def _is_faster(results: Results, variants: Variants, device: str, worlds: int, case: str, other: str) -> Outcome:
+    """Tell whether a frame takes longer in ``case`` than in ``other``, by more than frames of one run spread."""
     rows = [row_of(variants, device, name, worlds) for name in (case, other)]
     before, after = (cell(results, row, "frame_ms", f"{case} or {other}") for row in rows)
     spread = frame_spread(results, f"{device}_{case}_{other}_{worlds}_spread".replace("-", "_"), *rows)
     return greater(before, after, noise=spread)
 
 
-def _same_bits(results: Results, variants: Sequence[Variant]) -> Claim:
+def _same_bits(results: Results, variants: Variants) -> Claim:
     """Judged on the CPU: a GPU adds up in another order each time, and does not even repeat itself."""
     reference = reference_of(variants, "cpu")
-    others = [variant for variant in variants if variant.device == "cpu" and was_compared(variant.run)]
-    others = [variant for variant in others if variant is not reference]
-    largest = results.value(
-        "cpu_pose_difference",
-        "largest distance of any body in any frame from where it is in the reference, on the CPU",
-        max,
-        *(variant.run.pose_difference_mm for variant in others),
-        unit="mm",
-    )
-    outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
-    if others:
-        outcome = decided(all(is_identical(variant.run) for variant in others), largest)
+    ran = [each for each in variants.values() if each.device == "cpu" and was_compared(each.run)]
+    others = [variant for variant in ran if variant is not reference]
+    formula = "largest distance of any body in any frame from where it is in the reference, on the CPU"
+    cells = [variant.run.pose_difference_mm for variant in others]
+    largest = results.value("cpu_pose_difference", formula, max, *cells, unit="mm")
     same, apart = (
         [variant.case for variant in others if is_identical(variant.run) == identical] for identical in (True, False)
     )
-    return Claim(
-        "same_bits",
-        outcome,
-        numbers={
-            "same": cases_html(same),
-            "apart": cases_html(apart),
-            "reference": cases_html([reference.case] if reference else []),
-        },
-    )
+    outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
+    if others:
+        outcome = decided(not apart, largest)
+    numbers = {"same": cases_html(same), "apart": cases_html(apart)}
+    return Claim("same_bits", outcome, numbers | {"reference": cases_html([reference.case] if reference else [])})
 
 
-def _panels(variants: Sequence[Variant]) -> list[tuple[str, int]]:
-    """Devices and numbers of worlds for which the untrimmed scene was timed, to compare with."""
-    return [
-        (variant.device, row.worlds.value)
-        for variant in variants
-        for row in variant.rows
-        if variant.case == REFERENCE and row.frame_ms.value is not None
-    ]
+def _panels(variants: Variants) -> list[tuple[str, int]]:
+    """List devices and numbers of worlds for which the untrimmed scene was timed, to compare with."""
+    found = [(device, row) for (device, case), each in variants.items() if case == REFERENCE for row in each.rows]
+    return [(device, row.worlds.value) for device, row in found if row.frame_ms.value is not None]

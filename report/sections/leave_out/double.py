@@ -2,15 +2,13 @@
 
 from collections.abc import Sequence
 
-import pandas as pd
-
 from measured_report.claims.claims import Claim, at_most
 from measured_report.parts.parts import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, cases_html
 from report.sections.leave_out.variants import REFERENCE, is_identical
-from report.shared.arithmetic import difference, friction_rows_differ, noise_floor
+from report.shared.arithmetic import difference, friction_rows_differ, largest_size, noise_floor, table_of
 
 
 def change_in_double(results: Results, row: Row) -> Value:
@@ -20,38 +18,24 @@ def change_in_double(results: Results, row: Row) -> Value:
 
 
 def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Value]) -> Claim:
-    """Whether what is left out is none of the model, as far as it is in the engine's model at all."""
+    """Tell whether what is left out is none of the model, as far as it is in the engine's model at all."""
     formula = "largest change of the slip in double precision, either way"
-    largest = results.value("double_largest", formula, lambda *change: max(map(abs, change)), *changes, unit="mm")
+    largest = largest_size(results, "double_largest", formula, changes, unit="mm")
     others = [row for row in rows if row.of != REFERENCE]
-    same, moved = ([row for row in others if is_identical(row) == identical] for identical in (True, False))
-    results.value(
-        "double_apart",
-        "largest distance of cube or TCP from where it is in the reference, in double precision",
-        max,
-        *[row.pose_difference_mm for row in others],
-        unit="mm",
-    )
-    floor = noise_floor(results, "slip_floor")
-    return Claim(
-        "same_in_double",
-        at_most(largest, floor),
-        numbers={
-            "largest": largest,
-            "has_same": bool(same),
-            "has_moved": bool(moved),
-            "same": cases_html(row.of for row in same),
-            "moved": cases_html(row.of for row in moved),
-            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
-        },
-    )
+    formula = "largest distance of cube or TCP from where it is in the reference, in double precision"
+    results.value("double_apart", formula, max, *(row.pose_difference_mm for row in others), unit="mm")
+    numbers = {"largest": largest, "friction_rows_differ": friction_rows_differ(results.others.get("contacts"))}
+    for name, identical in (("same", True), ("moved", False)):
+        cases = [row.of for row in others if is_identical(row) == identical]
+        numbers |= {name: cases_html(cases), f"has_{name}": bool(cases)}
+    return Claim("same_in_double", at_most(largest, noise_floor(results, "slip_floor")), numbers)
 
 
 def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
     columns = {
-        "slip": [row.slip_mm for row in rows],
+        "slip": "slip_mm",
         "change": changes,
-        "same bits": ["reference" if row.of == REFERENCE else is_identical(row) for row in rows],
-        "apart": [row.pose_difference_mm for row in rows],
+        "same bits": lambda row: "reference" if row.of == REFERENCE else is_identical(row),
+        "apart": "pose_difference_mm",
     }
-    return Table(pd.DataFrame(columns, index=pd.Index([case_html(row.of) for row in rows], name="case")))
+    return table_of("case", [case_html(row.of) for row in rows], columns, rows)

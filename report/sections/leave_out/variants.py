@@ -1,6 +1,6 @@
 """The ways to leave something out, as their rows say."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from measured_report.values.results import Row
@@ -39,16 +39,16 @@ class Variant:
         return next((row for row in self.rows if row.worlds.value == worlds), None)
 
 
-def find(variants: Sequence[Variant], device: str, case: str) -> Variant | None:
-    return next((variant for variant in variants if (variant.device, variant.case) == (device, case)), None)
+Variants = Mapping[tuple[str, str], Variant]
+"""By device and case."""
 
 
-def row_of(variants: Sequence[Variant], device: str, case: str, worlds: int = 1) -> Row | None:
-    variant = find(variants, device, case)
+def row_of(variants: Variants, device: str, case: str, worlds: int = 1) -> Row | None:
+    variant = variants.get((device, case))
     return variant.at(worlds) if variant else None
 
 
-def reference_of(variants: Sequence[Variant], device: str) -> Variant | None:
-    """What slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
-    of_device = [variant for variant in variants if variant.device == device]
+def reference_of(variants: Variants, device: str) -> Variant | None:
+    """Find what slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
+    of_device = (variant for variant in variants.values() if variant.device == device)
     return next((variant for variant in of_device if variant.run.slip_mm.value is not None), None)

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
-import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
@@ -16,7 +15,7 @@ from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family
 from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_plateau, draw_sizes, draw_steps
 from report.sections.stability.passing import DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, passing
-from report.shared.arithmetic import by_case, cell_or_absent
+from report.shared.arithmetic import Column, by_case, cell_or_absent, table_of
 
 order = 145
 page = "limits"
@@ -30,6 +29,12 @@ STARTS = {
     "ground-springy": "springy ground",
 }
 """What a cube starts too deep in."""
+THROWN = {
+    "overlap": "overlap_mm",
+    "exit speed": "exit_speed_mm_s",
+    "undamped spring": "exit_bound_mm_s",
+    "ends": "class",
+}
 
 
 def derive(results: Results) -> Section:
@@ -37,7 +42,7 @@ def derive(results: Results) -> Section:
     near = results.chosen("near_factor", "alike", NEAR_FACTOR)
     margin = results.chosen("limit_margin", "well below the limit, or well above", LIMIT_MARGIN, unit="%")
     depth = results.chosen("depth_largest", "depth in stiff pads, of the edge", DEPTH_LARGEST, unit="%")
-    searched = family(results, "largest-step")
+    searched, thrown, trace = family(results, "largest-step"), family(results, "overlap"), results.trace("long")
     plain = sorted((row for row in searched if row.of == "ke-kd-100"), key=lambda row: row.pad_ke.value)
     predicted = {row.case: limits.predict_step(results, row) for row in plain}
     return Section(
@@ -45,7 +50,7 @@ def derive(results: Results) -> Section:
             "largest_step": _largest_step_table(searched, predicted),
             "clamp": _clamp_table(family(results, "clamp")),
             "others": _others_table(results),
-            "overlap": _overlap_table(family(results, "overlap")),
+            "overlap": table_of("start in", (STARTS.get(row.start, row.start) for row in thrown), THROWN, thrown),
         },
         figures={
             "maps": _maps(results, critical, default_kd),
@@ -53,7 +58,7 @@ def derive(results: Results) -> Section:
             "plateau": _figure(lambda: draw_plateau(critical), critical),
             "loads": _loads(results),
             "sizes": _figure(lambda: draw_sizes(family(results, "size"), depth.value), family(results, "size")),
-            "long": _long_figure(results),
+            "long": Figure(draw=lambda: draw_long(trace), sources=[trace]),
         },
         claims=[
             limits.safe(results, critical, default_kd),
@@ -93,115 +98,74 @@ def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup 
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
-    def clamped_from(ke: np.ndarray) -> np.ndarray:
-        return 0.5 / np.sqrt(ke)
-
     def explicit(ke: np.ndarray) -> np.ndarray:
         kd = default_kd[0].pad_kd.value
         return (np.sqrt(kd**2 + 4.0 * ke) - kd) / ke
 
-    def draw() -> Drawing:
-        return draw_maps(
-            [
-                ("kd = 2√ke", critical, clamped_from, "timeconst is clamped to 2 dt"),
-                ("kd at its default", default_kd, explicit, "dt² ke + 2 dt kd > 4"),
-            ]
-        )
-
-    ends = [_ending_count(results, name, [*critical, *default_kd]) for name in CLASSES]
-    return _figure(
-        draw,
-        [*critical, *default_kd] if critical and default_kd else [],
-        ends=Markup(", ").join(
-            Markup("{} {}").format(end, name) for end, name in zip(ends, CLASSES, strict=True) if end.value
-        ),
-    )
-
-
-def _ending_count(results: Results, name: str, rows: Sequence[Row]) -> Value:
-    mine = [row for row in rows if row["class"] == name]
-    return count(results, f"maps_{name}_count", f"cells of both maps that are {name}", mine)
+    panels = [
+        ("kd = 2√ke", critical, lambda ke: 0.5 / np.sqrt(ke), "timeconst is clamped to 2 dt"),
+        ("kd at its default", default_kd, explicit, "dt² ke + 2 dt kd > 4"),
+    ]
+    rows = [*critical, *default_kd]
+    mine = {name: [row for row in rows if row["class"] == name] for name in CLASSES}
+    formula = "cells of both maps that are"
+    ends = [(count(results, f"maps_{name}_count", f"{formula} {name}", found), name) for name, found in mine.items()]
+    said = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
+    return _figure(lambda: draw_maps(panels), rows if critical and default_kd else [], ends=said)
 
 
 def _loads(results: Results) -> Figure:
     shakes = family(results, "shake")
     frequencies = [row.shake_frequency_hz.value for row in shakes]
     common = max(set(frequencies), key=frequencies.count, default=0.0)
-    series = [
-        ("amplitude", [row for row in shakes if row.shake_frequency_hz.value == common]),
-        ("frequency", [row for row in shakes if row.shake_frequency_hz.value != common]),
-        ("grip force", family(results, "grip")),
-    ]
-    series = [(label, rows) for label, rows in series if rows]
-    return _figure(lambda: draw_loads(series), [row for _, rows in series for row in rows])
-
-
-def _long_figure(results: Results) -> Figure:
-    trace = results.trace("long")
-    return Figure(draw=lambda: draw_long(trace), sources=[trace])
+    series = {
+        "amplitude": [row for row in shakes if row.shake_frequency_hz.value == common],
+        "frequency": [row for row in shakes if row.shake_frequency_hz.value != common],
+        "grip force": family(results, "grip"),
+    }
+    series = {label: rows for label, rows in series.items() if rows}
+    return _figure(lambda: draw_loads(list(series.items())), [row for rows in series.values() for row in rows])
 
 
 def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value, Value]]) -> Table:
     by_ke: dict[float, dict[str, Row]] = {}
-    for row in rows:
+    for row in sorted(rows, key=lambda row: row.pad_ke.value):
         by_ke.setdefault(row.pad_ke.value, {})[row.of] = row
-    table = []
-    for ke in sorted(by_ke):
-        critical, plain = (by_ke[ke].get(name) for name in ("ke-critical", "ke-kd-100"))
-        table.append([_step_cell(critical), _step_cell(plain), *(predicted[plain.case] if plain else ("", ""))])
-    frame = pd.DataFrame(table, columns=["kd = 2√ke", "default kd", "predicted", "found over predicted"])
-    frame.index = pd.Index([next(iter(by_ke[ke].values())).pad_ke.bare for ke in sorted(by_ke)], name="ke")
-    return Table(frame)
-
-
-def _step_cell(row: Row | None) -> Quantity | str:
-    return row.largest_step_ms if row else ""
+    critical, plain = ([found.get(of) for found in by_ke.values()] for of in ("ke-critical", "ke-kd-100"))
+    theory = [predicted[row.case] if row else ("", "") for row in plain]
+    columns = {
+        "kd = 2√ke": [row.largest_step_ms if row else "" for row in critical],
+        "default kd": [row.largest_step_ms if row else "" for row in plain],
+        "predicted": [step for step, _ in theory],
+        "found over predicted": [found for _, found in theory],
+    }
+    return table_of("ke", [next(iter(found.values())).pad_ke.bare for found in by_ke.values()], columns)
 
 
 def _clamp_table(rows: Sequence[Row]) -> Table:
     ratios = {row.timeconst_steps.value: row.timeconst_steps for row in rows}
-    found = {(row.clamp, row.timeconst_steps.value): row for row in rows}
-    table = [
-        {label: _ending(found.get((clamp, ratio))) for clamp, label in limits.UNCLAMPED.items()}
-        for ratio in sorted(ratios, reverse=True)
-    ]
-    frame = pd.DataFrame(table, columns=list(limits.UNCLAMPED.values()))
-    index = [ratios[ratio].bare for ratio in sorted(ratios, reverse=True)]
-    frame.index = pd.Index(index, name="timeconst over dt")
-    return Table(frame)
+    found = {(row.clamp, row.timeconst_steps.value): _ending(row) for row in rows}
+    falling = sorted(ratios, reverse=True)
+    columns = {label: [found.get((way, ratio), "") for ratio in falling] for way, label in limits.UNCLAMPED.items()}
+    return table_of("timeconst over dt", [ratios[ratio].bare for ratio in falling], columns)
 
 
-def _ending(row: Row | None) -> Markup | str:
-    if row is None:
-        return ""
+def _ending(row: Row) -> Markup | str:
     return Markup("{} {}").format(row["class"], row.creep_mm_s) if is_stable(row) else row["class"]
 
 
-def _overlap_table(rows: Sequence[Row]) -> Table:
-    columns = {
-        "overlap": [row.overlap_mm for row in rows],
-        "exit speed": [row.exit_speed_mm_s for row in rows],
-        "undamped spring": [row.exit_bound_mm_s for row in rows],
-        "ends": [row["class"] for row in rows],
-    }
-    index = pd.Index([STARTS.get(row.start, row.start) for row in rows], name="start in")
-    return Table(pd.DataFrame(columns, index=index))
-
-
 def _others_table(results: Results) -> Table:
-    names = ("friction", "mass", "gravity", "buffers")
-    families = [family(results, name) for name in names]
-    rows = [row for members in families for row in members]
-    columns = {
-        "ends": ["let go" if _is_freed(row) else row["class"] for row in rows],
-        "drift": [absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s for row in rows],
-        "creep": [absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s for row in rows],
-        "depth": [row.penetration_mm for row in rows],
-        "hand sinks": [row.hand_sink_mm for row in rows],
-        "friction needed": [_friction_needed(row) for row in rows],
+    families = [family(results, name) for name in ("friction", "mass", "gravity", "buffers")]
+    columns: dict[str, Column] = {
+        "ends": lambda row: "let go" if _is_freed(row) else row["class"],
+        "drift": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s,
+        "creep": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s,
+        "depth": "penetration_mm",
+        "hand sinks": "hand_sink_mm",
+        "friction needed": _friction_needed,
         "as expected": [bool(passes) for members in families for passes in passing(members)],
     }
-    return by_case(rows, columns)
+    return by_case([row for members in families for row in members], columns)
 
 
 def _is_freed(row: Row) -> bool:

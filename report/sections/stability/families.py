@@ -1,15 +1,16 @@
 """What the parts of section stability share: its rows by family, and claims about a family."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from markupsafe import Markup
 
 from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, some_html
 from report.sections.stability.passing import judged_by, passing
-from report.shared.arithmetic import cell_count
+from report.shared.arithmetic import cell_count, extreme
 
 
 def family(results: Results, name: str) -> list[Row]:
@@ -17,33 +18,34 @@ def family(results: Results, name: str) -> list[Row]:
 
 
 def count(results: Results, name: str, formula: str, rows: Sequence[Row]) -> Value:
-    """How many rows there are, as a value that points to them."""
+    """Count the rows, as a value that points to them."""
     return cell_count(results, name, formula, [row.step_ms for row in rows])
 
 
-def family_claim(
-    results: Results,
-    name: str,
-    rows: Sequence[Row],
-    *,
-    numbers: Mapping[str, Quantity | str | bool] | None = None,
-    also: Outcome = HOLDS,
-) -> Claim:
-    """Whether all rows of a family pass, of those of which something is asked, and something else holds ``also``.
+def least(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
+    """Derive the least of a column; without a number when there is none."""
+    return extreme(results, name, formula, min, [row[column] for row in rows])
 
-    Its wording can name ``count``, ``failed_count`` and ``failed``, the cases that do not pass and how they ended.
+
+def most(results: Results, name: str, formula: str, rows: Iterable[Row], column: str) -> Value:
+    """Derive the largest of a column; without a number when there is none."""
+    return extreme(results, name, formula, max, [row[column] for row in rows])
+
+
+def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome = HOLDS, **numbers: Any) -> Claim:
+    """Claim that all rows of a family pass, of those of which something is asked, and something else holds ``also``.
+
+    Its wording can name ``numbers``, ``count``, ``failed_count`` and ``failed``, which cases do not pass and how they
+    ended.
     """
     verdicts = [(row, passes) for row, passes in zip(rows, passing(rows), strict=True) if passes is not None]
     asked, failed = [row for row, _ in verdicts], [row for row, passes in verdicts if not passes]
     failed_count = count(results, f"{name}_failed", f"runs of {name} that do not pass", failed)
-    none = results.chosen(f"{name}_bound", "all of them pass", 0)
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
         "failed_count": failed_count,
         "failed": some_html([Markup("{} {}").format(case_html(row.case), row["class"]) for row in failed]),
     }
     cells = [cell for row in rows for cell in judged_by(row)]
-    outcome = all_of(at_most(failed_count, none), decided(True, *cells), also)
-    if not rows:
-        outcome = Outcome("unknown", "they were not measured")
-    return Claim(name, outcome, own | dict(numbers or {}))
+    outcome = all_of(at_most(failed_count, 0, why="all of them pass"), decided(True, *cells), also)
+    return Claim(name, outcome if rows else Outcome("unknown", "they were not measured"), own | numbers)

@@ -26,6 +26,7 @@ from measured_report.parts.figures import (
 from measured_report.values.results import Row, Series
 from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.passing import NEAR_FACTOR, near_limit
+from report.shared.drawing import mark_points
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
@@ -127,19 +128,11 @@ def draw_steps(rows: Sequence[Row]) -> Drawing:
             continue
         last = abs(mine[-1].drift_mm_s.value)
         axes.axhspan(last / NEAR_FACTOR, NEAR_FACTOR * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-        x, y = [row.step_ms.value for row in mine], [abs(row.drift_mm_s.value) for row in mine]
-        back = [i for i, row in enumerate(mine) if row.drift_mm_s.value < 0.0]
-        forward = [i for i in range(len(mine)) if i not in back]
-        [line] = axes.plot(x, y, label=pads.replace("-", " "), markevery=forward)
-        axes.plot(
-            [x[i] for i in back],
-            [y[i] for i in back],
-            linestyle="",
-            marker=line.get_marker(),
-            markevery=1,
-            color=line.get_color(),
-            markerfacecolor="none",
-        )
+        points = [(row.step_ms.value, abs(row.drift_mm_s.value)) for row in mine]
+        forward = [i for i, row in enumerate(mine) if row.drift_mm_s.value >= 0.0]
+        back = [point for i, point in enumerate(points) if i not in forward]
+        [line] = axes.plot(*zip(*points, strict=True), label=pads.replace("-", " "), markevery=forward)
+        mark_points(axes, back, marker=line.get_marker(), color=line.get_color(), markerfacecolor="none")
     axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)
@@ -156,19 +149,12 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
         label = f"{write(mine[0].step_ms)} ms"
         mine = [row for row in mine if is_stable(row)]
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
-        x, y = [row.pad_ke.value for row in mine], [row.penetration_mm.value for row in mine]
-        axes.plot(x, y, color=colour, linestyle=style, marker="", label=label)
+        points = [(row.pad_ke.value, row.penetration_mm.value) for row in mine]
+        axes.plot([x for x, _ in points], [y for _, y in points], color=colour, linestyle=style, marker="", label=label)
         for is_clamped in (False, True):
-            at = [i for i, row in enumerate(mine) if row.clamped is is_clamped]
-            axes.plot(
-                [x[i] for i in at],
-                [y[i] for i in at],
-                linestyle="",
-                marker="s" if is_clamped else "o",
-                markevery=1,
-                color=colour,
-                markerfacecolor=colour if is_clamped else "none",
-            )
+            at = [point for row, point in zip(mine, points, strict=True) if row.clamped is is_clamped]
+            mark, face = ("s", colour) if is_clamped else ("o", "none")
+            mark_points(axes, at, marker=mark, color=colour, markerfacecolor=face)
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="depth in the pads [mm]")
     tick_decades(axes.xaxis)
     tick_125(axes.yaxis)
@@ -212,9 +198,9 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
         label = {"as-shipped": "shipped grip", "scaled": "grip scaled with the mass"}.get(grip, grip)
         x = [row.cube_edge_mm.value for row in kept]
         axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
-        lost = [row.cube_edge_mm.value * (1.0 + 0.04 * number) for row in mine if not is_stable(row)]
+        lost = [(row.cube_edge_mm.value * (1.0 + 0.04 * number), top) for row in mine if not is_stable(row)]
         if lost:
-            axes.plot(lost, [top] * len(lost), "v", color=colour, clip_on=False, markersize=7, markevery=1)
+            mark_points(axes, lost, marker="v", color=colour, clip_on=False, markersize=7)
     axes.axhline(bound_percent, color=INK, linewidth=1, linestyle="--")
     axes.set(xscale="log", yscale="log", xlabel="edge [mm]", ylabel="depth over edge [%]")
     axes.set_ylim(top=top)

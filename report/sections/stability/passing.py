@@ -11,8 +11,8 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 from report.sections.stability.classes import is_stable
 
-Passing = list[bool | None]
-"""True, False or, where nothing is asked of a row, None for each."""
+Judge = Callable[[Row], bool | None]
+"""Tells whether a row passes; None where nothing is asked of it."""
 
 DEPTH_LARGEST = 1.0
 """Depth in stiff pads, at most, in percent of the edge."""
@@ -26,10 +26,13 @@ NEAR_FACTOR = 2.0
 """Numbers that are alike are no more than this factor apart."""
 
 
-def passing(rows: Sequence[Row]) -> Passing:
-    """Which rows of one family pass; rows that are judged by each other must all be among them."""
+def passing(rows: Sequence[Row]) -> list[bool | None]:
+    """Judge the rows of one family; rows that are judged by each other must all be among them."""
     whole = [row for row in rows if all(cell.value is not None for cell in judged_by(row))]
-    verdicts = dict(zip(whole, FAMILIES[rows[0].family](whole), strict=True)) if rows else {}
+    if not whole:
+        return [None] * len(rows)
+    judge = ALONE.get(whole[0].family) or TOGETHER[whole[0].family](whole)
+    verdicts = {row: judge(row) for row in whole}
     return [verdicts.get(row) for row in rows]
 
 
@@ -42,19 +45,18 @@ def passed(rows: Sequence[Row]) -> list[Row]:
     return [row for row, passes in zip(rows, passing(rows), strict=True) if passes]
 
 
-def _steps(rows: Sequence[Row]) -> Passing:
+def _steps(rows: Sequence[Row]) -> Judge:
     """Stable, and the drift near to that with the smallest step."""
-    by_step = sorted(rows, key=lambda row: row.substeps.value)
-    converged = {row.pads: row.drift_mm_s.value for row in by_step}
+    converged = {row.pads: row.drift_mm_s.value for row in sorted(rows, key=lambda row: row.substeps.value)}
 
     def passes(row: Row) -> bool:
         last = converged[row.pads]
         return is_stable(row) and last is not None and _is_near(row.drift_mm_s.value, last)
 
-    return [passes(row) for row in rows]
+    return passes
 
 
-def _critical(rows: Sequence[Row]) -> Passing:
+def _critical(rows: Sequence[Row]) -> Judge:
     """Finite, and where the clamp is at work nearly as deep in the pads as the other clamped cells of the same step:
     the clamp predicts the same stiffness for them all."""
     depths: dict[int, list[float]] = {}
@@ -68,10 +70,10 @@ def _critical(rows: Sequence[Row]) -> Passing:
             return row.finite
         return is_stable(row) and _is_near(row.penetration_mm.value, plateau[row.substeps.value])
 
-    return [passes(row) for row in rows]
+    return passes
 
 
-def _kd_100(rows: Sequence[Row]) -> Passing:
+def _kd_100(rows: Sequence[Row]) -> Judge:
     """Stable where the explicit bound says so with the factor to spare, and not stable where it is exceeded as much. A
     contact too soft to hold the cube at any step says nothing of the step."""
     held = {row.pad_ke.value for row in rows if is_stable(row)}
@@ -84,7 +86,7 @@ def _kd_100(rows: Sequence[Row]) -> Passing:
             return None
         return is_stable(row)
 
-    return [passes(row) for row in rows]
+    return passes
 
 
 def explicit_margin(ke: float, kd: float, step_s: float) -> float:
@@ -96,27 +98,21 @@ def explicit_margin(ke: float, kd: float, step_s: float) -> float:
     return (step_s**2 * ke + 2.0 * step_s * kd) / 4.0
 
 
-def _clamp(rows: Sequence[Row]) -> Passing:
+def _clamp(rows: Sequence[Row]) -> Judge:
     """All runs of one way pass when some of them fail and some do not: the failure has been found."""
-    found: dict[str, set[bool]] = {}
-    for row in rows:
-        found.setdefault(row.clamp, set()).add(is_stable(row))
-    return [len(found[row.clamp]) == 2 for row in rows]
+    found = {(row.clamp, is_stable(row)) for row in rows}
+    return lambda row: {(row.clamp, True), (row.clamp, False)} <= found
 
 
-def _load(rows: Sequence[Row]) -> Passing:
+def _load(row: Row) -> bool | None:
     """Held well below what friction can carry, dropped well above."""
     low, high = near_limit()
-
-    def passes(row: Row) -> bool | None:
-        load = row.load.value
-        if load is None:
-            return False
-        if load < low:
-            return is_stable(row)
-        return row["class"] == "dropped" if load > high else None
-
-    return [passes(row) for row in rows]
+    load = row.load.value
+    if load is None:
+        return False
+    if load < low:
+        return is_stable(row)
+    return row["class"] == "dropped" if load > high else None
 
 
 def near_limit() -> tuple[float, float]:
@@ -124,57 +120,39 @@ def near_limit() -> tuple[float, float]:
     return 1.0 - 0.01 * LIMIT_MARGIN, 1.0 + 0.01 * LIMIT_MARGIN
 
 
-def _friction(rows: Sequence[Row]) -> Passing:
+def _friction(row: Row) -> bool:
     """Finite, and dropped where there is no friction."""
-    return [row.finite and (row.pad_mu.value > 0.0 or row["class"] == "dropped") for row in rows]
+    return row.finite and (row.pad_mu.value > 0.0 or row["class"] == "dropped")
 
 
-def _mass(rows: Sequence[Row]) -> Passing:
-    return [row.finite for row in rows]
-
-
-def _size(rows: Sequence[Row]) -> Passing:
+def _size(row: Row) -> bool:
     """Stable, and not deep in the pads."""
-    return [is_stable(row) and row.penetration_mm.value < 0.01 * DEPTH_LARGEST * row.cube_edge_mm.value for row in rows]
+    return is_stable(row) and row.penetration_mm.value < 0.01 * DEPTH_LARGEST * row.cube_edge_mm.value
 
 
-def _overlap(rows: Sequence[Row]) -> Passing:
+def _overlap(row: Row) -> bool:
     """Stable, and thrown out no faster than by an undamped spring."""
-    return [is_stable(row) and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value for row in rows]
+    return is_stable(row) and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value
 
 
-def _gravity(rows: Sequence[Row]) -> Passing:
+def _gravity(row: Row) -> bool:
     """Finite, and a cube that is let go gains no energy."""
-    return [row.finite and not _gains_energy(row) for row in rows]
+    if not (row.finite and row.freed):
+        return row.finite
+    return row.freed_speed_last_mm_s.value**2 <= ENERGY_LARGEST * row.freed_speed_first_mm_s.value**2
 
 
-def _gains_energy(row: Row) -> bool:
-    if not row.freed:
-        return False
-    first, last = row.freed_speed_first_mm_s.value, row.freed_speed_last_mm_s.value
-    return last**2 > ENERGY_LARGEST * first**2
-
-
-def _buffers(rows: Sequence[Row]) -> Passing:
+def _buffers(row: Row) -> bool:
     """The failure names the buffer that was too small; with ample room there is none."""
-
-    def passes(row: Row) -> bool:
-        if row.case == "buffers-ample":
-            return is_stable(row)
-        name = row.case.split("-")[1]
-        return row.failure is not None and f"the {name} buffer" in row.failure
-
-    return [passes(row) for row in rows]
+    if row.case == "buffers-ample":
+        return is_stable(row)
+    return row.failure is not None and f"the {row.case.split('-')[1]} buffer" in row.failure
 
 
-def _long(rows: Sequence[Row]) -> Passing:
+def _long(row: Row) -> bool:
     """Stable, and creeping no faster in the end than in the beginning."""
-
-    def passes(row: Row) -> bool:
-        first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
-        return is_stable(row) and last <= GROWTH_LARGEST * first
-
-    return [passes(row) for row in rows]
+    first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
+    return is_stable(row) and last <= GROWTH_LARGEST * first
 
 
 def _is_near(value: float, other: float) -> bool:
@@ -191,18 +169,14 @@ JUDGED_BY = {
     "overlap": ("exit_speed_mm_s", "exit_bound_mm_s"),
     "long": ("increment_first_mm_per_cycle", "increment_last_mm_per_cycle"),
 }
-FAMILIES: dict[str, Callable[[Sequence[Row]], Passing]] = {
+TOGETHER: dict[str, Callable[[Sequence[Row]], Judge]] = {
     "steps": _steps,
     "ke-critical": _critical,
     "ke-kd-100": _kd_100,
     "clamp": _clamp,
-    "shake": _load,
-    "grip": _load,
-    "friction": _friction,
-    "mass": _mass,
-    "size": _size,
-    "overlap": _overlap,
-    "gravity": _gravity,
-    "buffers": _buffers,
-    "long": _long,
+}
+"""Families whose rows are judged by each other."""
+ALONE: dict[str, Judge] = {
+    **{"shake": _load, "grip": _load, "friction": _friction, "mass": lambda row: row.finite, "size": _size},
+    **{"overlap": _overlap, "gravity": _gravity, "buffers": _buffers, "long": _long},
 }

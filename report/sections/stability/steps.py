@@ -21,7 +21,7 @@ from measured_report.claims.claims import (
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.sections.stability.classes import is_stable
-from report.sections.stability.families import count, family, family_claim
+from report.sections.stability.families import count, family, family_claim, least, most
 from report.sections.stability.passing import passed
 from report.shared.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
 
@@ -31,74 +31,51 @@ UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 
 def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
     """From which ke on every step holds with damping ratio 1, and up to which ke the default kd does as shipped."""
-    kes = sorted({row.pad_ke.value for row in critical})
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
-    least = extreme(results, "safe_ke", "least ke from which on every step holds", min, [row.pad_ke for row in safe])
-    extreme(results, "safe_ke_most", "largest of these ke", max, [row.pad_ke for row in safe])
+    safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
+    most(results, "safe_ke_most", "largest of these ke", safe, "pad_ke")
+    most(results, "safe_creep", "largest creep of these runs", safe, "creep_mm_s")
+    step = most(results, "largest_step_tried", "largest step of these runs", safe, "step_ms")
     stiff = results.value("stiff_ke", "given: ke of the stiff pads", lambda: STIFF_PADS.pad_ke)
-    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, least)
-    largest_step = extreme(
-        results, "largest_step_tried", "largest step of these runs", max, [row.step_ms for row in safe]
-    )
+    margin = ratio(results, "safe_margin", "ke of the stiff pads over that ke", stiff, safe_ke)
     at_shipped = [row for row in default_kd if row.substeps.value == AS_SHIPPED.substeps]
     broken = [row.pad_ke.value for row in at_shipped if not is_stable(row) and row.pad_ke.value > AS_SHIPPED.pad_ke]
     kept = [row for row in at_shipped if is_stable(row) and row.pad_ke.value < min(broken, default=math.inf)]
-    extreme(results, "safe_creep", "largest creep of these runs", max, [row.creep_mm_s for row in safe])
-    limit = extreme(
-        results, "kd_100_ke", "largest ke that holds at the shipped step", max, [row.pad_ke for row in kept]
-    )
+    limit = most(results, "kd_100_ke", "largest ke that holds at the shipped step", kept, "pad_ke")
     shipped = results.value("shipped_ke", "given: ke as shipped", lambda: AS_SHIPPED.pad_ke)
     default_margin = ratio(results, "kd_100_margin", "that ke over the shipped one", limit, shipped)
     bound = results.chosen("safe_margin_bound", "room to spare", 10.0)
-    outcome = at_least(margin, bound) if kes else Outcome("unknown", "the grid was not measured")
-    return Claim(
-        "safe_settings",
-        outcome,
-        numbers={
-            "least": least,
-            "step": largest_step,
-            "stiff": stiff,
-            "margin": margin,
-            "limit": limit,
-            "default_margin": default_margin,
-            "bound": bound,
-        },
-    )
+    numbers = {"least": safe_ke, "step": step, "stiff": stiff, "margin": margin, "bound": bound}
+    numbers |= {"limit": limit, "default_margin": default_margin}
+    outcome = at_least(margin, bound) if critical else Outcome("unknown", "the grid was not measured")
+    return Claim("safe_settings", outcome, numbers)
 
 
 def lifted_stands_more(results: Results) -> Claim:
     """Whether the largest ke with kd at its default that section stiffness saw hold is as large as the one here: there
     the cube is lifted, in one run of each ke."""
     lifted = other_value(results, "stiffness", "ke_alone_last")
-    return Claim("lifted_stands_more", at_least(lifted, results.derived["kd_100_ke"]), numbers={"lifted": lifted})
+    return Claim("lifted_stands_more", at_least(lifted, results.derived["kd_100_ke"]), {"lifted": lifted})
 
 
 def steps(results: Results, near: Value) -> Claim:
     rows = family(results, "steps")
-    stable = count(results, "steps_stable", "of them, runs that keep the cube", [row for row in rows if is_stable(row)])
+    stable = [row for row in rows if is_stable(row)]
     kept = passed(rows)
-    step = extreme(
-        results,
-        "stiff_step",
-        "largest step at which stiff pads pass",
-        max,
-        [row.step_ms for row in kept if row.pads == "stiff"],
-    )
+    stiff = [row for row in kept if row.pads == "stiff"]
+    step = most(results, "stiff_step", "largest step at which stiff pads pass", stiff, "step_ms")
+    lost = [row for row in rows if row not in kept]
     return family_claim(
         results,
         "steps",
         rows,
-        numbers={
-            "near": near,
-            "stable": stable,
-            "step": step,
-            "some_are_lost": not all(map(is_stable, rows)),
-            "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
-            "failed_are_stiff": all(
-                row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in rows if row not in kept
-            ),
-        },
+        near=near,
+        stable=count(results, "steps_stable", "of them, runs that keep the cube", stable),
+        step=step,
+        some_are_lost=len(stable) < len(rows),
+        friction_rows_differ=friction_rows_differ(results.others.get("contacts")),
+        failed_are_stiff=all(row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in lost),
     )
 
 
@@ -106,15 +83,12 @@ def steps_order(results: Results) -> Claim:
     """Whether the drift with stiff pads is in proportion to the step."""
     rows = [row for row in family(results, "steps") if row.pads == "stiff"]
     by_step = sorted(rows, key=lambda row: row.step_ms.value)
-    noise = extreme(
-        results, "steps_noise", "how far apart repeats creep, at most", max, [row.creep_floor_mm_s for row in rows]
-    )
+    noise = most(results, "steps_noise", "how far apart repeats creep, at most", rows, "creep_floor_mm_s")
     exponent = _step_exponent(results, rows)
     one = results.chosen("steps_exponent_of_proportion", "in proportion", 1.0)
     off = departure(results, "steps_exponent_off", "how far the exponent is from one", exponent, one)
-    bound = results.chosen("steps_exponent_bound", "about in proportion", 10.0, unit="%")
-    outcome = all_of(increases([row.drift_mm_s for row in by_step], noise=noise), at_most(off, bound))
-    return Claim("steps_order", outcome, numbers={"exponent": exponent})
+    rises = increases([row.drift_mm_s for row in by_step], noise=noise)
+    return Claim("steps_order", all_of(rises, at_most(off, 10.0, why="about in proportion")), {"exponent": exponent})
 
 
 def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
@@ -133,9 +107,7 @@ def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
 def gain_goes(results: Results) -> Claim:
     """What stiff pads gain against shipped ones, from the shipped step to the longest."""
     runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
-    counts = sorted(
-        (number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps), reverse=True
-    )
+    counts = [number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps]
     gains = [
         results.value(
             f"step_gain_{number}",
@@ -144,66 +116,54 @@ def gain_goes(results: Results) -> Claim:
             runs["as-shipped", number].drift_mm_s,
             runs["stiff", number].drift_mm_s,
         )
-        for number in counts
+        for number in sorted(counts, reverse=True)
         if ("as-shipped", number) in runs
     ]
     if len(gains) < 2:
         return Claim("gain_goes", Outcome("unknown", "it was not measured with longer steps"))
-    least = results.chosen("step_gain_least", "a gain", 2.0)
-    longest = runs["stiff", counts[-1]].step_ms
-    same = results.chosen("step_gain_same", "the same gain", 0.1)
-    falls = decreases([gains[0], gains[1], gains[-1]], noise=same)
-    numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": longest}
-    return Claim("gain_goes", all_of(at_least(gains[0], least), at_most(gains[-1], least), falls), numbers)
+    falls = decreases([gains[0], gains[1], gains[-1]], noise=0.1, why="the same gain")
+    ends = all_of(at_least(gains[0], 2.0, why="a gain"), at_most(gains[-1], 2.0, why="a gain"))
+    numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}
+    return Claim("gain_goes", all_of(ends, falls), numbers)
 
 
 def plateau(results: Results, rows: Sequence[Row], near: Value) -> Claim:
-    clamped = [row for row in rows if row.clamped]
-    return family_claim(results, "clamp_plateau", clamped, numbers={"near": near})
+    return family_claim(results, "clamp_plateau", [row for row in rows if row.clamped], near=near)
 
 
 def boundary(results: Results, rows: Sequence[Row], near: Value) -> Claim:
-    return family_claim(results, "explicit_boundary", rows, numbers={"near": near})
+    return family_claim(results, "explicit_boundary", rows, near=near)
 
 
 def clamp(results: Results) -> Claim:
     rows = family(results, "clamp")
-    failing = [row.timeconst_steps for row in rows if not is_stable(row)]
-    holding = [row.timeconst_steps for row in rows if is_stable(row)]
-    first = extreme(results, "clamp_fails_at", "largest timeconst over dt that fails", max, failing)
-    last = extreme(results, "clamp_holds_at", "least timeconst over dt that holds", min, holding)
+    failing, holding = ([row for row in rows if is_stable(row) == holds] for holds in (False, True))
+    first = most(results, "clamp_fails_at", "largest timeconst over dt that fails", failing, "timeconst_steps")
+    last = least(results, "clamp_holds_at", "least timeconst over dt that holds", holding, "timeconst_steps")
     parted = first.value is None or last.value is None or first.value < last.value
-    predicted = results.value(
-        "clamp_predicted", "explicit bound at damping ratio 1: 1 / (√8 - 2)", lambda: 1 / (8**0.5 - 2)
-    )
+    formula = "explicit bound at damping ratio 1: 1 / (√8 - 2)"
+    predicted = results.value("clamp_predicted", formula, lambda: 1 / (8**0.5 - 2))
     ends = {way: {is_stable(row) for row in rows if row.clamp == way} for way in UNCLAMPED}
     never, always = (
         Markup(", ").join(UNCLAMPED[way] for way, found in ends.items() if found == {kept}) for kept in (False, True)
     )
-    return family_claim(
-        results,
-        "clamp_off",
-        rows,
-        also=decided(parted, first, last),
-        numbers={"first": first, "last": last, "predicted": predicted, "never": never, "always": always},
-    )
+    numbers = {"first": first, "last": last, "predicted": predicted, "never": never, "always": always}
+    return family_claim(results, "clamp_off", rows, decided(parted, first, last), **numbers)
 
 
 def leans_on_clamp(results: Results) -> Claim:
     """Whether without the clamp even runs are lost whose pads need none, with a timeconst of two steps or more."""
     long = [row for row in family(results, "clamp") if row.clamp == "off" and row.timeconst_steps.value >= 2.0]
-    most = extreme(results, "clamp_longest", "largest timeconst over dt", max, [row.timeconst_steps for row in long])
-    kept = [is_stable(row) for row in long]
-    outcome = decided(not any(kept), *(row.timeconst_steps for row in long))
+    times, kept = [row.timeconst_steps for row in long], [is_stable(row) for row in long]
+    outcome = decided(not any(kept), *times) if long else Outcome("unknown", "it was not measured")
     if outcome == FAILS and all(kept):
-        outcome = OPPOSITE.having_read(*(row.timeconst_steps for row in long))
-    number = count(results, "clamp_long_count", "runs without the clamp that need none", long)
-    own = friction_rows_differ(results.others.get("contacts"))
-    return Claim(
-        "leans_on_clamp",
-        outcome if long else Outcome("unknown", "it was not measured"),
-        {"count": number, "most": most, "own": own},
-    )
+        outcome = OPPOSITE.having_read(*times)
+    numbers = {
+        "count": count(results, "clamp_long_count", "runs without the clamp that need none", long),
+        "most": extreme(results, "clamp_longest", "largest timeconst over dt", max, times),
+        "own": friction_rows_differ(results.others.get("contacts")),
+    }
+    return Claim("leans_on_clamp", outcome, numbers)
 
 
 def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
@@ -211,11 +171,8 @@ def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
     high = extreme(results, "step_ratio_most", "largest of these ratios", max, ratios)
     bound = results.chosen("step_ratio_bound", "as predicted, or nearly", 2.0)
     inverse = results.value("step_ratio_inverse", "one over the least ratio", lambda ratio: 1 / ratio, low)
-    return Claim(
-        "largest_step",
-        all_of(at_most(high, bound), at_most(inverse, bound)),
-        numbers={"low": low, "high": high, "bound": bound},
-    )
+    outcome = all_of(at_most(high, bound), at_most(inverse, bound))
+    return Claim("largest_step", outcome, {"low": low, "high": high, "bound": bound})
 
 
 def predict_step(results: Results, row: Row) -> tuple[Value, Value]:

@@ -11,8 +11,6 @@ from report.sections.stiffness.runs import SHIPPED, Runs, drift_without_slide, h
 from report.shared.arithmetic import noise_floor, other_value, ratio, resolved, told
 
 HARDEST = "solimp-dmax-0.9999"
-
-
 CONDITIONS = {
     "that the left-out acceleration gives the slide": ("contacts", "missing_term_departure", "missing_term_bound", "%"),
     "that the slide ends when it is put back": ("contacts", "restored_share", "restored_share_bound", "%"),
@@ -29,16 +27,10 @@ def cause(results: Results, proportional: Claim) -> Claim:
         words: at_most(other_value(results, section, name, unit=unit), other_value(results, section, bound, unit=unit))
         for words, (section, name, bound, unit) in CONDITIONS.items()
     } | {"that the drift goes with the timeconst": proportional.outcome}
-    return Claim(
-        "cause",
-        all_of(slip, *outcomes.values()),
-        # Without a slip the others need not be known.
-        numbers={
-            "has_slip": slip != FAILS,
-            "slip": results.row[SHIPPED].slip_mm,
-            "lacking": Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS),
-        },
-    )
+    lacking = Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS)
+    # Without a slip the others need not be known.
+    numbers = {"has_slip": slip != FAILS, "slip": results.row[SHIPPED].slip_mm, "lacking": lacking}
+    return Claim("cause", all_of(slip, *outcomes.values()), numbers)
 
 
 def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim:
@@ -58,15 +50,10 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         )
         for row in rows
     ]
+    formula = "drift less that with the left-out acceleration put back, over dmax times timeconst"
     rates = [
         results.value(
-            f"rate_{row.case}",
-            "drift less that with the left-out acceleration put back, over dmax times timeconst",
-            lambda drift, still, time: (drift - still) / time,
-            row.drift_mm_s,
-            rest,
-            time,
-            unit="mm/s²",
+            f"rate_{row.case}", formula, lambda a, b, time: (a - b) / time, row.drift_mm_s, rest, time, unit="mm/s²"
         )
         for row, time in zip(rows, times, strict=True)
     ]
@@ -77,12 +64,10 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         *rates,
         unit="%",
     )
-    width = results.value(
-        "response_range", "longest over shortest dmax times timeconst", lambda *found: max(found) / min(found), *times
-    )
+    formula = "longest over shortest dmax times timeconst"
+    width = results.value("response_range", formula, lambda *found: max(found) / min(found), *times)
     bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
-    wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
-    least = results.value(
+    noise = results.value(
         "rate_noise",
         "noise of the drift, of the least drift less that with the left-out acceleration put back, in size",
         lambda floor, still, *drifts: 100 * floor / min(abs(drift - still) for drift in drifts),
@@ -91,29 +76,24 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         *(row.drift_mm_s for row in rows),
         unit="%",
     )
-    outcome, is_wide = all_of(at_most(spread, bound), resolved(least, bound)), at_least(width, wide)
+    outcome = all_of(at_most(spread, bound), resolved(noise, bound))
+    is_wide = at_least(width, 3.0, why="enough to see a law")
     is_narrow = is_wide == FAILS and spread.value is not None
     if is_narrow:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
-    return Claim(
-        "drift_follows_timeconst",
-        outcome.having_read(spread, bound, width, wide),
-        numbers={"is_narrow": is_narrow, "bound": bound, **told(spread, {"spread": spread, "ratio": width})},
-    )
+    numbers = {"is_narrow": is_narrow, "bound": bound, **told(spread, {"spread": spread, "ratio": width})}
+    return Claim("drift_follows_timeconst", outcome.having_read(spread, bound, width), numbers)
 
 
 def not_creep_under_load(results: Results) -> Claim:
     shipped, hardest = results.row[SHIPPED], results.row[HARDEST]
     formula = "measured stiffness with dmax raised, over that as shipped"
     stiffer = ratio(results, "dmax_stiffness_ratio", formula, hardest.stiffness_n_m, shipped.stiffness_n_m)
-    bound = results.chosen("dmax_stiffness_bound", "clearly stiffer", 2.0)
     before, after = (
         results.value(f"drift_size_{row.case}", "size of the drift", abs, row.drift_mm_s, unit="mm/s")
         for row in (shipped, hardest)
     )
     moves_more = greater(after, before, noise=noise_floor(results, "drift_floor"))
-    return Claim(
-        "not_creep_under_load",
-        all_of(at_least(stiffer, bound), moves_more),
-        numbers={"dmax": hardest.pad_dmax, "stiffer": stiffer, "before": before, "after": after},
-    )
+    outcome = all_of(at_least(stiffer, 2.0, why="clearly stiffer"), moves_more)
+    numbers = {"dmax": hardest.pad_dmax, "stiffer": stiffer, "before": before, "after": after}
+    return Claim("not_creep_under_load", outcome, numbers)

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import Runs, drift_without_slide, is_held
+from report.shared.drawing import mark_points
 
 ENDS = {"dropped": "v", "not finite": "x", "overflow": "P", "hardly shaken": "s"}
 """How a run can end with no slip to show, and its mark."""
@@ -25,16 +26,12 @@ def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
         axes.plot([r.pad_ke.value for r in kept], [r.slip_mm.value for r in kept], label=label, markevery=1)
     for end, mark in ENDS.items():
         for number, (_, rows) in enumerate(series):
-            found = [row.pad_ke.value for row in rows if not is_held(row) and _end(row) == end]
-            axes.plot(found, [top] * len(found), mark, color=SERIES[number], clip_on=False, markersize=7, markevery=1)
+            found = [(row.pad_ke.value, top) for row in rows if not is_held(row) and _end(row) == end]
+            mark_points(axes, found, marker=mark, color=SERIES[number], clip_on=False, markersize=7)
         if any(_end(row) == end for _, rows in series for row in rows if not is_held(row)):
             axes.plot([], [], mark, color=INK, markersize=7, markevery=1, label=end)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_ylim(0.6 * min(held), top)
+    axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="slip [mm]", ylim=(0.6 * min(held), top))
     _mark_clamp(axes, (clamp_kd / 2) ** 2)
-    axes.set_xlabel("pad ke")
-    axes.set_ylabel("slip [mm]")
     tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=3)
     return drawing
@@ -54,13 +51,8 @@ def _end(row: Row) -> str:
 
 def _mark_clamp(axes: Axes, ke: float) -> None:
     axes.axvline(ke, color=INK, linewidth=1.0, linestyle=":")
-    axes.annotate(
-        "2/kd = 2·dt\n(kd = 2√ke)",
-        (ke, 0.42),
-        xycoords=("data", "axes fraction"),
-        xytext=(6, 0),
-        textcoords="offset points",
-    )
+    place = {"xycoords": ("data", "axes fraction"), "xytext": (6, 0), "textcoords": "offset points"}
+    axes.annotate("2/kd = 2·dt\n(kd = 2√ke)", (ke, 0.42), **place)
 
 
 def draw_law(runs: Runs, results: Results) -> Drawing:
@@ -74,20 +66,12 @@ def draw_law(runs: Runs, results: Results) -> Drawing:
     times = {row.case: results.derived[f"response_{row.case}"].value for rows in groups.values() for row in rows}
     rates = [results.derived[f"rate_{case}"].value for case in times]
     for number, (label, rows) in enumerate(groups.items()):
-        axes.plot(
-            [1e3 * times[row.case] for row in rows],
-            [row.drift_mm_s.value - (rest or 0.0) for row in rows],
-            linestyle="",
-            label=label,
-            markevery=1,
-            zorder=3 - number,
-        )
+        points = [(1e3 * times[row.case], row.drift_mm_s.value - (rest or 0.0)) for row in rows]
+        mark_points(axes, points, label=label, zorder=3 - number)
     ends = np.array([min(times.values()), max(times.values())])
     if None not in rates:
         axes.plot(1e3 * ends, median(rates) * ends, color=INK, linestyle="-", linewidth=1.0, marker="")
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel("dmax · timeconst [ms]")
+    axes.set(xscale="log", yscale="log", xlabel="dmax · timeconst [ms]")
     axes.set_ylabel("drift [mm/s]" if rest is None else "drift less that without slide [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)

@@ -10,11 +10,11 @@ from measured_report.values.results import Results
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
 from report.shared.arithmetic import SETTLES, extreme, noise_floor, ratio, share, spread, told
 
+NO_HELP = 80.0
+"""Chosen: a slip of so much of that as shipped, in percent, is no help."""
 STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
 
 NO_SLIP = "with shipped pads there is no slip to bring down"
-
-
 NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
 
 
@@ -37,12 +37,8 @@ def _ke_is_no_spring(results: Results) -> Claim:
     formula = "measured stiffness at that largest ke over that at the smallest"
     measured = ratio(results, "stiffness_ratio", formula, stiff.stiffness_n_m, soft.stiffness_n_m)
     follows = share(results, "stiffness_follows", "measured ratio, of the authored", measured, authored)
-    bound = results.chosen("stiffness_follows_bound", "does not follow", 50.0, unit="%")
-    return Claim(
-        "ke_is_no_spring",
-        at_most(follows, bound),
-        numbers={"ke": soft.pad_ke, "k": soft.stiffness_n_m, "times": authored, "more": measured},
-    )
+    numbers = {"ke": soft.pad_ke, "k": soft.stiffness_n_m, "times": authored, "more": measured}
+    return Claim("ke_is_no_spring", at_most(follows, 50.0, why="does not follow"), numbers)
 
 
 def _with_slip(name: str, results: Results, outcome: Outcome, numbers: Mapping[str, Quantity]) -> Claim:
@@ -60,33 +56,23 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
     formula = "least slip with kd at its default, of the slip as shipped"
     of_shipped = share(results, "ke_alone_share", formula, low, results.row[SHIPPED].slip_mm)
-    bound = results.chosen("ke_alone_bound", "no help", 80.0, unit="%")
-    return _with_slip(
-        "ke_alone_does_not_help",
-        results,
-        at_least(of_shipped, bound),
-        {
-            "kd": results.row[SHIPPED].pad_kd,
-            "share": of_shipped,
-            "low": low,
-            "first": extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses),
-            "last": extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses),
-        },
-    )
+    first = extreme(results, "ke_alone_first", "least ke of these runs", min, stiffnesses)
+    last = extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses)
+    numbers = {"kd": results.row[SHIPPED].pad_kd, "share": of_shipped, "low": low, "first": first, "last": last}
+    return _with_slip("ke_alone_does_not_help", results, at_least(of_shipped, NO_HELP, why="no help"), numbers)
 
 
 def _stiff_contact_still_slips(results: Results) -> Claim:
     kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
     alone = kept[0] if kept else results.row[ALONE[0]]
-    fix, shipped = results.row[FIX], results.row[SHIPPED]
     formula = (
         "measured stiffness with the largest named ke at the default kd that keeps the cube, over that with the fix"
     )
-    times = ratio(results, "alone_over_fix", formula, alone.stiffness_n_m, fix.stiffness_n_m)
+    times = ratio(results, "alone_over_fix", formula, alone.stiffness_n_m, results.row[FIX].stiffness_n_m)
     formula = "slip of that run, of the slip as shipped"
-    of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, shipped.slip_mm)
-    one = results.chosen("alone_over_fix_bound", "at least as stiff", 1.0)
-    outcome = all_of(at_least(times, one), at_least(of_shipped, results.derived["ke_alone_bound"]))
+    of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, results.row[SHIPPED].slip_mm)
+    is_as_stiff = at_least(times, 1.0, why="at least as stiff")
+    outcome = all_of(is_as_stiff, at_least(of_shipped, NO_HELP, why="no help"))
     if not kept:
         outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
     numbers = {"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm}
@@ -96,35 +82,20 @@ def _stiff_contact_still_slips(results: Results) -> Claim:
 def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
     lost = [row for row in runs.ke_alone if not is_held(row)]
     count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
-    none = results.chosen("ke_alone_lost_bound", "at least one", 1)
-    first = lost[0].pad_ke if lost else count
-    return Claim(
-        "ke_alone_fails",
-        at_least(count, none),
-        numbers={
-            "count": count,
-            "all": results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone)),
-            "first": first,
-            "dampratio": results.value(
-                "lost_dampratio",
-                "kd / (2 sqrt(ke)) of the first that is lost",
-                lambda ke, kd: kd / (2 * np.sqrt(ke)),
-                first,
-                results.row[SHIPPED].pad_kd,
-            ),
-        },
-    )
+    total = results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone))
+    first, kd = lost[0].pad_ke if lost else count, results.row[SHIPPED].pad_kd
+    formula = "kd / (2 sqrt(ke)) of the first that is lost"
+    dampratio = results.value("lost_dampratio", formula, lambda ke, kd: kd / (2 * np.sqrt(ke)), first, kd)
+    numbers = {"count": count, "all": total, "first": first, "dampratio": dampratio}
+    return Claim("ke_alone_fails", at_least(count, 1, why="at least one"), numbers)
 
 
 def _together_they_hold(results: Results) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
     gain = ratio(results, "improvement", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
     bound = results.chosen("improvement_bound", *SETTLES)
-    return Claim(
-        "together_they_hold",
-        at_least(gain, bound),
-        numbers={"ke": fix.pad_ke, "kd": fix.pad_kd, "slipped": shipped.slip_mm, "slip": fix.slip_mm, "gain": gain},
-    )
+    numbers = {"ke": fix.pad_ke, "kd": fix.pad_kd, "slipped": shipped.slip_mm, "slip": fix.slip_mm, "gain": gain}
+    return Claim("together_they_hold", at_least(gain, bound), numbers)
 
 
 def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:

@@ -49,17 +49,16 @@ def derive(results: Results, releases: Releases) -> Section:
     turned = turns(seen, shown)
     ends, newest = Ends(seen), Ends(releases)
     same_slip = _slip_is_the_same(results, ends, floors["mm"])
-    tables = {
-        "headlines": headline_table(results, releases, floors),
-        "turns": TurnList(turned, list(results.others)),
-        "live": live_table(releases),
-        "tried": tried_table(releases),
-        "speed": speed_table(results, releases),
-        "options": option_table(releases),
-    }
     between = shown not in (newest.old, newest.new)
     return Section(
-        tables=tables,
+        tables={
+            "headlines": headline_table(results, releases, floors),
+            "turns": TurnList(turned, list(results.others)),
+            "live": live_table(releases),
+            "tried": tried_table(releases),
+            "speed": speed_table(results, releases),
+            "options": option_table(releases),
+        },
         figures={"slips": slip_figure(releases)},
         claims=[
             same_slip,
@@ -77,11 +76,8 @@ def derive(results: Results, releases: Releases) -> Section:
 def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     old, new = ends.cells(SLIP)
     moved = change(results, "slip_change", old, new)
-    return Claim(
-        "slip_is_the_same",
-        ends.one or unchanged(old, new, moved, noise),
-        numbers={"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)},
-    )
+    numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)}
+    return Claim("slip_is_the_same", ends.one or unchanged(old, new, moved, noise), numbers)
 
 
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
@@ -89,11 +85,8 @@ def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
     own = results.edition
     before, after = cell(ends.releases, own, SLIP), cell(ends.releases, ends.new, SLIP)
     moved = change(results, "slip_change_from_here", before, after)
-    return Claim(
-        "same_as_newest",
-        unchanged(before, after, moved, noise),
-        {"a": own, "b": ends.new, "before": before, "after": after},
-    )
+    numbers = {"a": own, "b": ends.new, "before": before, "after": after}
+    return Claim("same_as_newest", unchanged(before, after, moved, noise), numbers)
 
 
 def _grows(moved: Value) -> bool:

@@ -6,6 +6,9 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
+SAME = 2.0
+"""Chosen: a slip that is no farther from another, in percent of that, is the same."""
+
 
 def nothing_to_explain(same: Outcome) -> Outcome | None:
     """Why nothing can be told of a change in slip: there is none, or none that can be told."""
@@ -23,14 +26,27 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
     off = ends.live(SWITCHED, "slip_mm", "mm")[1]
     bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, unit="%")
     tolerance = results.value("recovery_tolerance", "what that leaves, either way", lambda a: 100 - a, bound, unit="%")
-    shares = {
-        name: _share(results, name, start, end, goal)
+    brings_back, ends_it, switches = (
+        nothing_to_explain(same_slip) or at_most(_miss(results, name, start, end, goal), tolerance)
         for name, start, end, goal in (
             ("taken_share", new, taken, old),
             ("given_share", old, given, new),
             ("off_share", new, off, old),
         )
-    }
+    )
+    numbers = {"a": ends.old, "b": ends.new, "before": old, "taken": taken, "given": given, "off": off}
+    return [
+        Claim("friction_timeconst_is_new", is_new, numbers | {"own": own}),
+        Claim("taking_it_away_brings_it_back", brings_back, numbers),
+        Claim("giving_it_does_the_same", ends_it, numbers),
+        Claim("release_has_a_switch", switches, numbers),
+        Claim("cause", ends.one or all_of(is_new, brings_back, ends_it), numbers),
+        _mujoco_contacts_as_before(results, ends),
+        _pyramid_as_before(results, ends),
+    ]
+
+
+def _mujoco_contacts_as_before(results: Results, ends: Ends) -> Claim:
     found, engine = ends.cells(MUJOCO_CONTACTS), ends.cells(MUJOCO_C)
     elsewhere = results.value(
         "elsewhere_change",
@@ -41,43 +57,18 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
         unit="%",
         across=True,
     )
-    same = results.chosen("elsewhere_bound", "the same slip", 2.0, unit="%")
-    brings_back, ends_it, switches = (
-        nothing_to_explain(same_slip) or at_most(_miss(results, name, share), tolerance)
-        for name, share in shares.items()
-    )
-    numbers = {"a": ends.old, "b": ends.new, "before": old, "taken": taken, "given": given, "off": off}
-    return [
-        Claim("friction_timeconst_is_new", is_new, numbers=numbers | {"own": own}),
-        Claim("taking_it_away_brings_it_back", brings_back, numbers),
-        Claim("giving_it_does_the_same", ends_it, numbers),
-        Claim("release_has_a_switch", switches, numbers),
-        Claim("cause", ends.one or all_of(is_new, brings_back, ends_it), numbers),
-        Claim(
-            "mujoco_contacts_as_before",
-            ends.one or at_most(elsewhere, same),
-            numbers=numbers | {"found": found[1], "c": engine[1], "elsewhere": elsewhere},
-        ),
-        _pyramid_as_before(results, ends, same),
-    ]
+    numbers = {"a": ends.old, "b": ends.new, "found": found[1], "c": engine[1], "elsewhere": elsewhere}
+    return Claim("mujoco_contacts_as_before", ends.one or at_most(elsewhere, SAME, why="the same slip"), numbers)
 
 
-def _pyramid_as_before(results: Results, ends: Ends, same: Value) -> Claim:
+def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
     before, after = ends.cells(PYRAMID)
+    formula = "change in slip with a pyramidal cone, of the older slip"
     change = results.value(
-        "pyramid_change",
-        "change in slip with a pyramidal cone, of the older slip",
-        lambda a, b: 100 * abs(b / a - 1),
-        before,
-        after,
-        unit="%",
-        across=True,
+        "pyramid_change", formula, lambda a, b: 100 * abs(b / a - 1), before, after, unit="%", across=True
     )
-    return Claim(
-        "pyramid_as_before",
-        ends.one or at_most(change, same),
-        numbers={"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": change},
-    )
+    numbers = {"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": change}
+    return Claim("pyramid_as_before", ends.one or at_most(change, SAME, why="the same slip"), numbers)
 
 
 def _is_new(before: Quantity, after: Quantity) -> Outcome:
@@ -85,12 +76,9 @@ def _is_new(before: Quantity, after: Quantity) -> Outcome:
     return all_of(decided(not before.value, before), decided(is_there, after))
 
 
-def _miss(results: Results, name: str, share: Value) -> Value:
-    return results.value(f"{name}_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%")
-
-
-def _share(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
-    return results.value(
+def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
+    """Derive how far a switched case is from going all the way to the slip of the other release."""
+    share = results.value(
         name,
         "how far the switched case goes from the slip of its own release to that of the other",
         lambda a, b, whole: 100 * (b - a) / (whole - a),
@@ -100,3 +88,4 @@ def _share(results: Results, name: str, start: Quantity, end: Quantity, goal: Qu
         unit="%",
         across=True,
     )
+    return results.value(f"{name}_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%")

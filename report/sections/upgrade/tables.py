@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-import pandas as pd
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
@@ -15,13 +14,10 @@ from measured_report.values.format import unit_label
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
+from report.shared.arithmetic import table_of
 
-SHIPPED, TAKEN, GIVEN, SWITCHED = (
-    "as-shipped",
-    "as-shipped-friction-timeconst-off",
-    "as-shipped-friction-timeconst-on",
-    "as-shipped-kf-off",
-)
+SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
+TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
 SLIP = Headline("slip with shipped pads", "upgrade", SHIPPED, "slip_mm", "mm")
 MUJOCO_CONTACTS = Headline(
@@ -80,33 +76,27 @@ TRIED = {
     "hold": "arm held still",
     "hold-kf-off": "arm held still, kf below zero",
 }
-
-
 SETTINGS = {"option": "solver option", "default": "default", "sum": "sum of the engine's"}
 """Kinds of rows that are no runs: each has a name and a value."""
 DRAWN = (SLIP, *HEADLINES[2:6])
 
 
 def headline_table(results: Results, releases: Releases, floors: Mapping[str, Value]) -> Table:
-    columns: dict[str, list[Markup]] = {release: [] for release in releases}
+    columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
     for headline in HEADLINES:
         cells = {release: cell(releases, release, headline) for release in releases}
         base = next((release for release in releases if cells[release].value is not None), None)
         for release, found in cells.items():
-            moved = None
-            if base not in (None, release):
-                moved = change(results, f"{_name(headline)}_{release}", cells[base], found)
-            noise = floors[headline.unit]
-            columns[release].append(marked(moved, noise, headline.column, cells.get(base, found), found))
-    frame = pd.DataFrame({f"Newton {release}": found for release, found in columns.items()}, dtype=object)
-    frame["noise"] = [floors[headline.unit].bare for headline in HEADLINES]
-    frame.index = pd.Index([_label(headline) for headline in HEADLINES], name="")
-    return Table(frame)
+            is_moved = base not in (None, release)
+            moved = change(results, f"{_name(headline)}_{release}", cells[base], found) if is_moved else None
+            text = marked(moved, floors[headline.unit], headline.column, cells.get(base, found), found)
+            columns[f"Newton {release}"].append(text)
+    return _table(HEADLINES, columns | {"noise": [floors[headline.unit].bare for headline in HEADLINES]})
 
 
-def _label(headline: Headline) -> str:
-    """With its unit, which the cells of a row share."""
-    return f"{headline.label} [{unit_label(headline.unit)}]"
+def _table(headlines: Sequence[Headline], columns: Mapping[str, Sequence]) -> Table:
+    """Make a table with a line for each headline, with its unit, which the cells of a line share."""
+    return table_of("", [f"{headline.label} [{unit_label(headline.unit)}]" for headline in headlines], columns)
 
 
 def _name(headline: Headline) -> str:
@@ -120,15 +110,12 @@ def speed_table(results: Results, releases: Releases) -> Table:
         differ = machines_differ(releases, headline.section)
         base = cell(releases, next(iter(releases)), headline)
         for release in releases:
-            found = cell(releases, release, headline)
+            found, name = cell(releases, release, headline), f"{_name(headline)}_{release}"
             edges = [cell(releases, release, edge(headline, end)) for end in EDGES]
-            name = f"{_name(headline)}_{release}"
             spread = results.value(f"{name}_spread", "95th less 5th percentile", lambda a, b: b - a, *edges, unit="ms")
             moved = None if found is base or differ else change(results, name, base, found)
             columns[f"Newton {release}"].append(marked(moved, spread, headline.column, base, found))
-    frame = pd.DataFrame(columns, dtype=object)
-    frame.index = pd.Index([_label(headline) for headline in SPEEDS], name="")
-    return Table(frame)
+    return _table(SPEEDS, columns)
 
 
 def edge(headline: Headline, end: str) -> Headline:
@@ -136,48 +123,40 @@ def edge(headline: Headline, end: str) -> Headline:
 
 
 def live_table(releases: Releases) -> Table:
+    found = {column: Headline("", "upgrade", SHIPPED, column, unit) for column, (_, unit) in LIVE.items()}
     columns = {
-        f"Newton {release}": [
-            cell(releases, release, Headline("", "upgrade", SHIPPED, column, unit)).bare
-            for column, (_, unit) in LIVE.items()
-        ]
+        f"Newton {release}": [cell(releases, release, headline).bare for headline in found.values()]
         for release in releases
     }
-    labels = [f"{label} [{unit_label(unit)}]" if unit_label(unit) else label for label, unit in LIVE.values()]
-    index = pd.Index(labels, name="")
-    return Table(pd.DataFrame(columns, index=index, dtype=object))
+    units = [unit_label(unit) for _, unit in LIVE.values()]
+    labels = [label + (f" [{unit}]" if unit else "") for (label, _), unit in zip(LIVE.values(), units, strict=True)]
+    return table_of("", labels, columns)
 
 
 def tried_table(releases: Releases) -> Table:
-    columns = {
-        f"Newton {release}": [cell(releases, release, Headline("", "upgrade", case, "slip_mm", "mm")) for case in TRIED]
-        for release in releases
-    }
-    index = pd.Index(TRIED.values(), name="")
-    return Table(pd.DataFrame(columns, index=index, dtype=object))
+    tried = [Headline("", "upgrade", case, "slip_mm", "mm") for case in TRIED]
+    columns = {f"Newton {release}": [cell(releases, release, each) for each in tried] for release in releases}
+    return table_of("", TRIED.values(), columns)
 
 
 def option_table(releases: Releases) -> Table:
-    """Solver options and defaults that the releases do not have alike."""
+    """Show solver options and defaults that the releases do not have alike."""
     found: dict[str, dict[str, Quantity | str]] = {}
-    for release, sections in releases.items():
-        rows = sections["upgrade"].results.rows if "upgrade" in sections else []
-        for row in rows:
+    measured = {release: sections["upgrade"].results for release, sections in releases.items() if "upgrade" in sections}
+    for release, results in measured.items():
+        for row in results.rows:
             if row.kind in SETTINGS:
                 found.setdefault(f"{SETTINGS[row.kind]} {row.name}", {})[release] = row["value"]
-    measured = [release for release, sections in releases.items() if "upgrade" in sections]
     differing = {
         name: values
         for name, values in found.items()
         if len({getattr(values.get(release), "value", values.get(release)) for release in measured}) > 1
-    }
+    } or {"none": dict.fromkeys(measured, "")}
     columns = {
         f"Newton {release}": [Markup("{}").format(values.get(release, "–")) for values in differing.values()]
-        or [Markup()]
         for release in measured
     }
-    index = pd.Index(list(differing) or ["none"], name="")
-    return Table(pd.DataFrame(columns, index=index, dtype=object))
+    return table_of("", differing, columns)
 
 
 def slip_figure(releases: Releases) -> Figure:
@@ -212,8 +191,6 @@ def _draw_slips(releases: Releases) -> Drawing:
         say_value(axes, place, height, write(found))
     axes.set_yscale("log")
     axes.set_xticks(list(places), list(releases))
-    axes.set_xlim(-0.3, len(releases) - 0.6)
-    axes.set_xlabel("Newton release")
-    axes.set_ylabel("slip [mm]")
+    axes.set(xlim=(-0.3, len(releases) - 0.6), xlabel="Newton release", ylabel="slip [mm]")
     drawing.legend(loc="outside upper left", ncols=3, fontsize=9)
     return drawing

@@ -220,9 +220,8 @@ def test_a_command_names_the_release_where_it_is_not_the_project_s_own():
 
 
 def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages():
-    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     packages = {"newton": "1.8.0", "warp-lang": "1.19.0", "mujoco-warp": MISSING, "mujoco": MISSING}
-    found = requirements(project, packages)
+    found = requirements(ROOT, packages)
     assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
     assert any(name.startswith("pandas") for name in found)
     assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)

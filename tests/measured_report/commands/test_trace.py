@@ -6,7 +6,7 @@ from measured_report import UsageError
 from measured_report.commands.trace import Ways
 from measured_report.deriving.editions import editions_of
 from measured_report.pages.page import Templates
-from measured_report.records.settings import from_shipped
+from measured_report.records.columns import changed_parameters
 
 ROWS = (
     {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
@@ -79,4 +79,4 @@ def test_what_is_no_number_has_no_way(toy, name):
 
 def test_what_differs_from_the_scene_as_shipped():
     row = {"case": "x", "backend": "warp", "cube_gap_m": 0.1, "shake_amplitude_m": 0.0, "slip_mm": 1.0}
-    assert from_shipped(row) == {"shake_amplitude_m": 0.0}
+    assert changed_parameters(row) == {"shake_amplitude_m": 0.0}

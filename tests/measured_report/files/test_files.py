@@ -298,4 +298,4 @@ def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
     data = json.loads(toy.record_path.read_text())
     FIELDS[name](data)
     with pytest.raises((ReportError, TypeError)):
-        requirements("", data["identity"]["packages"])
+        requirements(toy.project.root, data["identity"]["packages"])

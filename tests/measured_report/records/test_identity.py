@@ -1,46 +1,125 @@
 """Freshness: what makes a record stale, and what does not."""
 
 import ast
+import re
+import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from measured_report import ROOT
-from measured_report.records.identity import canonical, identity_of, sections
+from measured_report.records import provenance
+from measured_report.records.code import unchanged_files
+from measured_report.records.identity import identity_of, sections
+from measured_report.records.syntax import Canonical
+
+SOURCES = {
+    "experiments/toy.py": '''"""A section."""
+from experiments.middle import firm, loose
+
+RUNS = 3
 
 
-def changed(toy) -> tuple[str, ...]:
-    return toy.state().notes
+def measure(conditions):
+    """Measure it."""
+    assert RUNS, "no runs"
+    return [firm(run) - loose(run) for run in range(RUNS)]
+''',
+    "experiments/middle.py": """from experiments.far import scaled
+from measured_report.records.columns import PLAIN
+
+ROBOT = "assets/robot.urdf"
 
 
-def replace_in(toy, name: str, old: str, new: str) -> None:
-    text = (toy.project.root / name).read_text()
-    assert old in text
-    toy.write(name, text.replace(old, new))
+def firm(run, factor=2.0):
+    if run < 0:
+        raise ValueError(f"{run} is negative")
+    return scaled(run) * factor
 
 
-def test_a_record_of_this_code_is_fresh(toy):
-    assert toy.state().kind == "fresh"
+def loose(run):
+    return len(ROBOT) + len(PLAIN) + run
 
 
-def test_comments_docstrings_and_layout_change_nothing(toy):
-    replace_in(toy, "experiments/scene.py", '"""How far it slips."""', '"""Something else."""  # a remark')
-    replace_in(toy, "experiments/scene.py", "1.0", "(\n        1.0\n    )")
-    replace_in(toy, "experiments/toy.py", "def measure", "# why\ndef measure")
-    assert toy.state().kind == "fresh"
+def unused():
+    return 1
+""",
+    "experiments/far.py": """LIMIT = 10.0
 
 
-def test_a_helper_counts(toy):
-    replace_in(toy, "experiments/scene.py", "1.0", "2.0")
-    assert toy.state().kind == "stale"
-    assert changed(toy) == ("code: experiments/scene.py",)
+def scaled(run):
+    return min(run, LIMIT)
+""",
+}
 
 
-def test_an_asset_counts(toy):
-    toy.write("assets/robot.urdf", "<robot name='other'/>")
-    assert changed(toy) == ("config: assets/robot.urdf",)
+@pytest.fixture
+def chain(toy):
+    """The toy with a section that is measured through two other modules."""
+    for name, text in SOURCES.items():
+        toy.write(name, text)
+    toy.measure()
+    return toy
+
+
+def replace_in(toy, old: str, new: str) -> None:
+    """Replace a text wherever the experiments have it."""
+    paths = [path for path in (toy.project.root / "experiments").rglob("*.py") if old in path.read_text()]
+    assert paths
+    for path in paths:
+        toy.write(path.relative_to(toy.project.root).as_posix(), path.read_text().replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"""Measure it."""', '"""Something else."""  # a remark'),
+        ("LIMIT = 10.0", "LIMIT = (\n    10.0\n)"),
+        ("is negative", "is perhaps negative"),
+        ('"no runs"', 'f"{RUNS} runs"'),
+        ("return 1", "return 2"),
+        ("def unused", "def later():\n    return 3\n\n\ndef unused"),
+        ("scaled", "limited"),
+        ("LIMIT", "BOUND"),
+        ("PLAIN", "REASON"),
+        ("import firm, loose", "import loose, firm as firm"),
+    ],
+)
+def test_what_changes_no_row_leaves_a_record_fresh(chain, old, new):
+    replace_in(chain, old, new)
+    assert chain.state().kind == "fresh"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "file"),
+    [
+        ("RUNS = 3", "RUNS = 4", "toy"),
+        ("factor=2.0", "factor=3.0", "middle"),
+        ("ValueError", "TypeError", "middle"),
+        ("LIMIT = 10.0", "LIMIT = 11.0", "far"),
+        ("return min", "return max", "far"),
+        ("firm(run) - loose(run)", "loose(run) - firm(run)", "toy"),
+        ("LIMIT = 10.0", "LIMIT = 10.0\nprint(LIMIT)", "far"),
+    ],
+)
+def test_what_may_change_a_row_makes_it_stale(chain, old, new, file):
+    replace_in(chain, old, new)
+    assert f"code: experiments/{file}.py" in chain.state().notes
+
+
+def test_a_module_may_move(chain):
+    (chain.project.root / "experiments/far.py").unlink()
+    chain.write("experiments/elsewhere/distant.py", SOURCES["experiments/far.py"])
+    replace_in(chain, "experiments.far", "experiments.elsewhere.distant")
+    assert chain.state().kind == "fresh"
+
+
+def test_an_asset_counts_where_it_is_reached(chain):
+    chain.write("assets/robot.urdf", "<robot name='other'/>")
+    assert chain.state().notes == ("config: assets/robot.urdf",)
 
 
 def test_the_profile_counts(toy):
@@ -50,7 +129,7 @@ def test_the_profile_counts(toy):
 
 
 def test_a_module_that_is_not_imported_does_not_count(toy):
-    toy.write("experiments/other.py", "x = 1\n")
+    toy.write("experiments/other.py", "print(1)\n")
     assert toy.state().kind == "fresh"
 
 
@@ -64,20 +143,18 @@ def test_a_module_that_is_not_imported_does_not_count(toy):
         "def late():\n    from experiments.extra import x",
     ],
 )
-def test_every_way_to_import_is_followed(toy, statement):
-    toy.write("experiments/extra.py", "x = 1\n")
-    toy.write("experiments/toy.py", statement + "\n")
+def test_what_a_module_does_when_it_is_imported_counts_however_it_is(toy, statement):
+    toy.write("experiments/extra.py", "x = 1\nprint(x)\n")
+    toy.write("experiments/toy.py", f"{statement}\n\n\ndef measure(conditions):\n    pass\n")
     toy.measure()
-    toy.write("experiments/extra.py", "x = 2\n")
-    assert changed(toy) == ("code: experiments/extra.py",)
+    toy.write("experiments/extra.py", "x = 2\nprint(x)\n")
+    assert toy.state().notes == ("code: experiments/extra.py",)
 
 
 def test_package_versions_count(toy, monkeypatch):
-    from measured_report.records import identity
-
     installed = {**toy.packages, "warp-lang": "9.9"}
-    monkeypatch.setattr(identity.metadata, "version", installed.__getitem__)
-    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in changed(toy))
+    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
+    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
 
 
 def test_the_machine_does_not_count(toy):
@@ -86,14 +163,66 @@ def test_the_machine_does_not_count(toy):
     assert toy.state().kind == "fresh"
 
 
+@pytest.fixture(scope="module")
+def copied(tmp_path_factory) -> Path:
+    """A copy of the real experiments."""
+    root = tmp_path_factory.mktemp("copied")
+    shutil.copytree(ROOT / "experiments", root / "experiments", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("packages", "assets", "report"):
+        (root / name).symlink_to(ROOT / name)
+    return root
+
+
+def identities(root: Path) -> dict[str, tuple[str, str]]:
+    with unchanged_files():
+        found = {section: identity_of(section, "full", root, {}) for section in sections(root)}
+    return {section: (identity.code, identity.config) for section, identity in found.items()}
+
+
+def edited(root: Path, edit: Callable[[str], str]) -> None:
+    for path in (root / "experiments").rglob("*.py"):
+        path.write_text(edit(path.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def reworded(text: str) -> str:
+    """A module in which every error says something else."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Raise | ast.Assert):
+            said = node.exc if isinstance(node, ast.Raise) else node.msg
+            for part in ast.walk(said) if said else ():
+                if isinstance(part, ast.Constant) and isinstance(part.value, str):
+                    part.value += " perhaps"
+    return ast.unparse(tree)
+
+
+def test_no_record_is_stale_when_the_simulation_moves_and_errors_are_reworded(copied):
+    before = identities(copied)
+    assert before == identities(ROOT) and len(before) > 30
+    moved = copied / "experiments/elsewhere/deeper"
+    moved.parent.mkdir()
+    (copied / "experiments/simulation").rename(moved)
+    edited(copied, lambda text: reworded(re.sub(r"\bexperiments\.simulation\b", "experiments.elsewhere.deeper", text)))
+    assert identities(copied) == before
+
+
+def test_the_generator_never_counts():
+    with unchanged_files():
+        found = {name for section in sections() for name in identity_of(section, "full", packages={}).files}
+    assert "experiments/simulation/simulation.py" in found
+    assert not [name for name in found if name.startswith("measured_report/")]
+
+
 def test_every_python_agrees_on_the_identity():
     versions = Path.home() / ".pyenv/versions"
     pythons = [path for minor in range(10, 14) for path in versions.glob(f"3.{minor}.*/bin/python")]
     if not pythons:
         pytest.skip("there is no other Python here")
     code = (
-        "from measured_report.records.identity import identity_of; import sys;"
-        "print([identity_of(name, 'full').code for name in sys.argv[1:]])"
+        "import sys; sys.path.append('packages/measured-report');"
+        "from measured_report.records.code import files, roots_of; from pathlib import Path;"
+        "graph = files().graph(roots_of(Path.cwd()));"
+        "print([sorted(graph.reached(f'experiments.{name}.measure').values()) for name in sys.argv[1:]])"
     )
     digests = {
         subprocess.run([python, "-c", code, *sections()], cwd=ROOT, capture_output=True, check=True).stdout
@@ -106,6 +235,6 @@ def test_a_digest_does_not_depend_on_how_a_python_reads_nested_format_specificat
     earlier, later = ast.parse('f"{name:{width}}"'), ast.parse('f"{name:{width}}"')
     specification = later.body[0].value.values[0].format_spec
     specification.values = [part for part in specification.values if isinstance(part, ast.FormattedValue)]
-    without = canonical(later)
+    without = Canonical().plain(later, ())
     specification.values.append(ast.Constant(""))
-    assert canonical(earlier) == without == canonical(later)
+    assert Canonical().plain(earlier, ()) == without == Canonical().plain(later, ())

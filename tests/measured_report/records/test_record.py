@@ -9,7 +9,7 @@ from damage import damage
 
 from measured_report.files.files import RecordError
 from measured_report.measuring.section_run import believable
-from measured_report.records.columns import number_problem, unit_of, units_of
+from measured_report.records.columns import column_of, number_problem, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import record_path, write_record
 from measured_report.records.traces import load_trace, packed, trace_path
@@ -76,7 +76,7 @@ def test_a_missing_number_needs_its_reason(toy):
     ],
 )
 def test_a_column_says_its_unit(column, unit):
-    assert unit_of(column) == unit
+    assert column_of(column).unit == unit
 
 
 def test_only_numbers_have_units():

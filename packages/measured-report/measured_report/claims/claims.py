@@ -1,13 +1,13 @@
 """Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate, groupby
 from typing import Any
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from measured_report.claims.words import Wording
 from measured_report.values.format import ABSENT
@@ -26,6 +26,23 @@ NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
 
 
 @dataclass(frozen=True)
+class Bound(Quantity):
+    """A number that was chosen for one test, and that no words name."""
+
+    why: str = ""
+
+    def __str__(self) -> str:
+        return f"{super().__str__()} ({self.why})"
+
+    def __html__(self) -> Markup:
+        return escape(super().__str__())
+
+
+Number = Quantity | float
+"""What a test compares: a quantity, or a number that was chosen in the unit of the quantities, and ``why`` in words."""
+
+
+@dataclass(frozen=True)
 class Outcome:
     """What a test on the results found: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
 
@@ -38,10 +55,14 @@ class Outcome:
     """Whether it fails because the opposite is shown, and not for want of what would show it."""
     reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
     """Pointers to all that the test compared, and to what that was computed from."""
+    bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """Numbers that were chosen for the test alone, each with its unit and why."""
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
         """The same, for a test that looked at these as well."""
-        return replace(self, reads=self.reads.union(*(quantity.reads for quantity in quantities)))
+        reads = self.reads.union(*(quantity.reads for quantity in quantities))
+        chosen = [str(quantity) for quantity in quantities if isinstance(quantity, Bound)]
+        return replace(self, reads=reads, bounds=tuple(dict.fromkeys((*self.bounds, *chosen))))
 
     @property
     def said(self) -> str:
@@ -54,6 +75,7 @@ class Outcome:
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")
 OPPOSITE = Outcome("fails", is_opposite=True)
+WITHIN_NOISE = Outcome("unknown", "the difference is within the noise")
 
 
 @dataclass(frozen=True)
@@ -98,9 +120,10 @@ class Claim:
         return " ".join(NUMBER.sub("#", str(self.sentence)).split())
 
     def html(self, section: str) -> Markup:
-        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}"{}>{}</span>')
+        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
         opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
-        html = claim.format(section, self.name, self.outcome.name, opposite, self.sentence)
+        bounds = Markup(' title="Chosen: {}"').format("; ".join(self.outcome.bounds)) if self.outcome.bounds else ""
+        html = claim.format(section, self.name, self.outcome.name, opposite, bounds, self.sentence)
         because = self.said("because") if self.outcome == HOLDS else ""
         return html + Markup(" {}").format(because) if because else html
 
@@ -115,38 +138,37 @@ def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     return (_undecided(*quantities) or (HOLDS if is_so else FAILS)).having_read(*quantities)
 
 
-def greater(a: Quantity, b: Quantity, *, noise: Quantity) -> Outcome:
+def greater(a: Number, b: Number, *, noise: Number, why: str = "") -> Outcome:
     """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
-    return _by_sign(lambda: a.value - b.value, noise, a, b)
+    a, b, noise = _quantities(why, a, b, noise)
+    found = _undecided(a, b, noise)
+    if not found:
+        difference = a.value - b.value
+        is_within = abs(difference) <= noise.value
+        found = WITHIN_NOISE if is_within else HOLDS if difference > 0 else OPPOSITE
+    return found.having_read(a, b, noise)
 
 
-def _by_sign(difference: Callable[[], float], noise: Quantity, *quantities: Quantity) -> Outcome:
-    """Holds where the difference is above the noise; below it is the opposite."""
-    found = _undecided(*quantities, noise)
-    if not found and abs(size := difference()) <= noise.value:
-        found = Outcome("unknown", "the difference is within the noise")
-    return (found or (HOLDS if size > 0 else OPPOSITE)).having_read(*quantities, noise)
-
-
-def increases(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
     before; falling so all the way is the opposite."""
-    return _trend(sequence, noise, 1.0)
+    return _trend(sequence, noise, why, 1.0)
 
 
-def decreases(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """``increases``, the other way round."""
-    return _trend(sequence, noise, -1.0)
+    return _trend(sequence, noise, why, -1.0)
 
 
-def _trend(sequence: Sequence[Quantity], noise: Quantity, way: float) -> Outcome:
+def _trend(sequence: Sequence[Quantity], noise: Number, why: str, sign: float) -> Outcome:
+    *sequence, noise = _quantities(why, *sequence, noise)
     if undecided := _undecided(*sequence, noise):
         return undecided.having_read(*sequence, noise)
-    values = [way * quantity.value for quantity in sequence]
+    values = [sign * quantity.value for quantity in sequence]
     if len(values) < 2:
         found = Outcome("unknown", "it takes two values to see a trend")
     elif abs(values[-1] - values[0]) <= noise.value:
-        found = Outcome("unknown", "the difference is within the noise")
+        found = WITHIN_NOISE
     elif _never_turns(values, noise.value):
         found = HOLDS
     else:
@@ -162,8 +184,9 @@ def _never_turns(values: Sequence[float], noise: float) -> bool:
     )
 
 
-def equal_within(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
+def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
+    *sequence, noise = _quantities(why, *sequence, noise)
     found = _undecided(*sequence, noise)
     if not found and not sequence:
         found = Outcome("unknown", "there is nothing to compare")
@@ -173,8 +196,9 @@ def equal_within(sequence: Sequence[Quantity], *, noise: Quantity) -> Outcome:
     return found.having_read(*sequence, noise)
 
 
-def same_sign(*quantities: Quantity, noise: Quantity) -> Outcome:
+def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
     """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
+    *quantities, noise = _quantities(why, *quantities, noise)
     found = _undecided(*quantities, noise)
     if not found and any(abs(quantity.value) <= noise.value for quantity in quantities):
         found = Outcome("unknown", "one of them is within the noise")
@@ -186,20 +210,21 @@ def same_sign(*quantities: Quantity, noise: Quantity) -> Outcome:
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
     """Whether those that are true stand together, in the order given; the quantities are what they were decided by."""
     runs = sum(1 for flag, _ in groupby(flags) if flag)
-    found = _undecided(*quantities) or (HOLDS if runs == 1 else FAILS)
-    return found.having_read(*quantities)
+    return decided(runs == 1, *quantities)
 
 
-def within(difference: Quantity, noise: Quantity) -> Outcome:
+def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
     """Whether a difference is no more than noise; one that is little more can't tell."""
+    difference, noise = _quantities(why, difference, noise)
     found = _undecided(difference, noise)
     if not found:
         found = HOLDS if difference.value <= noise.value else beyond(difference, noise)
     return found.having_read(difference, noise)
 
 
-def beyond(difference: Quantity, noise: Quantity) -> Outcome:
+def beyond(difference: Quantity, noise: Number, why: str = "") -> Outcome:
     """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    difference, noise = _quantities(why, difference, noise)
     if found := _absent(difference, noise):
         return found.having_read(difference, noise)
     if abs(difference.value) > NEAR_NOISE * noise.value:
@@ -210,14 +235,25 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     return near.having_read(difference, noise)
 
 
-def at_least(a: Quantity, bound: Quantity) -> Outcome:
+def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is reached; one that is missed shows nothing."""
+    a, bound = _quantities(why, a, bound)
     return decided(None not in (a.value, bound.value) and a.value >= bound.value, a, bound)
 
 
-def at_most(a: Quantity, bound: Quantity) -> Outcome:
+def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is kept; one that is not shows nothing."""
+    a, bound = _quantities(why, a, bound)
     return decided(None not in (a.value, bound.value) and a.value <= bound.value, a, bound)
+
+
+def _quantities(why: str, *numbers: Number) -> list[Quantity]:
+    """All as quantities: a plain number has the unit of those that are quantities, and was chosen for ``why``."""
+    unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
+    assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
+    return [
+        number if isinstance(number, Quantity) else Bound(number, unit, "", noise=0.0, why=why) for number in numbers
+    ]
 
 
 def _undecided(*quantities: Quantity) -> Outcome | None:
@@ -236,6 +272,7 @@ def all_of(*outcomes: Outcome) -> Outcome:
     Of those that fail one that is not shown comes first: no more is said than the weakest of them allows.
     """
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
+    bounds = tuple(dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds))
     order = ("not shown", "the opposite", "cannot tell", "holds")
     found = min(outcomes, key=lambda outcome: order.index(outcome.said), default=HOLDS)
-    return replace(found, reads=reads)
+    return replace(found, reads=reads, bounds=bounds)

@@ -1,7 +1,7 @@
 """What ``report.toml`` says: all that has to be known of a report besides its rooms."""
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -10,6 +10,27 @@ from typing import Any
 from measured_report import ROOT, ReportError
 
 FILE = "report.toml"
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What one table ``columns`` says of the columns that it names, or all of whose name its pattern matches."""
+
+    names: Collection[str] = ()
+    pattern: str = ""
+    kind: str = ""
+    """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
+    settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
+    given_beside: str = ""
+    """The column beside which it is given; alone it is measured."""
+    better: str = ""
+    """``less`` or ``more``."""
+    resolution: float = 0.0
+    """Least difference that counts, however well a machine repeats itself."""
+    signed: bool | None = None
+    """Whether its numbers have a sign; None: its unit says so."""
+    rate_of: str = ""
+    """The column of the time that makes this rate, whose share of noise it has."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +51,21 @@ class Config:
     """The module that measures the headline again, ``--device D --json FILE``."""
     commands: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """Programs that the command line offers besides, by name; ``commands.programs.Program`` has their fields."""
+    case: str = ""
+    """The dataclass, as ``module:name``, whose fields are what a run was set to."""
+    noise_section: str = "noise"
+    """The section whose rows are runs of one and the same case, as ``of`` says."""
+    repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """What columns say of runs that repeat to the last bit, all but times."""
+    cost_terms: tuple[str, ...] = ()
+    """Columns that two rows must share for their costs to be compared."""
+    columns: tuple[Declared, ...] = ()
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The files that this is read from, below the root: with the case's, they say what columns hold."""
+        module = self.case.partition(":")[0]
+        return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
 
     @property
     def package(self) -> str:
@@ -70,6 +106,7 @@ def config(root: Path = ROOT) -> Config:
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
+        found["columns"] = [Declared(**table) for table in found.get("columns", ())]
         fields: dict[str, Any] = {
             key: tuple(value) if isinstance(value, list) else value for key, value in found.items()
         }

@@ -4,24 +4,32 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Annotated
+
+from msgspec import Meta
 
 from measured_report import ROOT
 from measured_report.records.code import Source, digest_of, files, roots_of
 from measured_report.records.provenance import package_changes, package_versions
+
+Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
+FileName = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
+Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
+Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
 
 @dataclass(frozen=True)
 class Identity:
     """Digests of all that a measurement depends on, except the machine."""
 
-    code: str
+    code: Digest
     """Digest of the definitions that its ``measure`` may run; see ``code``."""
-    config: str
+    config: Digest
     """Digest of the profile and of the assets that these name."""
-    packages: Mapping[str, str]
+    packages: Mapping[str, Version]
     """Version by package."""
-    profile: str = "full"
-    files: Mapping[str, str] = field(default_factory=dict)
+    profile: Profile = "full"
+    files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
 
 
