@@ -8,7 +8,7 @@ from typing import Any
 from measured_report import ROOT, UsageError
 from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, own_release
-from measured_report.editions.stack import Stack, stack_of
+from measured_report.editions.stack import stack_of
 from measured_report.files.config import config
 from measured_report.files.near import near
 from measured_report.measuring.cluster_address import read_cluster
@@ -24,10 +24,6 @@ def _section(name: str) -> str:
             fault += near(name, sections())
         raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
-
-
-def _edition(option: str, asked: str) -> Stack:
-    return stack_of(asked, option=option)
 
 
 def _pins(text: str) -> str:
@@ -74,15 +70,15 @@ VALUES = ("sums", "all")
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
     EDITION: {
-        "type": partial(_edition, config().option),
+        "type": stack_of,
         "dest": "edition",
         "help": f"{config().edition_name}, where not the project's own: a release, a checkout, a wheel, "
         "git+https://…@ref or a label",
     },
     "with": {"type": _pins, "dest": "pins", "default": "", "help": "versions of packages, as PACKAGE==1.19.0"},
-    "a": {"type": partial(_edition, "A"), "help": "edition to compare from"},
-    "b": {"type": partial(_edition, "B"), "help": "edition to compare with it"},
-    "since": {"type": partial(_edition, "SINCE"), "help": "edition to compare with; default: the one before"},
+    "a": {"type": partial(stack_of, option="A"), "help": "edition to compare from"},
+    "b": {"type": partial(stack_of, option="B"), "help": "edition to compare with it"},
+    "since": {"type": partial(stack_of, option="SINCE"), "help": "edition to compare with; default: the one before"},
     "claim": {"type": str, "default": "", "help": "claim, as SECTION.NAME"},
     "first": {"type": str, "default": "", "help": "what the first end answers"},
     "last": {"type": str, "default": "", "help": "what the last end answers"},

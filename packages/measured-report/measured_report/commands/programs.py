@@ -4,7 +4,7 @@ import argparse
 import pkgutil
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,7 +21,7 @@ class Program:
 
     module: str
     help: str
-    options: Sequence[str] = ()
+    options: tuple[str, ...] = ()
     needs: str = ""
     """What it takes besides: ``cluster``, or a dependency group of pyproject.toml."""
     state: str = ""
@@ -41,7 +41,8 @@ class Program:
 def programs(root: Path = ROOT) -> Mapping[str, Program]:
     """The programs by the names of their commands; ReportError where one has other fields."""
     try:
-        return {name: Program(**fields) for name, fields in config(root).commands.items()}
+        described = config(root).commands.items()
+        return {name: Program(**{**each, "options": tuple(each.get("options", ()))}) for name, each in described}
     except TypeError as error:
         raise ReportError(f"{FILE}: commands: {' '.join(str(error).split())}") from None
 

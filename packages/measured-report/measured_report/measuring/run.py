@@ -19,7 +19,6 @@ from measured_report import ReportError
 from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.config import config
-from measured_report.files.files import refuse_unwritable
 from measured_report.measuring.cluster_address import read_cluster
 from measured_report.measuring.executors import Executor, LocalExecutor
 from measured_report.measuring.host import host
@@ -76,7 +75,6 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
     arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
     modules = {section: section_module(section) for section in arguments.section}
-    refuse_unwritable(project.results)
     known = json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
 
