@@ -84,7 +84,7 @@ class LocalExecutor:
 class _InTurn(futures.Executor):
     """This process, which makes a call when it is asked to."""
 
-    def submit(self, function, /, *arguments) -> Future:
+    def submit(self, function, /, *args, **kwargs) -> Future:
         future: Future = Future()
-        future.set_result(function(*arguments))
+        future.set_result(function(*args, **kwargs))
         return future

@@ -101,7 +101,8 @@ def _run(project: Project, stack: Stack, module: str, device: str, *options: str
 
     What is not installed here is measured by the Python of its own environment.
     """
-    command = [python_of(stack, expected_packages(project), project.root), "-m", module, "--device", device, *options]
+    python = python_of(stack, expected_packages(project), project.root)
+    command = [str(python), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
@@ -127,7 +128,7 @@ def _run(project: Project, stack: Stack, module: str, device: str, *options: str
 
 def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
     """What the GPUs of a cluster elsewhere are called in a label."""
-    command = [python, "-m", "measured_report.measuring.cluster", cluster.asked]
+    command = [str(python), "-m", "measured_report.measuring.cluster", cluster.asked]
     said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
     if said.returncode:
         raise UsageError("")  # it has said why

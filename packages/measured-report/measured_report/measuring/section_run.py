@@ -161,7 +161,7 @@ def _together(values: Iterable[str | None]) -> str | None:
     return found[0] if len(found) == 1 else said if len(said) <= 400 else f"{len(found)} different ones"
 
 
-def believable(row: dict[str, object]) -> dict[str, object]:
+def believable(row: Mapping[str, object]) -> dict[str, object]:
     """The row with None, and the reason, for each number that no record may hold: one must not cost the others."""
     lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
-    return row | dict.fromkeys(lost) | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}
+    return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

@@ -66,9 +66,11 @@ class Process:
 
     def _begin(self) -> None:
         command = [sys.executable, "-m", "measured_report.measuring.process", self.device, str(os.getpid())]
-        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
         settings = {**os.environ, **self.settings, "TQDM_DISABLE": "1"}
-        self.program = subprocess.Popen(command, cwd=ROOT, env=settings, start_new_session=True, **pipes)
+        pipe = subprocess.PIPE
+        self.program = subprocess.Popen(
+            command, cwd=ROOT, env=settings, stdin=pipe, stdout=pipe, start_new_session=True
+        )
 
     def end(self) -> str:
         """End the process with all that it has started, and say how it had ended, if it had."""
