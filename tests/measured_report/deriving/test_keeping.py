@@ -19,7 +19,7 @@ from measured_report.deriving.keeping import surroundings
 from measured_report.files.cache import FOLDER, Cache
 from measured_report.pages.page import Templates
 from measured_report.records import identity
-from measured_report.records.code import sources_kept
+from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
 from measured_report.records.traces import packed
 
@@ -343,7 +343,7 @@ def test_what_sources_say_is_kept_by_their_texts(tmp_path, monkeypatch):
     def says(text: str) -> dict:
         module.write_text(text)
         identity._known.clear()
-        with sources_kept(tmp_path):
+        with cached_sources(tmp_path):
             return identity.read_source(module, "experiments/one.py").top
 
     assert says("order = 1\n") == {"order": 1}

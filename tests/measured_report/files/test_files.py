@@ -20,7 +20,7 @@ from measured_report import ROOT, ReportError
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.environment import requirements
 from measured_report.files.cache import FOLDER
-from measured_report.files.files import RecordError, locked, settle
+from measured_report.files.files import RecordError, locked, recover
 from measured_report.pages.page import Templates
 from measured_report.parts.drawing import Beside, draw_all
 from measured_report.records.reading import load_record
@@ -119,7 +119,7 @@ def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
         write_record(toy.record_path, toy.record(rows), traces)
         os._exit(0)
     ended = os.waitpid(child, 0)[1]
-    settle(toy.record_path.parent.parent)
+    recover(toy.record_path.parent.parent)
     found = load_record(toy.record_path)
     assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
     assert ended or found.rows[0]["slip_mm"] == 2.0

@@ -18,7 +18,7 @@ AT_FDCWD, RENAME_EXCHANGE = -100, 2
 
 
 @contextmanager
-def aside(folder: Path) -> Iterator[Path]:
+def staging_folder(folder: Path) -> Iterator[Path]:
     """A name beside ``folder`` for what is to take its place: whoever has it is alone with ``folder``.
 
     What is there afterwards is removed, as is what processes that were killed have left.

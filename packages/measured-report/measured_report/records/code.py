@@ -85,7 +85,7 @@ def files() -> Files:
 
 
 @contextmanager
-def sources_kept(root: Path = ROOT) -> Iterator[None]:
+def cached_sources(root: Path = ROOT) -> Iterator[None]:
     """Within it, what sources say is known from the processes before, since parsing all of them takes a second."""
     kept = Cache(root)
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
