@@ -100,9 +100,5 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     for path in sorted(paths):
         if path.is_file():
             content = path.read_bytes()
-            digest.update(f"{_name(path, root)}\0{len(content)}\0".encode() + content)
+            digest.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
     return digest.hexdigest()
-
-
-def _name(path: Path, root: Path) -> str:
-    return path.relative_to(root).as_posix()

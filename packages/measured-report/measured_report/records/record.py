@@ -10,7 +10,6 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
-from measured_report import ROOT
 from measured_report.files.config import config
 from measured_report.files.files import RecordError, place_of, put_record
 from measured_report.records.columns import (
@@ -110,16 +109,6 @@ SPEED_PARTS = ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")
 DIGITS = ".9g"
 """Of a number: as many as tell any two of single precision apart. What the last of them leave out is far below what
 any of these numbers repeats to."""
-
-
-def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
-    """Where the records of an edition lie; only those of the full profile are tracked."""
-    results = root / "results"
-    return (results if profile == "full" else results / profile) / config().edition_folder(release)
-
-
-def record_path(section: str, release: str, profile: str, root: Path = ROOT) -> Path:
-    return results_folder(release, profile, root) / f"{section}.json"
 
 
 def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
