@@ -19,27 +19,10 @@ from typing import Any, TypeGuard
 
 from measured_report.files.config import Declared, config
 
-UNITS = {
-    "mm_per_cycle": "mm/cycle",
-    "kg_m3": "kg/m³",
-    "ms_per_s": "ms/s",
-    "mrad_s": "mrad/s",
-    "mm_s": "mm/s",
-    "n_m": "N/m",
-    "per_s": "1/s",
-    "m_s2": "m/s²",
-    "m_s": "m/s",
-    "bytes_per_world": "B",
-    "bytes": "B",
-    "mm": "mm",
-    "m": "m",
-    "n": "N",
-    "s": "s",
-    "ms": "ms",
-    "hz": "Hz",
-    "kg": "kg",
-    "count": "1",
-}
+_LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
+_TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
+_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
+UNITS = _LENGTHS | _TIMES | _OTHERS
 """Unit by the end of a column's name; the longest end that fits counts."""
 
 PLAIN_TYPES = bool, int, float, str, type(None)

@@ -22,7 +22,7 @@ class Definition:
     tree: str
     """Digest of its syntax tree, with a gap in the place of each name that is not its own."""
     names: tuple[str, ...]
-    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.slip_mm``."""
+    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
     imports: Mapping[str, str]
     """What it imports itself, by name."""
     assets: tuple[str, ...]
@@ -155,7 +155,7 @@ def _is_aside(node: ast.AST) -> bool:
 
 
 def _chain(node: ast.AST) -> str:
-    """A name with the attributes that are asked of it, as ``metrics.slip_mm``; empty where it is something else."""
+    """A name with the attributes that are asked of it, as ``metrics.height_mm``; empty where it is something else."""
     attributes: list[str] = []
     while isinstance(node, ast.Attribute):
         attributes.append(node.attr)
