@@ -22,8 +22,8 @@ class RecordError(ReportError):
     """A record or trace that can't be trusted; the message is one line that names its release and file."""
 
 
-def place_of(path: Path) -> str:
-    """A record or a trace as messages name it: its release and its file."""
+def short_path(path: Path) -> str:
+    """The path of a record or a trace as messages have it: its edition's folder and its name."""
     return f"{path.parent.name}/{path.name}"
 
 
@@ -36,7 +36,7 @@ def is_own_file(path: Path) -> bool:
 
 def read_own_file(path: Path, byte_limit: int) -> bytes:
     """What the regular file at ``path`` holds; RecordError for a link, a pipe or a device, and for too much."""
-    place = place_of(path)
+    place = short_path(path)
     try:
         # A pipe that nobody writes to would keep us waiting.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)

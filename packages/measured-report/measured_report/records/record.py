@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from msgspec import Meta
 
 from measured_report.files.config import config
-from measured_report.files.files import RecordError, place_of, put_record
+from measured_report.files.files import RecordError, put_record, short_path
 from measured_report.records.columns import (
     PLAIN,
     REASON,
@@ -119,7 +119,7 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     """
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
-    check_record(record, place_of(path))
+    check_record(record, short_path(path))
     files = {f"{path.stem}.{case}.csv.gz": content for case, (_, content) in (traces or {}).items()}
     put_record(path, {**files, path.name: _text(record).encode()})
 
