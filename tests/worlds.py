@@ -1,6 +1,6 @@
 """Other worlds: the report as it would be if something else had been measured.
 
-Which claims turn out otherwise in a world than as tracked is kept in ``tests/worlds/``: a person reads it once, and a test
+``tests/worlds/`` keeps which claims turn out otherwise in a world than as tracked: a person reads it once, and a test
 compares. ``make worlds`` builds the whole site of each, figures as well, checks it and writes anew what is kept.
 """
 
