@@ -8,6 +8,7 @@ from worlds import AS_MEASURED, SNAPSHOTS, WORLDS, lines_of, otherwise, project_
 
 from measured_report.editions.project import own_release
 
+pytestmark = pytest.mark.words
 RECOMMENDING = ("front.title", "front.remedy", "front.is_mistuned", "front.way_", "story.remedy", "story.files")
 RECOMMENDING += ("fix.recommended", "stiffness.together_they_hold", "priority.pads_count")
 RECOMMENDING += ("reproduction.stiff_pads_hold",)

@@ -16,6 +16,7 @@ from measured_report.site.check import check_site
 from report.names import name_of
 from tests.report.test_names import unfit
 
+pytestmark = pytest.mark.words
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n(?: {3}\S.*\n)*\n((?: {7}.*\n|\n)+)", re.MULTILINE)
 
@@ -66,6 +67,7 @@ def test_the_section_that_is_added_works(toy, files):
     assert 'data-claim="toy.heavier_slips_more" data-outcome="unknown"' in toy.page, "there is no section on noise"
 
 
+@pytest.mark.slow
 def test_left_in_the_tree_it_passes_the_tests(tmp_path, files):
     """As it lies there before anything of it is measured, whether it was left in this tree as well or not."""
     for path in ROOT.glob("[!.]*"):

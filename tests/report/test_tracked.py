@@ -23,6 +23,7 @@ from measured_report.records.record import write_record
 from report.story.front import front_of
 from report.story.story import story_of
 
+pytestmark = pytest.mark.words
 NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
 """A number with a unit."""
 TWICE = ROOT / "tests" / "sentences" / "twice.txt"

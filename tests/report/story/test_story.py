@@ -19,6 +19,7 @@ from report.story.found import Found
 from report.story.front import front_of
 from report.story.story import TOLD, story_of
 
+pytestmark = pytest.mark.words
 WHOLE = ["1.4.0", "1.8.0"]
 """Releases that were measured whole."""
 MOST_WORDS = 2500
