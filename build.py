@@ -90,7 +90,8 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     _add_cluster(python, project)
-    return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
+    chosen = ["-m", "words and not slow"] if arguments.fast else []
+    return subprocess.run([python, "-m", "pytest", *chosen], cwd=project.root, check=False).returncode
 
 
 def worlds(project: Project, arguments: argparse.Namespace) -> int:
@@ -128,7 +129,7 @@ COMMANDS = {
     verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port", "newton", "profile"),
-    test: ("newton", "with"),
+    test: ("newton", "with", "fast"),
     worlds: (),
     torture: (),
 }

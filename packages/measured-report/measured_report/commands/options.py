@@ -103,6 +103,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     },
     "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
     "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
+    "fast": {"action": "store_true", "help": "only those that a change of words or figures needs"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},
