@@ -2,7 +2,7 @@
 
 from measured_report.parts.parts import Section
 from measured_report.values.results import Results
-from report.shared.variants import not_the_cause, variant_figure, variant_table, variants_of, within_noise
+from report.shared.variants import variant_section, variants_of
 
 order = 30
 label = "contact points"
@@ -16,9 +16,4 @@ LABELS = {
 
 
 def derive(results: Results) -> Section:
-    variants = variants_of(results, "contacts-60hz")
-    return Section(
-        tables={"cases": variant_table(variants, LABELS)},
-        figures={"cases": variant_figure(variants)},
-        claims=[not_the_cause(results, variants), within_noise(variants)],
-    )
+    return variant_section(results, variants_of(results, "contacts-60hz"), LABELS)

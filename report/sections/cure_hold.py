@@ -1,6 +1,6 @@
 """A minute with the arm held still: what creeps once positions are summed with what rounding takes from them kept?"""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from matplotlib.figure import Figure as Drawing
@@ -9,10 +9,10 @@ from experiments.facts.case import AS_SHIPPED
 from measured_report import ROOT
 from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import new_figure
-from measured_report.parts.parts import Download, Figure, Section, Table
+from measured_report.parts.parts import Download, Figure, Section
 from measured_report.values.results import Results, Row, Series
 from report.names import name_of
-from report.shared.arithmetic import SETTLES, by_case, departure, noise_floor, other_cell, ratio, share
+from report.shared.arithmetic import by_case, departure, noise_floor, other_cell, ratio, settles, share
 
 order = 143
 page = "cure"
@@ -22,25 +22,27 @@ POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")
 
 
+COLUMNS = {
+    "slip": "slip_mm",
+    "first second": "increment_first_mm",
+    "last second": "increment_final_mm",
+    "along the shake": "creep_x_mm_s",
+    "along the tool": "creep_z_mm_s",
+}
+
+
 def derive(results: Results) -> Section:
     rows = {case: results.row[case] for case in CASES}
     traces = {case: results.trace(case) for case in CASES}
-    motion = Figure(
-        draw=lambda: _draw(traces),
-        sources=list(traces.values()),
-        numbers={
-            "duration": rows["rounded"].shake_duration_s,
-            "rounded": rows["rounded"].slip_mm,
-            "kept": rows["kept"].slip_mm,
-            "best": rows["best"].slip_mm,
-        },
-    )
+    slips = {case: row.slip_mm for case, row in rows.items()}
+    numbers = {"duration": rows["rounded"].shake_duration_s} | {
+        case: slips[case] for case in ("rounded", "kept", "best")
+    }
     return Section(
-        tables={"cases": _table(rows)},
-        figures={"motion": motion},
+        tables={"cases": by_case(list(rows.values()), COLUMNS)},
+        figures={"motion": Figure(lambda: _draw(traces), list(traces.values()), numbers)},
         claims=[
-            _compensation_helps(results, rows),
-            _stiff_creep_is_rounding(results, rows),
+            *_compensation_helps(results, rows),
             _impratio_alone_does_not(results, rows),
             _rest_goes_with_impratio(results, rows),
             _best_stays(results, rows),
@@ -49,82 +51,57 @@ def derive(results: Results) -> Section:
     )
 
 
-def _compensation_helps(results: Results, rows: Mapping[str, Row]) -> Claim:
-    rounded, kept = (rows[case].increment_final_mm for case in ("rounded", "kept"))
+def _compensation_helps(results: Results, rows: Mapping[str, Row]) -> Iterator[Claim]:
+    """Tell whether compensated positions take the creep away, with shipped pads and with stiff ones."""
+    floor = noise_floor(results, "slip_floor")
+    before, after = rows["rounded"], rows["kept"]
+    rounded, kept = before.increment_final_mm, after.increment_final_mm
     bound = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, unit="mm")
-    outcome = all_of(greater(rounded, kept, noise=noise_floor(results, "slip_floor")), at_most(kept, bound))
-    numbers = {"rounded": rounded, "kept": kept, "slip": rows["rounded"].slip_mm, "slip_kept": rows["kept"].slip_mm}
-    gain = ratio(results, "kept_gain", "slip with positions rounded over that with compensated ones", *_slips(rows))
-    return Claim(
-        "compensation_helps",
-        all_of(outcome, at_least(gain, results.chosen("kept_gain_bound", "less by half", 2.0))),
-        numbers=numbers | {"bound": bound, "duration": rows["rounded"].shake_duration_s},
-    )
+    formula = "slip with positions rounded over that with compensated ones"
+    gain = ratio(results, "kept_gain", formula, before.slip_mm, after.slip_mm)
+    outcome = all_of(greater(rounded, kept, noise=floor), at_most(kept, bound), at_least(gain, 2.0, why="less by half"))
+    numbers = {"rounded": rounded, "kept": kept, "slip": before.slip_mm, "slip_kept": after.slip_mm}
+    numbers |= {"bound": bound, "duration": before.shake_duration_s}
+    yield Claim("compensation_helps", outcome, numbers)
 
-
-def _stiff_creep_is_rounding(results: Results, rows: Mapping[str, Row]) -> Claim:
     kept, rounded = rows["kept-stiff"].slip_mm, other_cell(results, "hold", "hold-60s-stiff", "slip_mm", unit="mm")
-    formula = "slip with positions rounded over that with compensated ones, both with stiff pads"
-    gain = ratio(results, "kept_stiff_gain", formula, rounded, kept)
-    is_less = greater(rounded, kept, noise=noise_floor(results, "slip_floor"))
-    outcome = all_of(is_less, at_least(gain, results.chosen("kept_stiff_bound", *SETTLES)))
-    return Claim("stiff_creep_is_rounding", outcome, {"kept": kept, "rounded": rounded, "gain": gain})
-
-
-def _slips(rows: Mapping[str, Row]) -> tuple:
-    return rows["rounded"].slip_mm, rows["kept"].slip_mm
+    gain = ratio(results, "kept_stiff_gain", f"{formula}, both with stiff pads", rounded, kept)
+    outcome = all_of(greater(rounded, kept, noise=floor), settles(gain))
+    yield Claim("stiff_creep_is_rounding", outcome, {"kept": kept, "rounded": rounded, "gain": gain})
 
 
 def _impratio_alone_does_not(results: Results, rows: Mapping[str, Row]) -> Claim:
     before, after = (rows[case].slip_mm for case in ("rounded", "rounded-impratio"))
-    left = share(
-        results, "impratio_share", "slip with a high impratio, of that as shipped, both rounded", after, before
-    )
-    bound = results.chosen("impratio_bound", "most of it remains", 50.0, unit="%")
+    formula = "slip with a high impratio, of that as shipped, both rounded"
+    left = share(results, "impratio_share", formula, after, before)
     numbers = {"before": before, "after": after, "impratio": rows["rounded-impratio"].impratio}
-    return Claim("impratio_alone_does_not", at_least(left, bound), numbers=numbers)
+    return Claim("impratio_alone_does_not", at_least(left, 50.0, why="most of it remains"), numbers)
 
 
 def _rest_goes_with_impratio(results: Results, rows: Mapping[str, Row]) -> Claim:
     """Regularization under load is in proportion to 1 / impratio, and nothing else of what is left is."""
-    before, after = (rows[case].creep_z_mm_s for case in ("kept", "kept-impratio"))
+    creeps = before, after = [rows[case].creep_z_mm_s for case in ("kept", "kept-impratio")]
     formula = "rate of the creep along the tool with impratio as shipped over that with a high one, both compensated"
     gain = ratio(results, "rest_gain", formula, before, after)
-    formula = f"impratio over the {AS_SHIPPED.impratio:g} of the scene"
-    high = rows["kept-impratio"].impratio
-    raised = results.value("impratio_raised", formula, lambda impratio: impratio / AS_SHIPPED.impratio, high)
+    shipped, high = AS_SHIPPED.impratio, rows["kept-impratio"].impratio
+    formula = f"impratio over the {shipped:g} of the scene"
+    raised = results.value("impratio_raised", formula, lambda impratio: impratio / shipped, high)
     off = departure(results, "rest_gain_off", "how far that is from how much impratio was raised", gain, raised)
-    bound = results.chosen("rest_gain_bound", "in proportion", 5.0, unit="%")
     sizes = [
         results.value(f"rest_size_{case}", "size of the creep along the tool", abs, creep, unit="mm/s")
-        for case, creep in (("before", before), ("after", after))
+        for case, creep in zip(("before", "after"), creeps, strict=True)
     ]
-    return Claim(
-        "rest_goes_with_impratio",
-        all_of(at_most(off, bound), greater(*sizes, noise=noise_floor(results, "drift_floor"))),
-        numbers={"before": before, "after": after, "gain": gain, "raised": raised},
-    )
+    falls = greater(*sizes, noise=noise_floor(results, "drift_floor"))
+    numbers = {"before": before, "after": after, "gain": gain, "raised": raised}
+    return Claim("rest_goes_with_impratio", all_of(at_most(off, 5.0, why="in proportion"), falls), numbers)
 
 
 def _best_stays(results: Results, rows: Mapping[str, Row]) -> Claim:
     rounded, best = (rows[case].slip_mm for case in ("rounded", "best"))
     gain = ratio(results, "best_gain", "slip as shipped over that with all remedies", rounded, best)
-    bound = results.chosen("best_gain_bound", *SETTLES)
     is_told = None not in (gain.value, gain.noise) and gain.noise < gain.value
     numbers = {"best": best, "rounded": rounded, "gain": gain, "is_told": is_told}
-    numbers |= {"duration": rows["best"].shake_duration_s}
-    return Claim("best_stays", at_least(gain, bound), numbers=numbers)
-
-
-def _table(rows: Mapping[str, Row]) -> Table:
-    columns = {
-        "slip": [row.slip_mm for row in rows.values()],
-        "first second": [row.increment_first_mm for row in rows.values()],
-        "last second": [row.increment_final_mm for row in rows.values()],
-        "along the shake": [row.creep_x_mm_s for row in rows.values()],
-        "along the tool": [row.creep_z_mm_s for row in rows.values()],
-    }
-    return by_case(list(rows.values()), columns)
+    return Claim("best_stays", settles(gain), numbers | {"duration": rows["best"].shake_duration_s})
 
 
 def _draw(traces: Mapping[str, Series]) -> Drawing:
@@ -134,9 +111,7 @@ def _draw(traces: Mapping[str, Series]) -> Drawing:
             moved = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
             place = (number / len(CASES) * 0.1, 0.1)
             axes.plot(trace.value["time_s"].iloc[1:], moved[1:], label=name_of(case), markevery=place)
-    axes.set_yscale("log")
+    axes.set(yscale="log", ylabel="displacement [mm]", xlabel="time since the shake would begin [s]")
     axes.set_ylim(bottom=1e-3)
-    axes.set_ylabel("displacement [mm]")
-    axes.set_xlabel("time since the shake would begin [s]")
     drawing.legend(loc="outside upper center", ncols=2)
     return drawing

@@ -1,7 +1,8 @@
 """Does the cure hold up at the limits of the grasp, where it could break what holds without it?"""
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from statistics import median
 
 import pandas as pd
@@ -37,77 +38,62 @@ def derive(results: Results) -> Section:
     for row in results.rows:
         runs[row.of][row.way] = row
     whole = {name: ways for name, ways in runs.items() if {"plain", *WAYS} <= set(ways)}
-    creep = Figure(
-        draw=lambda: _draw(whole),
-        sources=[row.creep_mm_s for ways in whole.values() for row in ways.values() if row.kept],
-        numbers={"count": _count(results, "run_count", "runs", whole.values())},
-    )
+    kept = [row.creep_mm_s for ways in whole.values() for row in ways.values() if row.kept]
+    count = _count(results, "run_count", "runs", whole.values())
     return Section(
         tables={"families": _table(results, whole)},
-        figures={"creep": creep},
-        claims=[
-            *(_breaks_nothing(results, whole, way) for way in WAYS),
-            *(_creeps_less(results, whole, way) for way in WAYS),
-        ],
+        figures={"creep": Figure(lambda: _draw(whole), kept, {"count": count})},
+        claims=[*_breaks_nothing(results, whole), *_creeps_less(results, whole)],
     )
 
 
 def _kept(runs: Runs, *ways: str) -> Runs:
-    """Runs that keep the cube in each of these ways."""
+    """Select the runs that keep the cube in each of these ways."""
     return {name: found for name, found in runs.items() if all(found[way].kept for way in ways)}
 
 
 def _count(results: Results, name: str, formula: str, runs: Iterable[Mapping[str, Row]]) -> Value:
-    """How many runs there are, as a value that points to them."""
+    """Count runs, as a value that points to them."""
     return cell_count(results, name, formula, [ways["plain"].substeps for ways in runs])
 
 
-def _breaks_nothing(results: Results, runs: Runs, way: str) -> Claim:
-    """Whether each run that keeps the cube with nothing done keeps it this way too."""
-    plain, mine = _kept(runs, "plain"), _kept(runs, way)
-    lost = [name for name in plain if name not in mine]
-    won = [found for name, found in mine.items() if name not in plain]
-    count = _count(results, f"kept_{way}", "runs that keep the cube with nothing done", plain.values())
-    lost_count = _count(results, f"lost_{way}", "of these, runs that lose it this way", [plain[name] for name in lost])
-    won_count = _count(results, f"won_{way}", "runs that keep it only this way", won)
-    none = results.chosen(f"lost_bound_{way}", "none of them is lost", 0)
-    outcome = at_most(lost_count, none) if plain else Outcome("unknown", "no run keeps the cube without it")
-    numbers = {
-        "count": count,
-        "lost_count": lost_count,
-        "won": won_count,
-        "lost": some_html([case_html(name) for name in lost]),
-    }
-    return Claim(f"{way}_breaks_nothing", outcome.having_read(count), numbers=numbers)
+def _breaks_nothing(results: Results, runs: Runs) -> Iterator[Claim]:
+    """Tell for each way whether each run that keeps the cube with nothing done keeps it this way too."""
+    plain = _kept(runs, "plain")
+    for way in WAYS:
+        mine = _kept(runs, way)
+        lost = [name for name in plain if name not in mine]
+        won = [found for name, found in mine.items() if name not in plain]
+        count = _count(results, f"kept_{way}", "runs that keep the cube with nothing done", plain.values())
+        formula = "of these, runs that lose it this way"
+        lost_count = _count(results, f"lost_{way}", formula, [plain[name] for name in lost])
+        won_count = _count(results, f"won_{way}", "runs that keep it only this way", won)
+        outcome = Outcome("unknown", "no run keeps the cube without it")
+        if plain:
+            outcome = at_most(lost_count, 0, why="none of them is lost")
+        numbers = {"count": count, "lost_count": lost_count, "won": won_count}
+        lost_names = some_html([case_html(name) for name in lost])
+        yield Claim(f"{way}_breaks_nothing", outcome.having_read(count), numbers | {"lost": lost_names})
 
 
-def _creeps_less(results: Results, runs: Runs, way: str) -> Claim:
-    """By the median of the runs that keep the cube either way."""
-    both = _kept(runs, "plain", way)
-    gains = [
-        ratio(
-            results,
-            f"gain_{way}_{name}",
-            "creep with nothing done over that with it",
-            found["plain"].creep_mm_s,
-            found[way].creep_mm_s,
+def _creeps_less(results: Results, runs: Runs) -> Iterator[Claim]:
+    """Tell for each way how much less the cube creeps, by the median of the runs that keep it either way."""
+    for way in WAYS:
+        both = _kept(runs, "plain", way)
+        creeps = {name: [found[each].creep_mm_s for each in ("plain", way)] for name, found in both.items()}
+        formula = "creep with nothing done over that with it"
+        gains = [ratio(results, f"gain_{way}_{name}", formula, *pair) for name, pair in creeps.items()]
+        typical = results.value(f"gain_{way}", "median of these ratios", lambda *found: median(found), *gains)
+        worse = results.value(
+            f"worse_{way}",
+            "runs that creep faster with it, by more than the noise",
+            lambda noise, *found: sum(b - a > noise for a, b in zip(found[::2], found[1::2], strict=True)),
+            noise_floor(results, "drift_floor"),
+            *chain.from_iterable(creeps.values()),
         )
-        for name, found in both.items()
-    ]
-    typical = results.value(f"gain_{way}", "median of these ratios", lambda *found: median(found), *gains)
-    worse = results.value(
-        f"worse_{way}",
-        "runs that creep faster with it, by more than the noise",
-        lambda noise, *found: sum(
-            after - before > noise for before, after in zip(found[::2], found[1::2], strict=True)
-        ),
-        noise_floor(results, "drift_floor"),
-        *(found[each].creep_mm_s for found in both.values() for each in ("plain", way)),
-    )
-    bound = results.chosen(f"gain_bound_{way}", "half the creep", 2.0)
-    count = _count(results, f"both_{way}", "runs that keep the cube either way", both.values())
-    numbers = {"gain": typical, "count": count, "worse": worse}
-    return Claim(f"{way}_creeps_less", at_least(typical, bound).having_read(worse), numbers=numbers)
+        count = _count(results, f"both_{way}", "runs that keep the cube either way", both.values())
+        outcome = at_least(typical, 2.0, why="half the creep").having_read(worse)
+        yield Claim(f"{way}_creeps_less", outcome, {"gain": typical, "count": count, "worse": worse})
 
 
 def _table(results: Results, runs: Runs) -> Table:
@@ -116,11 +102,8 @@ def _table(results: Results, runs: Runs) -> Table:
         mine = {name: ways for name, ways in runs.items() if ways["plain"].family == family}
         if not mine:
             continue
-        kept = {
-            "runs": mine,
-            "keep the cube": _kept(mine, "plain"),
-            **{f"with {words}": _kept(mine, way) for way, words in WAYS.items()},
-        }
+        kept = {"runs": mine, "keep the cube": _kept(mine, "plain")}
+        kept |= {f"with {words}": _kept(mine, way) for way, words in WAYS.items()}
         lines[label] = {
             words: _count(results, f"{family}_{words}".replace(" ", "_"), f"{words}: {label}", found.values())
             for words, found in kept.items()
@@ -141,9 +124,7 @@ def _draw(runs: Runs) -> Drawing:
         axes.plot(lost, [top] * len(lost), **style | {"marker": "x", "clip_on": False})
     ends = [min((value for value in there if value > 0.0), default=0.1), max(there, default=1.0)]
     axes.plot(ends, ends, color=INK, linewidth=0.8, marker="", label="no change")
-    axes.set(xscale="log", yscale="log")
+    axes.set(xscale="log", yscale="log", xlabel="creep with nothing done [mm/s]", ylabel="creep with it [mm/s]")
     axes.set_ylim(top=top)
-    axes.set_xlabel("creep with nothing done [mm/s]")
-    axes.set_ylabel("creep with it [mm/s]")
     drawing.legend(loc="outside upper center", ncols=3)
     return drawing

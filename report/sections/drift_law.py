@@ -12,7 +12,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import FIX, SHIPPED, is_held
-from report.shared.arithmetic import by_case, cell_count, extreme, noise_floor
+from report.shared.arithmetic import by_case, cell_count, cells_of, departure, extreme, noise_floor, size_difference
 
 order = 91
 page = "cause"
@@ -34,51 +34,42 @@ class Run:
     off: Value
     """Size of their difference, of the law [%]."""
 
+    @property
+    def cells(self) -> tuple[Quantity, Quantity]:
+        """The drift as measured, and as the law gives it."""
+        return self.drift, self.law.predicted_drift_mm_s
+
 
 def derive(results: Results) -> Section:
     bound = results.chosen("law_bound", "one law", 1.5, unit="%")
     rounded = results.others["stiffness"].row if "stiffness" in results.others else {}
-    held = [row for row in results.rows if is_held(row)]
+    kept = {row.case: row for row in results.rows}
     runs = {
-        "kept": [_run(results, row, row, "kept") for row in held],
-        "rounded": [
-            _run(results, row, rounded[row.case], "rounded")
+        kind: [
+            _run(results, row, measured[row.case], kind)
             for row in results.rows
-            if row.case in rounded and is_held(rounded[row.case])
-        ],
+            if row.case in measured and is_held(measured[row.case])
+        ]
+        for kind, measured in (("kept", kept), ("rounded", rounded))
     }
-    law = Figure(
-        draw=lambda: _draw(runs, bound),
-        sources=[
-            cell for found in runs.values() for run in found for cell in (run.drift, run.law.predicted_drift_mm_s)
-        ],
-        numbers={"bound": bound},
-    )
+    sources = [cell for found in runs.values() for run in found for cell in run.cells]
     return Section(
         tables={"parts": _table([run for run in runs["kept"] if run.law.case in SHOWN])},
-        figures={"law": law},
+        figures={"law": Figure(lambda: _draw(runs, bound), sources, {"bound": bound})},
         claims=[_follows(results, runs["kept"], bound), _rounded_too(results, runs["rounded"], bound)],
     )
 
 
 def _run(results: Results, law: Row, measured: Row, kind: str) -> Run:
-    off = results.value(
-        f"off_{kind}_{law.case}",
-        f"drift measured with {KINDS[kind]}, less that of the law, in size, of the latter",
-        lambda drift, given: 100 * abs(drift / given - 1),
-        measured.drift_mm_s,
-        law.predicted_drift_mm_s,
-        unit="%",
-    )
-    return Run(law, measured.drift_mm_s, off)
+    formula = f"drift measured with {KINDS[kind]}, less that of the law, in size, of the latter"
+    name, drift = f"off_{kind}_{law.case}", measured.drift_mm_s
+    return Run(law, drift, departure(results, name, formula, drift, law.predicted_drift_mm_s))
 
 
 def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
-    responses = [run.law.response_s for run in runs]
-    width = results.value(
-        "response_range", "longest over shortest response of the friction rows", lambda *s: max(s) / min(s), *responses
-    )
+    responses, formula = [run.law.response_s for run in runs], "longest over shortest response of the friction rows"
+    width = results.value("response_range", formula, lambda *s: max(s) / min(s), *responses)
     numbers: dict[str, Quantity] = {**_numbers(results, "kept", runs, bound), "width": width}
     numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
     numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
@@ -90,32 +81,22 @@ def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
         numbers = {name: absent(number.unit, reason) for name, number in numbers.items()}
     inside = {run.law.case for run in runs if at_most(run.off, bound) == HOLDS}
     told = {"is_wide": is_wide == HOLDS, "shipped_follows": SHIPPED in inside, "fix_follows": FIX in inside}
-    return Claim("follows", outcome, numbers=numbers | told)
+    return Claim("follows", outcome, numbers | told)
 
 
 def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     numbers = _numbers(results, "rounded", runs, bound)
-    gaps = [
-        results.value(
-            f"gap_{run.law.case}",
-            "size of the difference of drift and law, positions rounded",
-            lambda drift, given: abs(drift - given),
-            run.drift,
-            run.law.predicted_drift_mm_s,
-            unit="mm/s",
-        )
-        for run in runs
-    ]
+    formula = "size of the difference of drift and law, positions rounded"
+    gaps = [size_difference(results, f"gap_{run.law.case}", formula, *run.cells) for run in runs]
     gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
     outcome, beyond_bound = at_most(numbers["largest"], bound), _beyond_bound(results, runs, bound)
     if outcome == FAILS:
         outcome = beyond(beyond_bound, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
-    return Claim("rounded_too", outcome, numbers=numbers | {"gap": gap})
+    return Claim("rounded_too", outcome, numbers | {"gap": gap})
 
 
 def _beyond_bound(results: Results, runs: Sequence[Run], bound: Value) -> Value:
-    """By how much more than the bound allows a run is off, at most: a drift near zero is off by the noise alone."""
-    cells = [cell for run in runs for cell in (run.drift, run.law.predicted_drift_mm_s)]
+    """Derive how far beyond the bound a run is, at most: a drift near zero is off by the noise alone."""
     return results.value(
         "rounded_beyond",
         "size of the difference of drift and law, less the bound's share of the law, the largest of all runs",
@@ -123,20 +104,16 @@ def _beyond_bound(results: Results, runs: Sequence[Run], bound: Value) -> Value:
             abs(drift - given) - 0.01 * share * abs(given) for drift, given in zip(found[::2], found[1::2], strict=True)
         ),
         bound,
-        *cells,
+        *(cell for run in runs for cell in run.cells),
         unit="mm/s",
     )
 
 
 def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
-    """How many runs there are, how many of them are within the bound, and how far off the farthest is."""
-    offs = [run.off for run in runs]
+    """Count the runs and those within the bound, and find how far off the farthest is."""
+    offs, formula = [run.off for run in runs], f"runs within the bound, {KINDS[kind]}"
     inside = results.value(
-        f"inside_{kind}",
-        f"runs within the bound, {KINDS[kind]}",
-        lambda most, *found: sum(off <= most for off in found),
-        bound,
-        *offs,
+        f"inside_{kind}", formula, lambda most, *found: sum(off <= most for off in found), bound, *offs
     )
     count = cell_count(results, f"count_{kind}", f"runs that keep the cube, {KINDS[kind]}", offs)
     largest = extreme(results, f"largest_{kind}", f"largest departure from the law, {KINDS[kind]}", max, offs)
@@ -144,13 +121,10 @@ def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> 
 
 
 def _table(runs: Sequence[Run]) -> Table:
-    columns = {
-        "response": [run.law.response_s for run in runs],
-        **{label: [run.law[f"{name}_mm_s"] for run in runs] for name, label in PARTS.items()},
-        "law": [run.law.predicted_drift_mm_s for run in runs],
-        "measured": [run.drift for run in runs],
-    }
-    return by_case([run.law for run in runs], columns)
+    rows = [run.law for run in runs]
+    parts = {label: f"{name}_mm_s" for name, label in PARTS.items()}
+    columns = {"response": "response_s", **parts, "law": "predicted_drift_mm_s"}
+    return by_case(rows, {**cells_of(rows, columns), "measured": [run.drift for run in runs]})
 
 
 def _draw(runs: Mapping[str, Sequence[Run]], bound: Value) -> Drawing:
@@ -161,8 +135,6 @@ def _draw(runs: Mapping[str, Sequence[Run]], bound: Value) -> Drawing:
         axes.plot(ke, offs, linestyle="", label=KINDS[kind], markevery=1)
     axes.axhspan(-bound.value, bound.value, color=INK, alpha=0.1, linewidth=0)
     axes.axhline(0.0, color=INK, linewidth=0.8, marker="")
-    axes.set_xscale("log")
-    axes.set_xlabel("pad ke")
-    axes.set_ylabel("drift less that of the law [%]")
+    axes.set(xscale="log", xlabel="pad ke", ylabel="drift less that of the law [%]")
     drawing.legend(loc="outside upper center", ncols=2)
     return drawing

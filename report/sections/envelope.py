@@ -1,6 +1,6 @@
 """How hard can one shake? Amplitude and frequency, as shipped and with stiff pads, as points and as a map."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +15,7 @@ from measured_report.parts.figures import INK, MAP_INK, new_figure, plain_labels
 from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved
+from report.shared.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved, table_of
 
 order = 120
 page = "fix"
@@ -30,6 +30,8 @@ EMPTY = "#f2f2f2"
 """Colour of the cells of a map that have no slip to show."""
 HELD_HEIGHT_M = 0.15
 """A cube that ends lower has left the hand, which shakes it about 0.2 m above the ground."""
+Points = Mapping[str, tuple[Row, Row]]
+"""As shipped and with stiff pads, by the name of the point."""
 
 
 def derive(results: Results) -> Section:
@@ -38,35 +40,28 @@ def derive(results: Results) -> Section:
     trace = results.trace("map")
     held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, unit="m")
     lost = {side: lost_count(results, trace, side, held) for side in SIDES}
-    maps = Figure(
-        draw=lambda: draw_maps(trace.value, SIDES),
-        sources=[trace],
-        numbers={"shipped": costs.dropped_as_shipped_count, "stiff": costs.dropped_stiff_count},
-    )
+    numbers = {"shipped": costs.dropped_as_shipped_count, "stiff": costs.dropped_stiff_count}
     return Section(
         tables={"points": _table(points, gains)},
-        figures={"maps": maps},
+        figures={"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], numbers)},
         claims=[
-            _nothing_dropped(results, costs, lost["stiff"], held),
-            _shipped_drops(lost["as-shipped"]),
+            *_drops(results, costs, lost, held),
             _gain_everywhere(results, points, gains),
             _map_gain(results, trace),
-            _grows_faster(results),
-            _grows_less_with_frequency(results),
+            *_growth(results),
             _batch_is_fast(results, costs),
         ],
     )
 
 
-def _points(results: Results) -> dict[str, tuple[Row, Row]]:
-    """As shipped and with stiff pads, by the name of the point."""
+def _points(results: Results) -> Points:
     first, second = SIDES
     names = [case.removeprefix(f"{first}-") for case in results.row if case.startswith(f"{first}-")]
     return {name: (results.row[f"{first}-{name}"], results.row[f"{second}-{name}"]) for name in names}
 
 
 def _held_slip(row: Row) -> Quantity:
-    """The slip; none where the cube was dropped, because it then says how far the cube fell."""
+    """Take the slip; none where the cube was dropped, because it then says how far the cube fell."""
     return replace(row.slip_mm, value=None, reason="the cube was dropped") if row.dropped else row.slip_mm
 
 
@@ -77,94 +72,77 @@ def _gain(results: Results, name: str, shipped: Row, stiff: Row) -> Value:
 
 
 def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value:
-    """Cells of a side of the map whose cube ends lower than ``held``, or nowhere."""
+    """Count cells of a side of the map whose cube ends lower than ``held``, or nowhere."""
     return results.value(
         f"lost_{side.replace('-', '_')}",
         f"cells of side {side} whose cube ends lower than held_height, or nowhere",
         lambda frame, least: int((~(frame["cube_height_m"][frame["side"] == side] >= least)).sum()),
-        trace,
-        held,
+        *(trace, held),
     )
 
 
-def _nothing_dropped(results: Results, row: Row, lost: Value, held: Value) -> Claim:
+def _drops(results: Results, row: Row, lost: Mapping[str, Value], held: Value) -> Iterator[Claim]:
+    """Tell on which side of the map cubes are dropped."""
+    shipped, stiff = (lost[side] for side in SIDES)
     cells = results.value("cells", "cells of the map on each side", lambda count: count // len(SIDES), row.world_count)
-    bound = results.chosen("dropped_bound", "no cell is dropped", 0)
-    return Claim("stiff_pads_never_drop", at_most(lost, bound), numbers={"lost": lost, "cells": cells, "held": held})
+    never = at_most(stiff, 0, why="no cell is dropped")
+    yield Claim("stiff_pads_never_drop", never, {"lost": stiff, "cells": cells, "held": held})
+    yield Claim("as_shipped_drops", decided(bool(shipped.value), shipped), {"lost": shipped})
 
 
-def _shipped_drops(lost: Value) -> Claim:
-    return Claim("as_shipped_drops", decided(bool(lost.value), lost), numbers={"lost": lost})
-
-
-def _gain_everywhere(results: Results, points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Claim:
+def _gain_everywhere(results: Results, points: Points, gains: Mapping[str, Value]) -> Claim:
     there = [gain for gain in gains.values() if gain.value is not None]
-    least = extreme(results, "gain_least", "least of the points' ratios", min, there)
-    most = extreme(results, "gain_most", "largest of the points' ratios", max, there)
-    held = cell_count(results, "gain_count", "points where the cube is held before and after", there)
-    shipped = [before.frame_count for before, _ in points.values()]
-    count = cell_count(results, "point_count", "points of the table", shipped)
-    bound = results.chosen("gain_bound", *SETTLES)
-    return Claim(
-        "gain_everywhere",
-        at_least(least, bound),
-        numbers={"held": held, "count": count, "least": least, "most": most, "bound": bound},
-    )
+    bound, shipped = results.chosen("gain_bound", *SETTLES), [before.frame_count for before, _ in points.values()]
+    numbers = {
+        "least": extreme(results, "gain_least", "least of the points' ratios", min, there),
+        "most": extreme(results, "gain_most", "largest of the points' ratios", max, there),
+        "held": cell_count(results, "gain_count", "points where the cube is held before and after", there),
+        "count": cell_count(results, "point_count", "points of the table", shipped),
+        "bound": bound,
+    }
+    return Claim("gain_everywhere", at_least(numbers["least"], bound), numbers)
 
 
 def _map_gain(results: Results, trace: Series) -> Claim:
-    def share_above_one(frame: pd.DataFrame) -> float:
-        gains = _map_gains(frame)
-        return 100 * float(np.mean(gains > 1.0)) if len(gains) else float("nan")
-
-    median = results.value(
-        "map_gain_median",
-        "median over the map of the ratio of the slips, where the cube is held before and after",
-        lambda frame: np.median(_map_gains(frame)),
-        trace,
-    )
+    formula = "median over the map of the ratio of the slips, where the cube is held before and after"
+    median = results.value("map_gain_median", formula, lambda frame: np.median(_map_gains(frame)), trace)
     least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
-    share = results.value("map_gain_share", "cells with less slip than as shipped", share_above_one, trace, unit="%")
-    whole = results.chosen("map_gain_bound", "every cell", 100.0, unit="%")
+    formula = "cells with less slip than as shipped"
+    share = results.value("map_gain_share", formula, _share_above_one, trace, unit="%")
     formula = "least of the differences of the slips, as shipped less stiff, in size"
     gap = results.value(
-        "map_gap_least", formula, lambda frame: np.abs(np.subtract(*_held_slips(frame))).min(), trace, unit="mm"
+        "map_gap_least", formula, lambda frame: np.abs(np.subtract(*_slips(frame))).min(), trace, unit="mm"
     )
-    outcome = all_of(at_least(share, whole), resolved(noise_floor(results, "slip_floor"), gap))
-    return Claim("map_gain", outcome, numbers={"median": median, "least": least, "share": share})
+    every_cell = at_least(share, 100.0, why="every cell")
+    outcome = all_of(every_cell, resolved(noise_floor(results, "slip_floor"), gap))
+    return Claim("map_gain", outcome, {"median": median, "least": least, "share": share})
 
 
-def _grows_faster(results: Results) -> Claim:
+def _share_above_one(frame: pd.DataFrame) -> float:
+    gains = _map_gains(frame)
+    return 100 * float(np.mean(gains > 1.0)) if len(gains) else float("nan")
+
+
+def _growth(results: Results) -> Iterator[Claim]:
+    """Tell how the slip grows as shipped, with the amplitude and with the frequency."""
     small, large = results.row["as-shipped-1cm-1hz"], results.row["as-shipped-6cm-1hz"]
-    amplitudes = small.shake_amplitude_m, large.shake_amplitude_m
-    exponent = _exponent(results, "amplitude", "as shipped at the baseline's frequency", *amplitudes, small, large)
-    bound = results.chosen("amplitude_exponent_bound", "clearly more than in proportion", 1.5)
-    return Claim(
-        "slip_grows_faster_than_amplitude",
-        at_least(exponent, bound),
-        numbers={
-            "exponent": exponent,
-            "frequency": large.shake_frequency_hz,
-            "small": small.shake_amplitude_m,
-            "small_slip": small.slip_mm,
-            "large": large.shake_amplitude_m,
-            "large_slip": large.slip_mm,
-        },
-    )
+    low, high = small.shake_amplitude_m, large.shake_amplitude_m
+    exponent = _exponent(results, "amplitude", "as shipped at the baseline's frequency", low, high, small, large)
+    numbers = {"exponent": exponent, "frequency": large.shake_frequency_hz}
+    numbers |= {"small": low, "small_slip": small.slip_mm, "large": high, "large_slip": large.slip_mm}
+    outcome = at_least(exponent, 1.5, why="clearly more than in proportion")
+    yield Claim("slip_grows_faster_than_amplitude", outcome, numbers)
 
-
-def _grows_less_with_frequency(results: Results) -> Claim:
     slow, fast = results.row["as-shipped-3cm-0.5hz"], results.row["as-shipped-3cm-3hz"]
-    frequencies = slow.shake_frequency_hz, fast.shake_frequency_hz
-    exponent = _exponent(results, "frequency", "shipped pads at the baseline's amplitude", *frequencies, slow, fast)
-    bound = results.chosen("frequency_exponent_bound", "clearly less than the square", 1.5)
-    numbers = {"slow": slow.shake_frequency_hz, "slow_slip": slow.slip_mm}
-    numbers |= {"fast": fast.shake_frequency_hz, "fast_slip": fast.slip_mm}
-    return Claim("slip_grows_less_with_frequency", at_most(exponent, bound), numbers | {"exponent": exponent})
+    low, high = slow.shake_frequency_hz, fast.shake_frequency_hz
+    exponent = _exponent(results, "frequency", "shipped pads at the baseline's amplitude", low, high, slow, fast)
+    numbers = {"exponent": exponent, "slow": low, "slow_slip": slow.slip_mm, "fast": high, "fast_slip": fast.slip_mm}
+    outcome = at_most(exponent, 1.5, why="clearly less than the square")
+    yield Claim("slip_grows_less_with_frequency", outcome, numbers)
 
 
 def _exponent(results: Results, name: str, where: str, low: Quantity, high: Quantity, less: Row, more: Row) -> Value:
-    """The power of what goes from ``low`` to ``high`` with which the slip grows between two runs."""
+    """Derive the power of what goes from ``low`` to ``high`` with which the slip grows between two runs."""
     formula = f"logarithm of the ratio of the slips over that of what is changed, {where}"
     slips = _held_slip(less), _held_slip(more)
     return results.value(f"{name}_exponent", formula, _power, low, high, *slips)
@@ -175,45 +153,27 @@ def _power(low: float, high: float, less: float, more: float) -> float:
 
 
 def _batch_is_fast(results: Results, row: Row) -> Claim:
-    alone = [other.wall_s for other in results.rows if other.case.startswith("alone-")]
-    one = results.value(
-        "alone_wall_s", "mean wall time of one world alone", lambda *wall: float(np.mean(wall)), *alone, unit="s"
-    )
+    alone, worlds = [other.wall_s for other in results.rows if other.case.startswith("alone-")], row.world_count
+    formula = "mean wall time of one world alone"
+    one = results.value("alone_wall_s", formula, lambda *wall: float(np.mean(wall)), *alone, unit="s")
     timed = cell_count(results, "alone_count", "worlds that were timed alone", alone)
-    gain = results.value(
-        "batch_gain",
-        "worlds × mean wall time of one alone, over the wall time of the batch",
-        lambda worlds, single, batch: worlds * single / batch,
-        row.world_count,
-        one,
-        row.wall_s,
-    )
+    formula = "worlds × mean wall time of one alone, over the wall time of the batch"
+    gain = results.value("batch_gain", formula, lambda n, single, batch: n * single / batch, worlds, one, row.wall_s)
     bound = results.chosen("batch_gain_bound", "what the batch is aimed at", 500.0)
     outcome = at_least(gain, bound)
-    if row.world_count.value is not None and row.world_count.value < bound.value:
+    if worlds.value is not None and worlds.value < bound.value:
         outcome = Outcome("unknown", "the map has fewer worlds than that")
-    return Claim(
-        "batch_is_fast",
-        outcome,
-        numbers={
-            "worlds": row.world_count,
-            "batch": row.wall_s,
-            "single": one,
-            "timed": timed,
-            "gain": gain,
-            "bound": bound,
-        },
-    )
+    numbers = {"worlds": worlds, "batch": row.wall_s, "single": one, "timed": timed, "gain": gain, "bound": bound}
+    return Claim("batch_is_fast", outcome, numbers)
 
 
-def _table(points: dict[str, tuple[Row, Row]], gains: dict[str, Value]) -> Table:
+def _table(points: Points, gains: Mapping[str, Value]) -> Table:
     sides = dict(zip(("before", "after"), zip(*points.values(), strict=True), strict=True))
-    columns = {f"slip {when}": [row.slip_mm for row in rows] for when, rows in sides.items()}
+    columns: dict[str, list] = {f"slip {when}": [row.slip_mm for row in rows] for when, rows in sides.items()}
     columns["ratio"] = list(gains.values())
     columns["cube"] = [" → ".join(dict.fromkeys(map(_fate, pair))) for pair in points.values()]
     columns |= {f"height {when}": [row.cube_height_m for row in rows] for when, rows in sides.items()}
-    index = pd.Index([name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], name="shake")
-    return Table(pd.DataFrame(columns, index=index))
+    return table_of("shake", [name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], columns)
 
 
 def _fate(row: Row) -> str:
@@ -223,25 +183,25 @@ def _fate(row: Row) -> str:
 
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
-    """A column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
+    """Lay out a column of one side of the map: amplitudes [m] down, frequencies [Hz] across."""
     mine = frame[frame["side"] == side]
     return mine.pivot(index="shake_amplitude_m", columns="shake_frequency_hz", values=column)
 
 
+def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
+    """Lay out the slips of one side of the map, of cells that keep the cube."""
+    return grid_of(frame, side, "slip_mm").where(grid_of(frame, side, "dropped").astype(str) == "False")
+
+
 def _map_gains(frame: pd.DataFrame) -> np.ndarray:
-    """Ratio of the slips of every cell that is held on both sides."""
-    shipped, stiff = _held_slips(frame)
+    """Compute the ratio of the slips of every cell that is held on both sides."""
+    shipped, stiff = _slips(frame)
     return shipped / stiff
 
 
-def _held_slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
-    """The slips of every cell that is held on both sides, as shipped and with stiff pads, shape [cells] each."""
-    shipped, stiff = (
-        grid_of(frame, side, "slip_mm")
-        .where(grid_of(frame, side, "dropped").astype(str) == "False")
-        .to_numpy(dtype=float)
-        for side in SIDES
-    )
+def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
+    """Take the slips of every cell that is held on both sides, as shipped and with stiff pads, shape [cells] each."""
+    shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
     is_there = np.isfinite(shipped / stiff)
     return shipped[is_there], stiff[is_there]
 

@@ -1,9 +1,7 @@
 """A hand that swings a capsule: up to which step does it hold, and is it the law of the creep that ends it?"""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-import pandas as pd
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claims import Claim, all_of, at_least, at_most
@@ -12,7 +10,8 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.shared.arithmetic import cell_count, departure, extreme, ratio, share
+from report.shared.arithmetic import cell_count, departure, extreme, ratio, share, table_of
+from report.shared.drawing import mark_points
 
 order = 183
 page = "scenes"
@@ -41,11 +40,11 @@ def derive(results: Results) -> Section:
     found = {setting: results.row[setting] for setting in SETTINGS}
     runs = {setting: [results.row[f"{step}ms-{setting}"] for step in STEPS] for setting in SETTINGS}
     least = {setting: _least_step(results, setting, rows) for setting, rows in runs.items()}
-    plain = results.row["2ms-implicitfast"]
+    plain, lost = results.row["2ms-implicitfast"], found["implicitfast"].lost_mm
     figure = Figure(
-        draw=lambda: _draw(runs, found["implicitfast"].lost_mm),
+        draw=lambda: _draw(runs, lost),
         sources=[row.slip_mm for rows in runs.values() for row in rows],
-        numbers={"lost": found["implicitfast"].lost_mm, "plain": plain.slip_mm, "step": plain.step_ms},
+        numbers={"lost": lost, "plain": plain.slip_mm, "step": plain.step_ms},
     )
     return Section(
         tables={"settings": _table(results, found, least)},
@@ -55,9 +54,7 @@ def derive(results: Results) -> Section:
             _lost_by_creep(results, found),
             _slip_by_law(results, runs),
             _softer_with_the_step(results),
-            _rk4_halves(results, found),
-            _short_steps_lose(results, found, least["own-timeconst"]),
-            _term_holds(results, found),
+            *_other_settings(results, found, least),
             _same_in_all_engines(results, found),
         ],
     )
@@ -69,121 +66,88 @@ def _least_step(results: Results, setting: str, runs: Sequence[Row]) -> Value:
 
 
 def _is_firm(results: Results, plain: Row) -> Claim:
-    times = ratio(results, "firmness", "sum of the normal forces, of the weight", plain.normal_force_n, plain.weight_n)
-    bound = results.chosen("firm_bound", "friction of 1 could carry many times the weight", 10.0)
-    numbers = {"force": plain.normal_force_n, "weight": plain.weight_n}
-    return Claim("is_firm", at_least(times, bound), numbers)
+    force, weight = plain.normal_force_n, plain.weight_n
+    times = ratio(results, "firmness", "sum of the normal forces, of the weight", force, weight)
+    outcome = at_least(times, 10.0, why="friction of 1 could carry many times the weight")
+    return Claim("is_firm", outcome, {"force": force, "weight": weight})
 
 
 def _lost_by_creep(results: Results, found: Mapping[str, Row]) -> Claim:
+    steps = {name: (found[name].largest_step_ms, found[name].predicted_largest_step_ms) for name in CREEPING}
     formula = "largest step that holds less that of the law, in size, of the latter"
-    off = [
-        departure(
-            results, f"{name}_step_off", formula, found[name].largest_step_ms, found[name].predicted_largest_step_ms
-        )
-        for name in CREEPING
-    ]
-    largest = extreme(results, "step_off", "largest of the departures from the law's largest step", max, off)
-    bound = results.chosen("step_bound", "near enough to choose a step by", 20.0, unit="%")
+    off = [departure(results, f"{name}_step_off", formula, *cells) for name, cells in steps.items()]
+    most = extreme(results, "step_off", "largest of the departures from the law's largest step", max, off)
     count = cell_count(results, "creeping_count", "settings with such a step", off)
-    plain = found["implicitfast"]
-    numbers = {"largest": plain.largest_step_ms, "law": plain.predicted_largest_step_ms, "count": count, "off": largest}
-    return Claim("lost_by_creep", at_most(largest, bound), numbers)
+    largest, law = steps["implicitfast"]
+    numbers = {"largest": largest, "law": law, "count": count, "off": most}
+    return Claim("lost_by_creep", at_most(most, 20.0, why="near enough to choose a step by"), numbers)
 
 
 def _slip_by_law(results: Results, runs: Mapping[str, Sequence[Row]]) -> Claim:
-    """In all runs that hold and are not cured of it."""
+    """Compare slip and law in all runs that hold and are not cured of it."""
     held = [row for name in CREEPING for row in runs[name] if row.slip_mm.value is not None]
     formula = "slip less that of the law, in size, of the latter"
     off = [departure(results, f"{row.case}_off", formula, row.slip_mm, row.predicted_slip_mm) for row in held]
     largest = extreme(results, "slip_off", "largest of the departures from the law's slip", max, off)
-    bound = results.chosen("slip_bound", "the same slip", 10.0, unit="%")
     count = cell_count(results, "held_count", "runs that hold", off)
     plain = results.row["8ms-implicitfast"]
     numbers = {"count": count, "largest": largest, "slip": plain.slip_mm, "law": plain.predicted_slip_mm}
-    return Claim("slip_by_law", at_most(largest, bound), numbers)
+    return Claim("slip_by_law", at_most(largest, 10.0, why="the same slip"), numbers)
 
 
 def _softer_with_the_step(results: Results) -> Claim:
     """Less slip with longer steps up to half the timeconst, and from there on slip in proportion to the step."""
     short, middle, long = (results.row[f"{step}ms-implicitfast"] for step in ("0.5", "2", "8"))
-    less = share(
-        results,
-        "short_step_share",
-        "slip at half the timeconst, of that at a short step",
-        middle.slip_mm,
-        short.slip_mm,
-    )
-    most = results.chosen("short_step_bound", "less", 90.0, unit="%")
-    times = ratio(
-        results, "slip_growth", "slip with a long step, of that at half the timeconst", long.slip_mm, middle.slip_mm
-    )
+    formula = "slip at half the timeconst, of that at a short step"
+    less = share(results, "short_step_share", formula, middle.slip_mm, short.slip_mm)
+    formula = "slip with a long step, of that at half the timeconst"
+    times = ratio(results, "slip_growth", formula, long.slip_mm, middle.slip_mm)
     steps = ratio(results, "step_growth", "the long step, of half the timeconst", long.step_ms, middle.step_ms)
-    off = departure(
-        results, "growth_off", "growth of the slip less that of the step, in size, of the latter", times, steps
-    )
-    bound = results.chosen("growth_bound", "in proportion", 10.0, unit="%")
+    formula = "growth of the slip less that of the step, in size, of the latter"
+    off = departure(results, "growth_off", formula, times, steps)
     numbers = {"times": times, "steps": steps}
     for name, row in (("short", short), ("middle", middle), ("long", long)):
         numbers |= {name: row.slip_mm, f"{name}_step": row.step_ms}
-    return Claim("softer_with_the_step", all_of(at_most(less, most), at_most(off, bound)), numbers)
+    outcome = all_of(at_most(less, 90.0, why="less"), at_most(off, 10.0, why="in proportion"))
+    return Claim("softer_with_the_step", outcome, numbers)
 
 
-def _rk4_halves(results: Results, found: Mapping[str, Row]) -> Claim:
-    rk4, plain = found["rk4"].largest_step_ms, found["implicitfast"].largest_step_ms
+def _other_settings(results: Results, found: Mapping[str, Row], least: Mapping[str, Value]) -> Iterator[Claim]:
+    """Tell by how much each of RK4, MuJoCo's own timeconst and the term put back moves the steps that hold."""
+    plain, rk4, term = (found[name].largest_step_ms for name in ("implicitfast", "rk4", "term"))
     part = share(results, "rk4_share", "largest step with RK4, of that with implicitfast", rk4, plain)
-    bound = results.chosen("rk4_bound", "about half", 60.0, unit="%")
-    return Claim("rk4_halves", at_most(part, bound), {"rk4": rk4, "plain": plain, "share": part})
+    yield Claim("rk4_halves", at_most(part, 60.0, why="about half"), {"rk4": rk4, "plain": plain, "share": part})
 
-
-def _short_steps_lose(results: Results, found: Mapping[str, Row], least: Value) -> Claim:
-    """With MuJoCo's own timeconst, which is longer, the least step that holds is not the shortest that was tried."""
-    shortest = results.row["0.5ms-own-timeconst"].step_ms
-    times = ratio(results, "own_step_ratio", "least step tried that holds, of the shortest", least, shortest)
-    bound = results.chosen("own_bound", "longer by far", 2.0)
-    own, plain = (
+    shortest, holds = results.row["0.5ms-own-timeconst"].step_ms, least["own-timeconst"]
+    formula = "least step tried that holds, of the shortest"
+    times = ratio(results, "own_step_ratio", formula, holds, shortest)
+    own, other = (
         results.value(f"{name}_timeconst", "timeconst", lambda a: 1e3 * a, found[name].timeconst_s, unit="ms")
         for name in ("own-timeconst", "implicitfast")
     )
-    softer = ratio(results, "own_softness", "MuJoCo's own timeconst, of that of the other runs", own, plain)
-    numbers = {"least": least, "shortest": shortest, "own": own, "plain": plain}
-    return Claim("short_steps_lose", all_of(at_least(times, bound), at_least(softer, bound)), numbers)
+    softer = ratio(results, "own_softness", "MuJoCo's own timeconst, of that of the other runs", own, other)
+    outcome = all_of(*(at_least(longer, 2.0, why="longer by far") for longer in (times, softer)))
+    yield Claim("short_steps_lose", outcome, {"least": holds, "shortest": shortest, "own": own, "plain": other})
 
-
-def _term_holds(results: Results, found: Mapping[str, Row]) -> Claim:
-    """Without its cause the creep is gone, and a longer step holds."""
     before, after = results.row["2ms-implicitfast"].slip_mm, results.row["2ms-term"].slip_mm
     left = share(results, "term_share", "slip with the term put back, of that without", after, before)
-    bound = results.chosen("term_bound", "most of it is gone", 10.0, unit="%")
-    plain, term = found["implicitfast"].largest_step_ms, found["term"].largest_step_ms
     times = ratio(results, "term_gain", "largest step with the term put back, of that without", term, plain)
-    least = results.chosen("term_gain_bound", "a longer step by far", 2.0)
+    outcome = all_of(at_most(left, 10.0, why="most of it is gone"), at_least(times, 2.0, why="a longer step by far"))
     numbers = {"before": before, "after": after, "share": left, "plain": plain, "term": term, "times": times}
-    return Claim("term_holds", all_of(at_most(left, bound), at_least(times, least)), numbers)
+    yield Claim("term_holds", outcome, numbers)
 
 
 def _same_in_all_engines(results: Results, found: Mapping[str, Row]) -> Claim:
-    plain, slip = found["implicitfast"].largest_step_ms, results.row["8ms-implicitfast"].slip_mm
-    formula = "less that in C with implicitfast, in size, of the latter"
-    steps, slips = (
-        extreme(
-            results,
-            f"engine_{name}",
-            f"largest of the departures of the {name}",
-            max,
-            [
-                departure(results, f"{setting}_{name}", f"{name} {formula}", cell, own)
-                for setting, cell in cells.items()
-            ],
-        )
-        for name, own, cells in (
-            ("step", plain, {setting: found[setting].largest_step_ms for setting in ALIKE}),
-            ("slip", slip, {setting: results.row[f"8ms-{setting}"].slip_mm for setting in ALIKE}),
-        )
-    )
+    cells = {name: (found[name].largest_step_ms, results.row[f"8ms-{name}"].slip_mm) for name in SETTINGS}
+    largest = []
+    for place, name in enumerate(("step", "slip")):
+        formula, own = f"{name} less that in C with implicitfast, in size, of the latter", cells["implicitfast"][place]
+        off = [departure(results, f"{other}_{name}", formula, cells[other][place], own) for other in ALIKE]
+        largest.append(extreme(results, f"engine_{name}", f"largest of the departures of the {name}", max, off))
     bound = results.chosen("engine_bound", "what the search for the step resolves", 1.0, unit="%")
-    numbers = {"steps": steps, "slips": slips, "bound": bound}
-    return Claim("same_in_all_engines", all_of(at_most(steps, bound), at_most(slips, bound)), numbers)
+    steps, slips = largest
+    outcome = all_of(at_most(steps, bound), at_most(slips, bound))
+    return Claim("same_in_all_engines", outcome, {"steps": steps, "slips": slips, "bound": bound})
 
 
 def _table(results: Results, found: Mapping[str, Row], least: Mapping[str, Value]) -> Table:
@@ -194,44 +158,24 @@ def _table(results: Results, found: Mapping[str, Row], least: Mapping[str, Value
     }
     for step in ("2", "8"):
         columns[f"slip with {step} ms"] = [results.row[f"{step}ms-{name}"].slip_mm for name in SETTINGS]
-    return Table(pd.DataFrame(columns, index=pd.Index(map(case_html, SETTINGS), name="setting")))
+    return table_of("setting", map(case_html, SETTINGS), columns)
 
 
 def _draw(runs: Mapping[str, Sequence[Row]], lost: Quantity) -> Drawing:
     drawing, axes = new_figure(7.2, 4.2)
     for number, (setting, label) in enumerate(DRAWN.items()):
-        held = [row for row in runs[setting] if row.slip_mm.value is not None]
-        gone = [row.step_ms.value for row in runs[setting] if row.slip_mm.value is None]
-        _line(axes, held, number, label)
+        slips = [(row.step_ms.value, row.slip_mm.value) for row in runs[setting]]
+        hollow = {"marker": MARKERS[number], "markerfacecolor": "none", "markersize": 6 + 2 * (number in (1, 2))}
+        mark_points(axes, slips, color=SERIES[number], label=label, **hollow)
         height = lost.value * 1.25 ** (1 + number)
-        axes.plot(gone, [height] * len(gone), linestyle="", marker="x", markevery=1, color=SERIES[number])
+        gone = [(step, height) for step, slip in slips if slip is None]
+        mark_points(axes, gone, marker="x", color=SERIES[number])
+    line = {"color": INK, "linewidth": 0.8, "marker": ""}
     for number, setting in enumerate(LAWS):
-        held = [row for row in runs[setting] if row.predicted_slip_mm.value is not None]
-        axes.plot(
-            [row.step_ms.value for row in held],
-            [row.predicted_slip_mm.value for row in held],
-            color=INK,
-            linewidth=0.8,
-            linestyle="-",
-            marker="",
-            label="" if number else "law",
-        )
-    axes.axhline(lost.value, color=INK, linewidth=0.8, linestyle=":", marker="")
+        law = [(row.step_ms.value, row.predicted_slip_mm.value) for row in runs[setting]]
+        mark_points(axes, law, linestyle="-", label="" if number else "law", **line)
+    axes.axhline(lost.value, linestyle=":", **line)
     axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="slip in the hand [mm]")
     tick_at(axes.xaxis, [float(step) for step in STEPS])
     drawing.legend(loc="outside upper center", ncols=2 if is_narrow() else 4)
     return drawing
-
-
-def _line(axes: Axes, held: Sequence[Row], number: int, label: str) -> None:
-    axes.plot(
-        [row.step_ms.value for row in held],
-        [row.slip_mm.value for row in held],
-        linestyle="",
-        marker=MARKERS[number],
-        markerfacecolor="none",
-        markersize=6 + 2 * (number in (1, 2)),
-        markevery=1,
-        color=SERIES[number],
-        label=label,
-    )

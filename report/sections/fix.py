@@ -1,14 +1,12 @@
 """The fix as a download: do the very files that are offered do what they promise?"""
 
-import pandas as pd
-
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
-from measured_report.claims.claims import Claim, all_of, at_least, at_most, decided
-from measured_report.parts.parts import Download, Section, Table
+from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.parts import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import SETTLES, departure, other_cell, other_value, ratio
+from report.shared.arithmetic import SETTLES, cells_of, departure, other_cell, other_value, ratio, table_of
 
 order = 140
 page = "fix"
@@ -16,21 +14,25 @@ label = "the fix as files"
 
 ENGINES = {"warp": "MuJoCo Warp", "mujoco": "MuJoCo C"}
 PASSED = {True: "passes", False: "fails"}
+CASES = ("as-shipped", "fixed")
 SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
 """Case of the first section that each script must repeat."""
 
 
 def derive(results: Results) -> Section:
-    shipped, fixed = results.row["as-shipped"], results.row["fixed"]
-    gain = _gain(results, "gain", shipped, fixed)
-    bound = results.chosen("gain_bound", *SETTLES)
+    bound, rows = results.chosen("gain_bound", *SETTLES), results.rows
+    shipped, fixed = (results.row[case] for case in CASES)
+    shipped_c, fixed_c = (results.row[f"{case}-mujoco-c"] for case in CASES)
+    engines = [ENGINES.get(row.backend, row.backend) for row in rows]
+    columns = {"engine": engines, "its test": [PASSED[test_passed(row)] for row in rows]}
+    columns |= cells_of(rows, {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"})
     return Section(
-        tables={"runs": _table(results)},
+        tables={"runs": table_of("file", [row.script for row in rows], columns)},
         claims=[
-            _recommended(shipped, fixed, gain, bound),
+            _gains(results, "recommended", "gain", shipped, fixed, bound, decided(test_passed(fixed), fixed.slip_mm)),
             _patch_rounds_up(results),
             _test_tells(shipped, fixed),
-            _same_on_mujoco_c(results, bound),
+            _gains(results, "same_on_mujoco_c", "gain_mujoco_c", shipped_c, fixed_c, bound),
             _same_as_report(results),
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],
@@ -41,55 +43,37 @@ def test_passed(row: Row) -> bool:
     return row.exit_status.value == 0
 
 
-def _recommended(shipped: Row, fixed: Row, gain: Value, bound: Value) -> Claim:
-    passes = decided(test_passed(fixed), fixed.slip_mm)
-    return Claim(
-        "recommended",
-        all_of(at_least(gain, bound), passes),
-        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain},
-    )
+def _gains(results: Results, claim: str, name: str, shipped: Row, fixed: Row, bound: Value, *passes: Outcome) -> Claim:
+    """Tell whether the fixed script slips so many times less, and passes."""
+    formula = f"slip of {shipped.case} over slip of {fixed.case}"
+    gain = ratio(results, name, formula, shipped.slip_mm, fixed.slip_mm)
+    numbers = {"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain, "bound": bound}
+    return Claim(claim, all_of(at_least(gain, bound), *passes), numbers)
 
 
 def _patch_rounds_up(results: Results) -> Claim:
-    """The patch's ke and kd against those beyond which the engine, whose shortest timeconst is two steps, makes no
+    """Compare the patch's ke and kd with those beyond which the engine, whose shortest timeconst is two steps, makes no
     contact harder."""
     step = other_value(results, "stiffness", "substep", unit="s")
     results.value("step_ms", "the same in ms", lambda step: 1e3 * step, step, unit="ms")
     least_kd = results.value("step_kd", "kd of which two steps are the timeconst, 2 / kd", lambda step: 1 / step, step)
-    least_ke = results.value("step_ke", "ke with which the damping ratio, kd / (2 √ke), is 1", _critical_ke, least_kd)
-    kd = results.value("patch_kd", "given: kd of the stiff pads, which the patch sets", lambda: STIFF_PADS.pad_kd)
-    ke = results.value("patch_ke", "given: ke of the stiff pads, which the patch sets", lambda: STIFF_PADS.pad_ke)
+    formula = "ke with which the damping ratio, kd / (2 √ke), is 1"
+    least_ke = results.value("step_ke", formula, lambda kd: kd**2 / 4, least_kd)
     bound = results.chosen("rounding_bound", "rounded", 10.0, unit="%")
-    off = [
-        departure(results, "patch_kd_off", "how far the patch's kd is from that", kd, least_kd),
-        departure(results, "patch_ke_off", "how far the patch's ke is from that", ke, least_ke),
-    ]
-    outcome = all_of(at_least(kd, least_kd), at_least(ke, least_ke), *(at_most(each, bound) for each in off))
-    return Claim("patch_rounds_up", outcome, numbers={"kd": kd, "ke": ke, "bound": bound})
-
-
-def _critical_ke(kd: float) -> float:
-    return kd**2 / 4
+    numbers, outcomes = {"bound": bound}, []
+    for name, given, least in (("kd", STIFF_PADS.pad_kd, least_kd), ("ke", STIFF_PADS.pad_ke, least_ke)):
+        formula = f"given: {name} of the stiff pads, which the patch sets"
+        numbers[name] = results.value(f"patch_{name}", formula, lambda given=given: given)
+        off = departure(results, f"patch_{name}_off", f"how far the patch's {name} is from that", numbers[name], least)
+        outcomes += [at_least(numbers[name], least), at_most(off, bound)]
+    return Claim("patch_rounds_up", all_of(*outcomes), numbers)
 
 
 def _test_tells(shipped: Row, fixed: Row) -> Claim:
-    """A script that breaks down has no slip and fails its test for another reason."""
+    """Tell whether the test does; a script that breaks down has no slip and fails it for another reason."""
     is_told = test_passed(fixed) and not test_passed(shipped)
-    return Claim(
-        "test_tells",
-        decided(is_told, shipped.slip_mm, fixed.slip_mm),
-        numbers={"before": PASSED[test_passed(shipped)], "after": PASSED[test_passed(fixed)]},
-    )
-
-
-def _same_on_mujoco_c(results: Results, bound: Value) -> Claim:
-    shipped, fixed = results.row["as-shipped-mujoco-c"], results.row["fixed-mujoco-c"]
-    gain = _gain(results, "gain_mujoco_c", shipped, fixed)
-    return Claim(
-        "same_on_mujoco_c",
-        at_least(gain, bound),
-        numbers={"before": shipped.slip_mm, "after": fixed.slip_mm, "gain": gain, "bound": bound},
-    )
+    numbers = {"before": PASSED[test_passed(shipped)], "after": PASSED[test_passed(fixed)]}
+    return Claim("test_tells", decided(is_told, shipped.slip_mm, fixed.slip_mm), numbers)
 
 
 def _same_as_report(results: Results) -> Claim:
@@ -107,22 +91,4 @@ def _same_as_report(results: Results) -> Claim:
         unit="mm",
     )
     bound = results.chosen("difference_bound", "the calibration's tolerance", 0.03, unit="mm")
-    return Claim("same_as_report", at_most(difference, bound), numbers={"difference": difference, "bound": bound})
-
-
-def _gain(results: Results, name: str, shipped: Row, fixed: Row) -> Value:
-    formula = f"slip of {shipped.case} over slip of {fixed.case}"
-    return ratio(results, name, formula, shipped.slip_mm, fixed.slip_mm)
-
-
-def _table(results: Results) -> Table:
-    rows = results.rows
-    columns = {
-        "engine": [ENGINES.get(row.backend, row.backend) for row in rows],
-        "its test": [PASSED[test_passed(row)] for row in rows],
-        "slip": [row.slip_mm for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
-        "dropped": [row.dropped for row in rows],
-    }
-    index = pd.Index([row.script for row in rows], name="file")
-    return Table(pd.DataFrame(columns, index=index))
+    return Claim("same_as_report", at_most(difference, bound), {"difference": difference, "bound": bound})

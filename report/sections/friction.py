@@ -4,7 +4,7 @@ from measured_report.claims.claims import Claim, within
 from measured_report.parts.parts import Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import difference, ratio
-from report.shared.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
+from report.shared.variants import Variants, variant_section, variants_of
 
 order = 40
 label = "friction coefficient"
@@ -15,37 +15,15 @@ LABELS = {"pad_mu": "pads' coefficient", "cube_mu": "cube's coefficient"}
 def derive(results: Results) -> Section:
     variants = variants_of(results, "pad-mu-1")
     pads = sorted((row for row in variants.rows if "pad_mu" in row), key=lambda row: row.pad_mu.value)
-    return Section(
-        tables={"cases": variant_table(variants, LABELS)},
-        figures={"cases": variant_figure(variants)},
-        claims=[
-            not_the_cause(results, variants),
-            within_noise(variants),
-            _not_sliding(results, variants, pads[0], pads[-1]),
-        ],
-    )
+    return variant_section(results, variants, LABELS, _not_sliding(results, variants, pads[0], pads[-1]))
 
 
 def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> Claim:
     """Sliding friction would let go sooner the lower the coefficient."""
     formula = "highest over lowest coefficient of the pads"
     factor = ratio(results, "coefficient_factor", formula, high.pad_mu, low.pad_mu)
-    excess = difference(
-        results,
-        "low_friction_excess",
-        "slip with the lowest coefficient of the pads less that with the highest",
-        low.slip_mm,
-        high.slip_mm,
-    )
-    return Claim(
-        "less_friction_slips_no_more",
-        within(excess, variants.floor),
-        numbers={
-            "factor": factor,
-            "excess": excess,
-            "at_low": low.slip_mm,
-            "at_high": high.slip_mm,
-            "low": low.pad_mu,
-            "high": high.pad_mu,
-        },
-    )
+    formula = "slip with the lowest coefficient of the pads less that with the highest"
+    excess = difference(results, "low_friction_excess", formula, low.slip_mm, high.slip_mm)
+    numbers = {"factor": factor, "excess": excess, "at_low": low.slip_mm, "at_high": high.slip_mm}
+    numbers |= {"low": low.pad_mu, "high": high.pad_mu}
+    return Claim("less_friction_slips_no_more", within(excess, variants.floor), numbers)

@@ -1,11 +1,13 @@
 """The contact gap: it makes contacts, but none of those that it adds carries force."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claims import Claim, at_least, at_most, decreases, within
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, say_value, write
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.parts import Figure, Section
 from measured_report.values.results import Results, Row
 from report.names import name_of
 from report.shared.arithmetic import by_case, noise_floor, share, spread
@@ -15,6 +17,15 @@ order = 110
 label = "contact gap"
 
 CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
+COLUMNS = {
+    "contacts": "mean_row_count",
+    "with force": "mean_loaded_row_count",
+    "without: from": "unloaded_near_mm",
+    "to": "unloaded_far_mm",
+    "most contacts": "peak_contact_count",
+    "slip": "slip_mm",
+    "drift": "drift_mm_s",
+}
 
 
 def derive(results: Results) -> Section:
@@ -25,79 +36,38 @@ def derive(results: Results) -> Section:
         numbers={"cases": [(name_of(row.case), row.mean_loaded_row_count, row.mean_row_count) for row in rows]},
     )
     return Section(
-        tables={"cases": _table(rows)},
+        tables={"cases": by_case(rows, COLUMNS)},
         figures={"contacts": contacts},
-        claims=[
-            *_slip_claims(results, rows),
-            _wider_gaps_list_more(rows),
-            _same_contacts_carry(results, rows),
-            _idle_contacts_are_far(rows[0]),
-        ],
+        claims=[*_slip_claims(results, rows), *_contact_claims(results, rows)],
     )
 
 
-def _slip_claims(results: Results, rows: list[Row]) -> list[Claim]:
-    """Whether the gap explains the slip, and whether it makes any difference at all."""
-    slips = [row.slip_mm for row in rows]
+def _slip_claims(results: Results, rows: list[Row]) -> Iterator[Claim]:
+    """Tell whether the gap explains the slip, and whether it makes any difference at all."""
+    slips, floor = [row.slip_mm for row in rows], noise_floor(results, "slip_floor")
     difference = spread(results, "slip_difference", "largest minus smallest slip of the gaps", slips, unit="mm")
     formula = "difference in slip between the gaps, of the slip with the default gap"
     of_default = share(results, "slip_difference_share", formula, difference, slips[0])
     bound = results.chosen("slip_difference_bound", "too little to explain the slip", 5.0, unit="%")
-    floor = noise_floor(results, "slip_floor")
-    numbers = {"difference": difference, "share": of_default, "floor": floor}
-    return [
-        Claim(
-            "not_the_cause",
-            is_small(results, "slip_difference", difference, bound, slips[0], floor),
-            numbers=numbers | {"slip": slips[0]},
-        ),
-        Claim("within_noise", within(difference, floor), numbers=numbers),
-    ]
+    numbers = {"difference": difference, "share": of_default, "floor": floor, "slip": slips[0]}
+    yield Claim("not_the_cause", is_small(results, "slip_difference", difference, bound, slips[0], floor), numbers)
+    yield Claim("within_noise", within(difference, floor), numbers)
 
 
-def _wider_gaps_list_more(rows: list[Row]) -> Claim:
-    default, small, zero = (row.mean_row_count for row in rows)
-    return Claim(
-        "wider_gaps_list_more",
-        decreases([default, small, zero], noise=0.5, why="a number of contacts that differs"),
-        numbers={"default": default, "small": small, "zero": zero},
-    )
+def _contact_claims(results: Results, rows: list[Row]) -> Iterator[Claim]:
+    """Tell what a gap adds: contacts, but none that carries force, and none that touches."""
+    default, small, zero = listed = [row.mean_row_count for row in rows]
+    more = decreases(listed, noise=0.5, why="a number of contacts that differs")
+    yield Claim("wider_gaps_list_more", more, {"default": default, "small": small, "zero": zero})
 
-
-def _same_contacts_carry(results: Results, rows: list[Row]) -> Claim:
-    default, small, zero = rows
+    loaded = [row.mean_loaded_row_count for row in rows]
     formula = "largest minus smallest mean number of contacts that carry force"
-    difference = spread(results, "loaded_spread", formula, [row.mean_loaded_row_count for row in rows])
-    return Claim(
-        "same_contacts_carry",
-        at_most(difference, 0.5, why="the same number of contacts"),
-        numbers={
-            "loaded": default.mean_loaded_row_count,
-            "loaded_small": small.mean_loaded_row_count,
-            "loaded_zero": zero.mean_loaded_row_count,
-        },
-    )
+    same = at_most(spread(results, "loaded_spread", formula, loaded), 0.5, why="the same number of contacts")
+    names = ("loaded", "loaded_small", "loaded_zero")
+    yield Claim("same_contacts_carry", same, dict(zip(names, loaded, strict=True)))
 
-
-def _idle_contacts_are_far(default: Row) -> Claim:
-    return Claim(
-        "idle_contacts_are_far",
-        at_least(default.unloaded_near_mm, 0.0, why="surfaces that touch"),
-        numbers={"near": default.unloaded_near_mm},
-    )
-
-
-def _table(rows: list[Row]) -> Table:
-    columns = {
-        "contacts": [row.mean_row_count for row in rows],
-        "with force": [row.mean_loaded_row_count for row in rows],
-        "without: from": [row.unloaded_near_mm for row in rows],
-        "to": [row.unloaded_far_mm for row in rows],
-        "most contacts": [row.peak_contact_count for row in rows],
-        "slip": [row.slip_mm for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
-    }
-    return by_case(rows, columns)
+    near = rows[0].unloaded_near_mm
+    yield Claim("idle_contacts_are_far", at_least(near, 0.0, why="surfaces that touch"), {"near": near})
 
 
 def _draw_contacts(rows: list[Row]) -> Drawing:

@@ -1,5 +1,7 @@
 """The same grasp with the arm held still: how much of the drift needs the load cycle?"""
 
+from collections.abc import Iterator
+
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
@@ -8,7 +10,17 @@ from measured_report.claims.claims import Claim, all_of, at_least, at_most, grea
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import by_case, departure, needs_shaking, noise_floor, other_cell, share, size_share
+from report.shared.arithmetic import (
+    by_case,
+    cells_of,
+    departure,
+    needs_shaking,
+    noise_floor,
+    other_cell,
+    share,
+    size_share,
+    table_of,
+)
 
 order = 80
 page = "cause"
@@ -27,219 +39,151 @@ PRECISION = {
 }
 SUBSTEPS = ("hold-substeps-4", "hold", "hold-substeps-32")
 """Cases with fewer, as many and more substeps than as shipped."""
+COLUMNS = {
+    "time": "shake_duration_s",
+    "slip": "slip_mm",
+    "wander": "wander_mm",
+    "drift": "drift_mm_s",
+    "drift down": "creep_z_mm_s",
+}
+PRECISION_COLUMNS = {
+    "creep": "creep_mm_s",
+    "of it down": "creep_z_mm_s",
+    "joint": "joint",
+    "its velocity": "joint_velocity_mrad_s",
+    "its motion": "joint_motion_mrad_s",
+}
 
 
 def derive(results: Results) -> Section:
     traces = {case: results.trace(case) for case in NAMES}
     shaken, long, stiff = (results.row[case] for case in NAMES)
-    motion = Figure(
-        draw=lambda: _draw_motion(traces),
-        sources=list(traces.values()),
-        numbers={
-            "shaken": shaken.slip_mm,
-            "shake_duration": shaken.shake_duration_s,
-            "held": long.slip_mm,
-            "hold_duration": long.shake_duration_s,
-            "stiff": stiff.slip_mm,
-        },
-    )
+    numbers = {"shaken": shaken.slip_mm, "held": long.slip_mm, "stiff": stiff.slip_mm}
+    numbers |= {"shake_duration": shaken.shake_duration_s, "hold_duration": long.shake_duration_s}
+    precision = [results.row[f"precision-{name}"] for name in PRECISION]
     return Section(
-        tables={"cases": _table(results), "precision": _precision_table(results)},
-        figures={"motion": motion},
+        tables={
+            "cases": _table(results),
+            "precision": table_of("positions", PRECISION.values(), cells_of(precision, PRECISION_COLUMNS)),
+        },
+        figures={"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)},
         claims=[
             needs_shaking("drift_needs_cycle", results, results.row["hold"].drift_mm_s, shaken.drift_mm_s),
-            _creep_goes_the_other_way(results),
-            _creep_goes_on(results, long),
-            _creep_is_monotonic(results, traces["hold-60s"]),
-            _stiff_pads_keep_creep(results, long, stiff),
-            _held_is_faster_when_stiff(results, stiff),
-            _same_creep_in_c(results),
-            _creep_is_rounding(results),
-            _joint_stands_still(results),
+            *_creep_goes_on(results, long, traces["hold-60s"]),
+            *_stiff_pads_creep(results, long, stiff),
+            *_creep_is_rounding(results, *precision),
             _longer_steps_creep_less(results),
         ],
     )
 
 
-def _creep_goes_the_other_way(results: Results) -> Claim:
+def _creep_goes_on(results: Results, long: Row, trace: Series) -> Iterator[Claim]:
+    """Tell where the creep goes with the arm held still, that it does not die out, and never turns."""
     held, shaken = results.row["hold"].drift_mm_s, results.row["as-shipped"].drift_mm_s
-    along = results.value(
-        "hold_drift_along",
-        "drift with the arm held still, counted in the direction of the drift as shipped",
-        lambda still, moving: still * np.sign(moving),
-        held,
-        shaken,
-        unit="mm/s",
-    )
-    none = results.chosen("hold_drift_bound", "no motion that way", 0.0, unit="mm/s")
-    return Claim("creep_goes_the_other_way", greater(none, along, noise=noise_floor(results, "drift_floor")))
+    slip_floor, drift_floor = (noise_floor(results, name) for name in ("slip_floor", "drift_floor"))
+    formula = "drift with the arm held still, counted in the direction of the drift as shipped"
+    along = results.value("hold_drift_along", formula, lambda a, b: a * np.sign(b), held, shaken, unit="mm/s")
+    yield Claim("creep_goes_the_other_way", greater(0.0, along, noise=drift_floor, why="no motion that way"))
 
-
-def _creep_goes_on(results: Results, long: Row) -> Claim:
+    slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
+    formula = "motion in the last second of the long hold, of its mean per second"
     final = results.value(
-        "creep_final_share",
-        "motion in the last second of the long hold, of its mean per second",
-        lambda last, slip, duration: 100 * last * duration / slip,
-        long.increment_final_mm,
-        long.slip_mm,
-        long.shake_duration_s,
-        unit="%",
+        "creep_final_share", formula, lambda last, slip, s: 100 * last * s / slip, last, slip, duration, unit="%"
     )
-    bound = results.chosen("creep_final_bound", "not dying out", 50.0, unit="%")
-    none = results.chosen("creep_final_none", "no motion at all", 0.0, unit="mm")
-    return Claim(
-        "creep_goes_on",
-        all_of(
-            at_least(final, bound), greater(long.increment_final_mm, none, noise=noise_floor(results, "slip_floor"))
-        ),
-        numbers={"slip": long.slip_mm, "duration": long.shake_duration_s, "last": long.increment_final_mm},
-    )
+    moves = greater(last, 0.0, noise=slip_floor, why="no motion at all")
+    outcome = all_of(at_least(final, 50.0, why="not dying out"), moves)
+    yield Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
 
-
-def _creep_is_monotonic(results: Results, trace: Series) -> Claim:
     back = results.value(
         "creep_seconds_back",
         "whole seconds of the long hold that do not bring the cube nearer to where it ends up by more than the noise",
         lambda frame, floor: seconds_back(frame, floor) if _way(frame).any() else np.nan,
         trace,
-        noise_floor(results, "slip_floor"),
+        slip_floor,
     )
-    none = results.chosen("creep_seconds_back_bound", "none at all", 0)
-    return Claim("creep_is_monotonic", at_most(back, none), numbers={"back": back})
+    yield Claim("creep_is_monotonic", at_most(back, 0, why="none at all"), {"back": back})
 
 
 def is_monotonic(frame: pd.DataFrame) -> bool:
-    """Whether the cube goes in every whole second in the direction in which it ends up."""
+    """Tell whether the cube goes in every whole second in the direction in which it ends up."""
     return seconds_back(frame) == 0
 
 
 def seconds_back(frame: pd.DataFrame, least_mm: float = 0.0) -> int:
-    """In how many whole seconds the cube goes no farther than ``least_mm`` in the direction in which it ends up."""
+    """Count the whole seconds in which the cube goes no farther than ``least_mm`` towards where it ends up."""
     return int((np.diff(_way(frame)) <= least_mm).sum())
 
 
 def _way(frame: pd.DataFrame) -> np.ndarray:
-    """How far the cube is after each whole second in the direction in which it ends up [mm]; zero if nowhere."""
+    """Measure how far the cube is towards where it ends up after each whole second [mm]; zero if nowhere."""
     second = round(1.0 / frame["time_s"].iloc[1])
     moved = frame[["x_mm", "y_mm", "z_mm"]].to_numpy()
     return moved[::second] @ moved[-1] / (np.linalg.norm(moved[-1]) or 1.0)
 
 
-def _stiff_pads_keep_creep(results: Results, long: Row, stiff: Row) -> Claim:
+def _stiff_pads_creep(results: Results, long: Row, stiff: Row) -> Iterator[Claim]:
+    """Tell whether stiff pads keep the creep, and creep faster held still than shaken.
+
+    The shaken run, of section reproduction, is shorter than the long hold, so that rates are compared.
+    """
     formula = "slip of the long hold with stiff pads, of the slip of the long hold as shipped"
     remaining = share(results, "stiff_creep_share", formula, stiff.slip_mm, long.slip_mm)
-    bound = results.chosen("stiff_creep_bound", "most of it remains", 50.0, unit="%")
-    return Claim(
-        "stiff_pads_keep_creep",
-        at_least(remaining, bound),
-        numbers={"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s},
-    )
+    numbers = {"stiff": stiff.slip_mm, "shipped": long.slip_mm, "duration": long.shake_duration_s}
+    yield Claim("stiff_pads_keep_creep", at_least(remaining, 50.0, why="most of it remains"), numbers)
 
-
-def _held_is_faster_when_stiff(results: Results, stiff: Row) -> Claim:
-    """The shaken run, of section reproduction, is shorter than the long hold, so that rates are compared."""
     slip = other_cell(results, "reproduction", "stiff-pads", "slip_mm", unit="mm")
     shorter = other_cell(results, "reproduction", "stiff-pads", "shake_duration_s", unit="s")
-    formula, times = "slip over its time, stiff pads", {"held": stiff.shake_duration_s, "shaken": shorter}
+    formula, duration = "slip over its time, stiff pads", stiff.shake_duration_s
     held, shaken = (
-        results.value(f"stiff_{name}_rate", formula, lambda a, b: a / b, moved, times[name], unit="mm/s")
-        for name, moved in (("held", stiff.slip_mm), ("shaken", slip))
+        results.value(f"stiff_{name}_rate", formula, lambda a, b: a / b, moved, time, unit="mm/s")
+        for name, moved, time in (("held", stiff.slip_mm, duration), ("shaken", slip, shorter))
     )
-    numbers = {"held": held, "shaken": shaken, "duration": stiff.shake_duration_s, "shorter": shorter}
     noise = results.value(
         "stiff_rate_noise",
         "how far apart identical runs slip, over the shorter time",
         lambda floor, *seconds: floor / min(seconds),
         noise_floor(results, "slip_floor"),
-        *times.values(),
+        *(duration, shorter),
         unit="mm/s",
         is_noise=True,
     )
-    outcome = greater(held, shaken, noise=noise)
-    return Claim("held_is_faster_when_stiff", outcome, numbers)
+    numbers = {"held": held, "shaken": shaken, "duration": duration, "shorter": shorter}
+    yield Claim("held_is_faster_when_stiff", greater(held, shaken, noise=noise), numbers)
 
 
-def _same_creep_in_c(results: Results) -> Claim:
-    warp, c = results.row["hold-warp"].slip_mm, results.row["hold-mujoco-c"].slip_mm
-    difference = departure(
-        results,
-        "engine_creep_difference",
-        "size of the difference between the engines' slips with the arm held still, of MuJoCo Warp's",
-        c,
-        warp,
-    )
+def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) -> Iterator[Claim]:
+    """Tell whether both engines creep alike, double precision takes the creep away, and joints stand still with it."""
+    in_warp, c = results.row["hold-warp"].slip_mm, results.row["hold-mujoco-c"].slip_mm
+    formula = "size of the difference between the engines' slips with the arm held still, of MuJoCo Warp's"
+    apart = departure(results, "engine_creep_difference", formula, c, in_warp)
     bound = results.chosen("engine_creep_bound", "the same creep", 25.0, unit="%")
-    return Claim("same_creep_in_c", at_most(difference, bound), numbers={"c": c, "warp": warp, "bound": bound})
+    yield Claim("same_creep_in_c", at_most(apart, bound), {"c": c, "warp": in_warp, "bound": bound})
 
-
-def _creep_is_rounding(results: Results) -> Claim:
-    double, single, warp = (results.row[f"precision-{name}"] for name in PRECISION)
+    numbers = {"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s}
     formula = "creep with positions in double precision, of that with positions rounded to single precision"
-    remaining = share(results, "double_share", formula, double.creep_mm_s, single.creep_mm_s)
-    rounded = departure(
-        results,
-        "rounded_departure",
-        "difference between the creep with rounded positions and MuJoCo Warp's, of the latter",
-        single.creep_mm_s,
-        warp.creep_mm_s,
-    )
-    bound = results.chosen("double_share_bound", "most of it is gone", 50.0, unit="%")
-    same = results.chosen("rounded_departure_bound", "the same creep", 10.0, unit="%")
-    return Claim(
-        "creep_is_rounding",
-        all_of(at_most(remaining, bound), at_most(rounded, same)),
-        numbers={"double": double.creep_mm_s, "single": single.creep_mm_s, "warp": warp.creep_mm_s},
-    )
+    remaining = share(results, "double_share", formula, numbers["double"], numbers["single"])
+    formula = "difference between the creep with rounded positions and MuJoCo Warp's, of the latter"
+    rounded = departure(results, "rounded_departure", formula, numbers["single"], numbers["warp"])
+    outcome = all_of(at_most(remaining, 50.0, why="most of it is gone"), at_most(rounded, 10.0, why="the same creep"))
+    yield Claim("creep_is_rounding", outcome, numbers)
 
-
-def _joint_stands_still(results: Results) -> Claim:
-    warp = results.row["precision-warp"]
-    followed = size_share(
-        results,
-        "joint_motion_share",
-        "how much of its velocity the fastest arm joint's position follows",
-        warp.joint_motion_mrad_s,
-        warp.joint_velocity_mrad_s,
-    )
+    motion, velocity = warp.joint_motion_mrad_s, warp.joint_velocity_mrad_s
+    formula = "how much of its velocity the fastest arm joint's position follows"
+    followed = size_share(results, "joint_motion_share", formula, motion, velocity)
     bound = results.chosen("joint_motion_bound", "it stands still", 20.0, unit="%")
-    return Claim(
-        "joint_stands_still", at_most(followed, bound), numbers={"velocity": warp.joint_velocity_mrad_s, "bound": bound}
-    )
+    yield Claim("joint_stands_still", at_most(followed, bound), {"velocity": velocity, "bound": bound})
 
 
 def _longer_steps_creep_less(results: Results) -> Claim:
     few, shipped, many = (results.row[case].increment_final_mm for case in SUBSTEPS)
     floor = noise_floor(results, "slip_floor")
-    return Claim(
-        "longer_steps_creep_less",
-        all_of(greater(shipped, few, noise=floor), greater(many, shipped, noise=floor)),
-        numbers={"few": few, "shipped": shipped, "many": many},
-    )
-
-
-def _precision_table(results: Results) -> Table:
-    rows = [results.row[f"precision-{name}"] for name in PRECISION]
-    columns = {
-        "creep": [row.creep_mm_s for row in rows],
-        "of it down": [row.creep_z_mm_s for row in rows],
-        "joint": [row.joint for row in rows],
-        "its velocity": [row.joint_velocity_mrad_s for row in rows],
-        "its motion": [row.joint_motion_mrad_s for row in rows],
-    }
-    return Table(pd.DataFrame(columns, index=pd.Index(PRECISION.values(), name="positions")))
+    outcome = all_of(greater(shipped, few, noise=floor), greater(many, shipped, noise=floor))
+    return Claim("longer_steps_creep_less", outcome, {"few": few, "shipped": shipped, "many": many})
 
 
 def _table(results: Results) -> Table:
     rows = [row for row in results.rows if "slip_mm" in row]
-    columns = {
-        "time": [row.shake_duration_s for row in rows],
-        "slip": [row.slip_mm for row in rows],
-        "wander": [row.wander_mm for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
-        "drift down": [row.creep_z_mm_s for row in rows],
-        "monotonic": [_monotonic(results, row) for row in rows],
-    }
-    return by_case(rows, columns)
+    return by_case(rows, COLUMNS | {"monotonic": [_monotonic(results, row) for row in rows]})
 
 
 def _monotonic(results: Results, row: Row) -> bool | None:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from measured_report.claims.claims import FAILS, Claim, Outcome, at_most
+from measured_report.claims.claims import FAILS, Claim, Outcome, at_least, at_most
 from measured_report.parts.parts import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
@@ -17,6 +17,7 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
 """Why, and how many times less a slip has to be, for a bound that several sections choose."""
+
 NO_DRIFT = ("no comparable drift", 10.0)
 """Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
@@ -79,15 +80,12 @@ def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
 def spread(
     results: Results, name: str, formula: str, cells: Sequence[Quantity], *, unit: str = "1", is_noise: bool = False
 ) -> Value:
-    """Largest less smallest; without a number when there is none."""
-    return results.value(
-        name,
-        formula,
-        lambda *found: max(found) - min(found) if found else math.nan,
-        *cells,
-        unit=unit,
-        is_noise=is_noise,
-    )
+    """Derive the largest less the smallest; without a number when there is none."""
+    return results.value(name, formula, _range, *cells, unit=unit, is_noise=is_noise)
+
+
+def _range(*found: float) -> float:
+    return max(found) - min(found) if found else math.nan
 
 
 def extreme(
@@ -116,20 +114,23 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
     """
     formula = "drift with the arm held still, of the drift as shipped, in size"
     part = size_share(results, "hold_share", formula, held, shaken)
-    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     is_opposed = None not in (held.value, shaken.value) and held.value * shaken.value < 0
     numbers = {"held": held, "shaken": shaken, "share": part, "is_opposed": is_opposed}
+    bound = results.chosen("hold_share_bound", *NO_DRIFT, unit="%")
     return Claim(name, at_most(part, bound), numbers)
+
+
+def settles(gain: Quantity) -> Outcome:
+    """Tell whether a slip that is so many times less settles the matter."""
+    why, bound = SETTLES
+    return at_least(gain, bound, why)
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:
     """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
     found = at_most(noise, bound)
-    return (
-        found
-        if found != FAILS
-        else replace(found, name="unknown", reason="the noise is larger than what is looked for")
-    )
+    reason = "the noise is larger than what is looked for"
+    return replace(found, name="unknown", reason=reason) if found == FAILS else found
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:

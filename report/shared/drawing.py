@@ -16,7 +16,7 @@ def mark_cells(axes: Axes, cells: Sequence[Quantity | None], colour: str, label:
 
 
 def mark_points(axes: Axes, points: Iterable[tuple[float | None, float | None]], **style) -> None:
-    """Mark the points that have both coordinates, with no line through them."""
+    """Mark the points that have both coordinates; a line goes through them only where the style has one."""
     there = [point for point in points if None not in point]
     axes.plot([x for x, _ in there], [y for _, y in there], **{"linestyle": "", "markevery": 1, **style})
 

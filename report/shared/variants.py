@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claims import NEAR_NOISE, Claim, Outcome, greater, within
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
-from measured_report.parts.parts import Figure, Table
+from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
@@ -36,9 +36,13 @@ class Variants:
     @property
     def numbers(self) -> dict[str, Quantity | str]:
         """What the wording of a claim can name."""
-        numbers = {"baseline": self.baseline.slip_mm, "floor": self.floor}
-        most = case_html(self.most)
-        return numbers | {"largest": self.largest, "most": most, "share": self.largest_share}
+        numbers: dict[str, Quantity | str] = {"largest": self.largest, "share": self.largest_share}
+        return numbers | {"most": case_html(self.most), "baseline": self.baseline.slip_mm, "floor": self.floor}
+
+    @property
+    def all_rows(self) -> list[Row]:
+        """The baseline, and the others after it."""
+        return [self.baseline, *self.rows]
 
 
 class Differences(dict):
@@ -48,66 +52,57 @@ class Differences(dict):
         return absent("mm", f"there is no single row of case {case}")
 
 
+def variant_section(results: Results, variants: Variants, labels: Mapping[str, str], *claims: Claim) -> Section:
+    """Make the section of variants: their table and figure, whether one is the cause or differs at all, and more
+    claims; ``labels`` says in words which columns are parameters of a case."""
+    return Section(
+        tables={"cases": variant_table(variants, labels)},
+        figures={"cases": variant_figure(variants)},
+        claims=[not_the_cause(results, variants), within_noise(variants), *claims],
+    )
+
+
 def variants_of(results: Results, baseline: str) -> Variants:
-    """Every row of the section against the row of the case ``baseline``."""
+    """Compare every row of the section with the row of the case ``baseline``."""
     reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
-    difference = Differences({row.case: _difference(results, row, reference) for row in rows})
+    found = Differences()
+    for row in rows:
+        formula = f"slip of {row.case} less that of {reference.case}"
+        found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
+    formula = "largest difference in slip from the baseline, either way"
     largest = results.value(
-        "largest_difference",
-        "largest difference in slip from the baseline, either way",
-        lambda *cell: max(map(abs, cell)),
-        *difference.values(),
-        unit="mm",
+        "largest_difference", formula, lambda *cell: max(map(abs, cell)), *found.values(), unit="mm"
     )
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
-    most = max(difference, key=lambda case: abs(difference[case].value or 0.0), default="none")
-    return Variants(reference, rows, difference, largest, most, largest_share, noise_floor(results, "slip_floor"))
-
-
-def _difference(results: Results, row: Row, reference: Row) -> Value:
-    return difference(
-        results,
-        f"{row.case}_difference",
-        f"slip of {row.case} less that of {reference.case}",
-        row.slip_mm,
-        reference.slip_mm,
-    )
+    most = max(found, key=lambda case: abs(found[case].value or 0.0), default="none")
+    return Variants(reference, rows, found, largest, most, largest_share, noise_floor(results, "slip_floor"))
 
 
 def not_the_cause(results: Results, variants: Variants) -> Claim:
-    """Whether every variant leaves most of the slip in place."""
+    """Tell whether every variant leaves most of the slip in place."""
     bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
     outcome = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
     return Claim("not_the_cause", outcome, variants.numbers)
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
-    """Whether a change of slip [mm] is less than ``bound`` percent of a slip, by more than the noise; more is the
+    """Tell whether a change of slip [mm] is less than ``bound`` percent of a slip, by more than the noise; more is the
     opposite."""
-    limit = results.value(
-        f"{name}_limit",
-        f"{bound.written} % of the slip, signs left out",
-        lambda percent, whole: percent / 100 * abs(whole),
-        bound,
-        slip,
-        unit="mm",
-    )
+    formula = f"{bound.written} % of the slip, signs left out"
+    limit = results.value(f"{name}_limit", formula, lambda a, b: a / 100 * abs(b), bound, slip, unit="mm")
     return greater(limit, change, noise=noise)
 
 
 def within_noise(variants: Variants) -> Claim:
-    """Whether any variant differs from the baseline by more than the baseline does from itself."""
+    """Tell whether any variant differs from the baseline by more than the baseline does from itself."""
     found = {case_html(case): value for case, value in variants.difference.items()}
-    return Claim(
-        "within_noise",
-        within(variants.largest, variants.floor),
-        numbers=variants.numbers | {"beyond": beyond_noise(found, variants.floor)},
-    )
+    numbers = variants.numbers | {"beyond": beyond_noise(found, variants.floor)}
+    return Claim("within_noise", within(variants.largest, variants.floor), numbers)
 
 
 def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
-    """Those of the named differences that are clearly larger than the noise, either way."""
+    """Name the differences that are clearly larger than the noise, either way."""
     there = {name: value for name, value in differences.items() if None not in (value.value, floor.value)}
     beyond = {name: value for name, value in there.items() if abs(value.value) > NEAR_NOISE * floor.value}
     before = [absent("mm", "it is the first"), *beyond.values()]
@@ -118,15 +113,14 @@ def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Mar
 
 
 def variant_table(variants: Variants, labels: Mapping[str, str]) -> Table:
-    """A row for each case; ``labels`` says in words which columns are parameters of a case."""
-    rows = [variants.baseline, *variants.rows]
-    columns = {
-        "changed": [_changed(row, variants.baseline, labels) for row in rows],
-        "slip": [row.slip_mm for row in rows],
-        "against baseline": [variants.difference.get(row.case, "") for row in rows],
-        "drift": [row.drift_mm_s for row in rows],
+    """Make the table with a line for each case."""
+    columns: dict[str, str | Sequence] = {
+        "changed": [_changed(row, variants.baseline, labels) for row in variants.all_rows],
+        "slip": "slip_mm",
+        "against baseline": [variants.difference.get(row.case, "") for row in variants.all_rows],
+        "drift": "drift_mm_s",
     }
-    return by_case(rows, columns)
+    return by_case(variants.all_rows, columns)
 
 
 def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
@@ -138,22 +132,20 @@ def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
 
 
 def variant_figure(variants: Variants) -> Figure:
-    """The slip of every case, and beside it how far it is from the baseline, with the noise."""
-    slips = [row.slip_mm for row in (variants.baseline, *variants.rows)]
+    """Draw the slip of every case, and beside it how far it is from the baseline, with the noise."""
+    slips = [row.slip_mm for row in variants.all_rows]
     return Figure(draw=lambda: _draw_variants(variants), sources=slips, numbers=variants.numbers)
 
 
 def _draw_variants(variants: Variants) -> Drawing:
-    rows = [row for row in (variants.baseline, *variants.rows) if row.slip_mm.value is not None]
+    rows = [row for row in variants.all_rows if row.slip_mm.value is not None]
     names, slips = [name_of(row.case) for row in rows], [row.slip_mm.value for row in rows]
     drawing, (left, right) = new_figure(7.2, 0.9 + 0.3 * len(rows), ncols=2, sharey=True)
     left.barh(names, slips, height=0.6, color=SERIES[0], linewidth=0)
     for place, (row, slip) in enumerate(zip(rows, slips, strict=True)):
-        left.annotate(
-            write(row.slip_mm), (slip, place), xytext=(4, 0), textcoords="offset points", fontsize=9, va="center"
-        )
-    left.set_xlim(0.0, 1.25 * max(slips))
-    left.set_xlabel("slip [mm]")
+        beside = {"xytext": (4, 0), "textcoords": "offset points", "va": "center"}
+        left.annotate(write(row.slip_mm), (slip, place), fontsize=9, **beside)
+    left.set(xlim=(0.0, 1.25 * max(slips)), xlabel="slip [mm]")
     reference, floor = variants.baseline.slip_mm.value, variants.floor.value
     if reference is not None:
         right.axvline(0.0, color=INK, linewidth=1, linestyle="--", marker="")
