@@ -1,20 +1,29 @@
 """The shake test as shipped: does the cube slip, on which engine, and what does a stiffer pad change?"""
 
-from report.shared.arithmetic import DEVICES, SETTLES, NO_DRIFT, ratio, size_share, departure, spread, needs_shaking, by_case
-from report.names import name_of, cases_html
-from measured_report.claims.claims import Outcome, HOLDS, Claim, at_least, at_most
-from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.parts import Table, Figure, Section
-from measured_report.values.results import Series, Row, Results
 from collections.abc import Sequence
-from markupsafe import Markup
-
 
 import numpy as np
 import pandas as pd
+from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.classes import cycle_increments
+from measured_report.claims.claims import HOLDS, Claim, Outcome, at_least, at_most
+from measured_report.parts.figures import INK, new_figure
+from measured_report.parts.parts import Figure, Section, Table
+from measured_report.values.results import Results, Row, Series
+from report.names import cases_html, name_of
+from report.shared.arithmetic import (
+    DEVICES,
+    NO_DRIFT,
+    SETTLES,
+    by_case,
+    departure,
+    needs_shaking,
+    ratio,
+    size_share,
+    spread,
+)
 from report.shared.overview import HARDLY, LITTLE
 
 order = 10
