@@ -2,44 +2,40 @@
 
 import ast
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
 START, END = "```mermaid\n", "```\n"
-FOLDERS = ("experiments", "report")
-ROOMS = ("report.records", "report.deriving", "report.sections", "experiments", "report", "build")
-"""Rooms by the start of a module's name; the first that fits counts."""
-FACTS = "facts"
-SHARED = ("experiments.facts.case", "experiments.facts.classes", "experiments.facts.metrics", "experiments.facts.trace")
-"""The room of what both sides read, which has no name of its own, and its modules: the last two are what classify
-reads."""
-LABELS = {
-    "build": "build.py<br>the command line",
-    "experiments": "experiments/<br>measure",
-    FACTS: "experiments/: case, classify<br>facts of the scene and of how a run ends",
-    "report.records": "report/records/<br>what was measured",
-    "report": "report/<br>claims, figures, pages",
-    "report.deriving": "report/deriving/<br>what sections share",
-    "report.sections": "report/sections/<br>a module each",
+GENERATOR = "measured_report"
+FOLDERS = {
+    "experiments": ROOT,
+    "report": ROOT,
+    GENERATOR: ROOT / "packages" / "measured-report",
+    "newton_lint": ROOT / "packages" / "newton-lint",
 }
+"""Where each top-level package lies."""
+
+Graph = dict[str, set[str]]
 
 
 def modules() -> dict[str, Path]:
-    """Every module of the project, by its name."""
-    files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
-    names = {".".join(path.relative_to(ROOT).with_suffix("").parts): path for path in files}
-    return {name.removesuffix(".__init__"): path for name, path in names.items()} | {"build": ROOT / "build.py"}
-
-
-def imports() -> dict[str, set[str]]:
-    """The project's modules that each of its modules imports, wherever in it the import stands."""
-    known = modules()
-    found = {}
-    for name, path in known.items():
-        named = set(_named(ast.parse(path.read_text(encoding="utf-8"))))
-        found[name] = {each for each in named if each in known and each != name}
+    """Find every module of the project, by its name."""
+    found = {"build": ROOT / "build.py"}
+    for folder, base in FOLDERS.items():
+        for path in sorted((base / folder).rglob("*.py")):
+            found[".".join(path.relative_to(base).with_suffix("").parts).removesuffix(".__init__")] = path
     return found
+
+
+def imports() -> Graph:
+    """Read which of the project's modules each of them imports, wherever in it the import stands."""
+    known = modules()
+    return {
+        name: set(_named(ast.parse(path.read_text(encoding="utf-8")))) & known.keys() - {name}
+        for name, path in known.items()
+    }
 
 
 def _named(tree: ast.Module) -> Iterator[str]:
@@ -52,30 +48,36 @@ def _named(tree: ast.Module) -> Iterator[str]:
 
 
 def room_of(module: str) -> str:
-    if module in SHARED:
-        return FACTS
-    return next(room for room in ROOMS if module == room or module.startswith(f"{room}."))
+    """Name the room of a module: a folder of the generator, or else its top-level package."""
+    return ".".join(module.split(".")[: 2 if module.startswith(f"{GENERATOR}.") else 1])
 
 
-def arrows() -> set[tuple[str, str]]:
-    """Pairs of rooms of which the first imports the second; the folders themselves, which all may name, left out."""
-    return {
-        (room_of(module), room_of(named))
-        for module, found in imports().items()
-        for named in found
-        if room_of(module) != room_of(named) and named not in FOLDERS
-    }
+def rooms() -> Graph:
+    """Say which rooms each room imports; the packages themselves, which all may name, are left out."""
+    found: Graph = {room_of(module): set() for module in modules() if module != GENERATOR}
+    for module, names in imports().items():
+        if module != GENERATOR:
+            found[room_of(module)] |= {room_of(name) for name in names - FOLDERS.keys()} - {room_of(module)}
+    return found
+
+
+def floors(graph: Graph) -> dict[str, int]:
+    """Count how many floors of rooms each stands on; CycleError where there is a circle."""
+    found: dict[str, int] = {}
+    for room in TopologicalSorter(graph).static_order():
+        found[room] = 1 + max((found[below] for below in graph[room]), default=0)
+    return found
 
 
 def picture() -> str:
-    """The rooms as a diagram in Mermaid's language."""
-    lines = ["flowchart TD"]
-    lines += [f'    {_id(room)}["{LABELS[room]}"]' for room in LABELS]
-    lines += [f"    {_id(one)} --> {_id(other)}" for one, other in sorted(arrows())]
-    # These two are found by their names when they are needed, and imported nowhere.
-    lines += [f"    {_id('report')} -. by name .-> {_id('report.sections')}"]
-    lines += [f"    {_id('report.records')} -. a process .-> {_id('experiments')}"]
-    return "\n".join(lines) + "\n"
+    """Draw the rooms in Mermaid's language, without the arrows that a longer way says already."""
+    graph, below = rooms(), {}
+    for room in TopologicalSorter(graph).static_order():
+        below[room] = graph[room].union(*(below[each] for each in graph[room]))
+    direct = {room: found - set().union(*(below[each] for each in found)) for room, found in graph.items()}
+    lines = [f'    {_id(room)}["{room.removeprefix(f"{GENERATOR}.")}"]' for room in sorted(graph)]
+    lines += [f"    {_id(room)} --> {_id(each)}" for room in sorted(graph) for each in sorted(direct[room])]
+    return "\n".join(["flowchart TD", *lines]) + "\n"
 
 
 def _id(room: str) -> str:

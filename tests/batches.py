@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.course import Course
+from measured_report.records.identity import identity_of
+from measured_report.records.reading import load_record
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,13 @@ def die(log: str, times: int) -> dict:
     return {"case": "die", "slip_mm": 1.0}
 
 
+def is_running(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
 def double(rows: list) -> dict:
     return {"case": "sum", "slip_mm": 2.0 * sum(row["slip_mm"] for row in rows)}
 
@@ -72,3 +82,16 @@ def kill_worker(log: str) -> dict:
         os.kill(os.getppid(), signal.SIGKILL)
         time.sleep(60.0)
     return {"case": "worker", "slip_mm": 1.0}
+
+
+def course(toy, plan) -> Course:
+    return Course(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
+
+
+def begun(log: Path) -> list[str]:
+    """Names of the batches that were begun, in order."""
+    return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
+
+
+def rows_of(toy) -> list:
+    return load_record(toy.record_path).rows

@@ -20,12 +20,15 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.files import locked
 from measured_report.pages.page import Templates
-from measured_report.records.identity import identity_of, package_versions
+from measured_report.records.identity import identity_of
+from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.site import build
 from measured_report.site.surroundings import ASSETS
 
+IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
+os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
 
@@ -77,7 +80,7 @@ ROBOT = "assets/robot.urdf"
 
 def slip():
     """How far it slips."""
-    return 1.0
+    return 1.0 if ROBOT else 0.0
 '''
 needs_boxes_in_c = pytest.mark.skipif(
     package_versions()["mujoco"].startswith("3.11."),
@@ -251,3 +254,22 @@ def poses_path(tmp_path_factory) -> Path:
     results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
     shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
     return results / "poses.json"
+
+
+def git(folder: Path, *command: str) -> str:
+    who = ["-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
+    done = subprocess.run(["git", "-C", folder, *who, *command], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+@pytest.fixture
+def checkout(tmp_path) -> Path:
+    """A repository with a package newton."""
+    folder = tmp_path / "newton"
+    (folder / "newton").mkdir(parents=True)
+    (folder / "newton/__init__.py").write_text("x = 1\n")
+    (folder / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.9.0.dev0"\n')
+    git(folder, "init", "--quiet", "--initial-branch", "main")
+    git(folder, "add", ".")
+    git(folder, "commit", "--quiet", "-m", "one")
+    return folder

@@ -4,30 +4,27 @@ import gzip
 import json
 import os
 from collections.abc import Callable, Mapping
+from functools import reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
 Change = Callable[[dict], Any]
 
 
-def _with(*path: str | int, value: Any) -> Change:
-    """A change of the one field at ``path``."""
+GONE = object()
+
+
+def _with(*path: str | int, value: Any = GONE) -> Change:
+    """A change of the one field at ``path``, which is taken out where it gets no value."""
 
     def change(data: dict) -> None:
-        inner: Any = data
-        for part in path[:-1]:
-            inner = inner[part]
-        inner[path[-1]] = value
-
-    return change
-
-
-def _without(*path: str | int) -> Change:
-    def change(data: dict) -> None:
-        inner: Any = data
-        for part in path[:-1]:
-            inner = inner[part]
-        del inner[path[-1]]
+        *way, last = path
+        inner: Any = reduce(getitem, way, data)
+        if value is GONE:
+            del inner[last]
+        else:
+            inner[last] = value
 
     return change
 
@@ -41,12 +38,8 @@ VERSIONS = (
     "1.4.0 --index-url http://x",
     "../1.4.0",
     "1.4.0\n",
-    "",
-    3,
-    None,
-    "$(touch x)",
-    "1.4.0 ",
 )
+VERSIONS += ("", 3, None, "$(touch x)", "1.4.0 ")
 
 FIELDS: dict[str, Change] = {
     **{f"slip {value!r:.20}": _with("rows", 0, "slip_mm", value=value) for value in NO_NUMBERS},
@@ -86,10 +79,10 @@ FIELDS: dict[str, Change] = {
     "column of no name": _with("rows", 0, "Slip mm", value="a"),
     "number without unit": _with("rows", 0, "drift_mm_s", value=1.0),
     "text in one row": _with("rows", 1, "dropped", value="no"),
-    **{f"no {field}": _without(field) for field in ("schema", "section", "identity", "machine", "measured", "units")},
-    **{f"no {field} of identity": _without("identity", field) for field in ("code", "config", "packages")},
-    **{f"no {field} of measured": _without("measured", field) for field in ("date", "seconds", "command", "commit")},
-    **{f"no {field} of machine": _without("machine", field) for field in ("device", "cpu", "gpu")},
+    **{f"no {field}": _with(field) for field in ("schema", "section", "identity", "machine", "measured", "units")},
+    **{f"no {field} of identity": _with("identity", field) for field in ("code", "config", "packages")},
+    **{f"no {field} of measured": _with("measured", field) for field in ("date", "seconds", "command", "commit")},
+    **{f"no {field} of machine": _with("machine", field) for field in ("device", "cpu", "gpu")},
 }  # fmt: skip
 """Changes of what a record says, by name."""
 
@@ -151,56 +144,45 @@ TRACES: dict[str, Callable[[bytes], bytes]] = {
 """Changes of a trace's content, by name; each is found without a seal as well."""
 
 
-def _link(target: str) -> Callable[[Path], None]:
-    def put(path: Path) -> None:
+def _in_its_place(put: Callable[[Path], object]) -> Callable[[Path], None]:
+    def change(path: Path) -> None:
         path.unlink()
-        path.symlink_to(target)
+        put(path)
 
-    return put
-
-
-def _pipe(path: Path) -> None:
-    path.unlink()
-    os.mkfifo(path)
+    return change
 
 
-def _folder(path: Path) -> None:
-    path.unlink()
-    path.mkdir()
-
-
-def _large(path: Path) -> None:
-    with path.open("r+b") as file:
-        file.truncate(1 << 40)
-
-
-PLACES: Mapping[str, Callable[[Path], None]] = {
-    "a link to a password file": _link("/etc/passwd"),
-    "a link to no end": _link("/dev/zero"),
-    "a link to nothing": _link("/nowhere"),
-    "a link to itself": lambda path: _link(path.name)(path),
-    "a pipe": _pipe,
-    "a folder": _folder,
-    "a terabyte": _large,
+PLACES: Mapping[str, Callable[[Path], object]] = {
+    "a link to a password file": _in_its_place(lambda path: path.symlink_to("/etc/passwd")),
+    "a link to no end": _in_its_place(lambda path: path.symlink_to("/dev/zero")),
+    "a link to nothing": _in_its_place(lambda path: path.symlink_to("/nowhere")),
+    "a link to itself": _in_its_place(lambda path: path.symlink_to(path.name)),
+    "a pipe": _in_its_place(os.mkfifo),
+    "a folder": _in_its_place(Path.mkdir),
+    "a terabyte": lambda path: os.truncate(path, 1 << 40),
 }
 """What may be in the place of a record or a trace, by name."""
 
 
-def damage_record(path: Path, name: str) -> None:
-    """Damage the record at ``path`` in the way ``name``."""
+def damage(path: Path, name: str) -> None:
+    """Damage the record or the trace at ``path`` in the way ``name``."""
     kind, _, way = name.partition(": ")
-    text = path.read_text(encoding="utf-8")
     if kind == "field":
-        data = json.loads(text)
+        data = json.loads(path.read_text(encoding="utf-8"))
         FIELDS[way](data)
         path.write_text(json.dumps(data), encoding="utf-8")
     elif kind == "text":
-        changed = TEXTS[way](text)
+        changed = TEXTS[way](path.read_text(encoding="utf-8"))
         path.write_bytes(changed if isinstance(changed, bytes) else changed.encode())
+    elif kind == "trace":
+        path.write_bytes(TRACES[way](path.read_bytes()))
     else:
         PLACES[way](path)
 
 
-RECORD_WAYS = [
-    f"{kind}: {way}" for kind, ways in {"field": FIELDS, "text": TEXTS, "place": PLACES}.items() for way in ways
-]
+def _named(**kinds: Mapping[str, Any]) -> list[str]:
+    return [f"{kind}: {way}" for kind, ways in kinds.items() for way in ways]
+
+
+RECORD_WAYS = _named(field=FIELDS, text=TEXTS, place=PLACES)
+TRACE_WAYS = _named(trace=TRACES, place=PLACES)

@@ -4,6 +4,8 @@ import importlib.util
 import re
 from graphlib import TopologicalSorter
 
+import pytest
+
 from measured_report import ROOT
 
 SPEC = importlib.util.spec_from_file_location("rooms", ROOT / "docs" / "rooms.py")
@@ -12,22 +14,34 @@ SPEC.loader.exec_module(rooms)
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
 WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")
+MOST_ROOMS, MOST_FLOORS, MOST_ARROWS = 13, 10, 60
 
 
-def test_records_know_neither_the_page_nor_the_experiments():
-    assert [pair for pair in rooms.arrows() if pair[0] == "report.records"] == []
+@pytest.mark.parametrize(
+    ("side", "allowed"),
+    [
+        ("measured_report", ()),
+        ("newton_lint", ()),
+        ("experiments", ("measured_report", "newton_lint")),
+        ("report", ("measured_report", "experiments.facts")),
+    ],
+)
+def test_each_side_reads_no_more_of_the_others_than_it_may(side, allowed):
+    def is_in(name: str, room: str) -> bool:
+        return f"{name}.".startswith(f"{room}.")
+
+    named = {(module, name) for module, found in rooms.imports().items() if is_in(module, side) for name in found}
+    outside = {(module, name) for module, name in named if not any(is_in(name, room) for room in (side, *allowed))}
+    assert {(module, name) for module, name in outside if name != "experiments"} == set()
 
 
-def test_experiments_read_records_alone():
-    found = {named for module, names in rooms.imports().items() if module.startswith("experiments") for named in names}
-    outside = {name for name in found if not name.startswith(("experiments", "report.records")) and name != "report"}
-    assert outside == {"experiments.facts.fix_files"}, "the files of the fix, which are offered and measured"
-
-
-def test_the_page_s_side_reads_two_modules_of_the_experiments():
-    page = {module: found for module, found in rooms.imports().items() if not module.startswith("experiments")}
-    found = {named for names in page.values() for named in names if named.startswith("experiments.")}
-    assert found == {"experiments.facts.case", "experiments.facts.classes"}, "what a case is, and how a run ends"
+def test_the_page_s_side_never_imports_the_simulator():
+    imports, modules = rooms.imports(), rooms.modules()
+    reached = {name for name in modules if name.partition(".")[0] in ("build", "measured_report", "report")}
+    while more := {named for name in reached for named in imports[name]} - reached:
+        reached |= more
+    files = [modules[name] for name in reached]
+    assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
 
 
 def test_no_import_leads_in_a_circle():
@@ -37,17 +51,17 @@ def test_no_import_leads_in_a_circle():
     assert len(list(TopologicalSorter(inner).static_order())) == len(names)
 
 
-def test_the_page_s_side_never_imports_the_simulator():
-    imports, modules = rooms.imports(), rooms.modules()
-    reached = {name for name in modules if not name.startswith("experiments")}
-    while more := {named for name in reached for named in imports[name]} - reached:
-        reached |= more
-    files = [modules[name] for name in reached]
-    assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
+def test_the_generator_has_few_rooms_on_few_floors():
+    inside = {room: found for room, found in rooms.rooms().items() if room.startswith("measured_report.")}
+    inside = {room: {each for each in found if each in inside} for room, found in inside.items()}
+    assert len(inside) <= MOST_ROOMS
+    assert sum(map(len, inside.values())) <= MOST_ARROWS
+    assert max(rooms.floors(inside).values()) <= MOST_FLOORS
 
 
 def test_words_are_in_templates():
-    files = [path for folder in ("sections", "deriving") for path in sorted((ROOT / "report" / folder).rglob("*.py"))]
+    files = [path for name, path in rooms.modules().items() if name.startswith("report.sections.")]
+    files += (ROOT / "packages/measured-report/measured_report/deriving").glob("*.py")
     texts = {path.name: path.read_text(encoding="utf-8") for path in files}
     assert [(name, match[0]) for name, text in texts.items() for match in WORDING.finditer(text)] == []
 

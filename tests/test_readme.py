@@ -4,7 +4,6 @@ import re
 import textwrap
 
 import pytest
-from test_names import unfit
 
 from experiments.facts.case import differences
 from measured_report import ROOT
@@ -12,6 +11,7 @@ from measured_report.deriving.derived import outline_of
 from measured_report.records.identity import sections
 from measured_report.site.check import check_site
 from report.names import name_of
+from tests.report.test_names import unfit
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n(?: {3}\S.*\n)*\n((?: {7}.*\n|\n)+)", re.MULTILINE)

@@ -17,14 +17,16 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+sys.path[:0] = [str(ROOT), *map(str, (ROOT / "packages").iterdir()), str(ROOT / "tests")]
 
-from damage import PLACES, RECORD_WAYS, TRACES, damage_record  # noqa: E402
+from batches import is_running  # noqa: E402
+from damage import RECORD_WAYS, TRACE_WAYS, damage  # noqa: E402
 from torture_study import studies  # noqa: E402
 
 from measured_report.files.cache import FOLDER as CACHE  # noqa: E402
@@ -38,7 +40,7 @@ from measured_report.site.check import check_site  # noqa: E402
 KEPT = "torture"
 """What was tried so far is kept as this, each trial by itself, so that several processes can try at once."""
 REPORT = ROOT / "docs" / "reliability.md"
-FOLDERS = ("experiments", "report", "templates", "assets", "tests", "docs")
+FOLDERS = ("experiments", "report", "packages", "templates", "assets", "tests", "docs")
 RELEASE = "1.5.0"
 SECTIONS = ("noise", "reproduction", "gap")
 """Its records that the copy has: of each kind of thing that a page shows there is one, and it is built in seconds."""
@@ -52,7 +54,7 @@ def measure(conditions: Conditions) -> Measurement:
     rows = [{"case": "probe", "slip_mm": 1.0}]
     return Measurement(rows, {f"probe-{number}": {"time_s": [0.0, 1.0], "x_mm": [0.0, 1.0]} for number in range(20)})
 """,
-    "report/sections/probe.py": """from report.parts import Section
+    "report/sections/probe.py": """from measured_report.parts.parts import Section
 
 order = 999
 
@@ -148,12 +150,9 @@ class World:
     def processes(self) -> list[int]:
         found = []
         for place in Path("/proc").glob("[0-9]*/cwd"):
-            try:
-                if place.resolve() == self.root and int(place.parent.name) != os.getpid():
-                    state = (place.parent / "stat").read_text().rpartition(")")[2].split()[0]
-                    found += [int(place.parent.name)] * (state != "Z")
-            except OSError:
-                continue
+            number = int(place.parent.name)
+            with suppress(OSError):
+                found += [number] * (place.resolve() == self.root and number != os.getpid() and is_running(number))
         return found
 
 
@@ -171,8 +170,8 @@ def one_line(done: subprocess.CompletedProcess, status: int | None = None) -> li
 
 def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], after: Sequence[str]) -> Iterator[Trial]:
     """Of a command, at moments spread over the time that it takes; ``after`` is what finishes it."""
-    place = world.root.parent / "www"
     name = arguments[0]
+    trial.name = f"{name}{' from nothing' * (name == 'page')}, killed ({KILLED})"
     world.run(*PAGE)
     whole, took = world.site(), 0.0
     for number in range(trial.tried, moments):
@@ -183,16 +182,11 @@ def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], af
             world.run(*after)
         sent, group = WAYS[number % len(WAYS)]
         share = (number + 0.5) / moments
-        running = world.start(*_begun(world, arguments))
-        while (ended := waited(running, took * share)) is not None:
-            took = ended  # it is through before its moment came: nothing was hit
-            running.communicate()
-            running = world.start(*_begun(world, arguments))
+        running, took = at_its_moment(lambda: world.start(*_begun(world, arguments)), took, share)
         stopped = time.monotonic()
         os.killpg(running.pid, sent) if group else running.send_signal(sent)
         said = running.communicate()[1]
         slow = time.monotonic() - stopped
-        what = f"{name} {sent.name} after {share:.0%} of it{' (group)' if group else ''}"
         found = ["traceback"] if "Traceback" in said else []
         found += [f"Ctrl-C took {slow:.1f} s"] if sent == signal.SIGINT and slow > 2.0 else []
         found += [f"half: {problem}" for problem in world.problems()] if name != "rerun" else []
@@ -201,8 +195,8 @@ def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], af
         found += [f"next run: {finished.stderr[-200:]}"] if finished.returncode else []
         found += world.leftovers() + world.problems()
         found += [] if world.site() == whole else ["another site"]
-        found += check_site(place)[:1] if name == "publish" else []
-        trial(what, *found)
+        found += check_site(world.root.parent / "www")[:1] if name == "publish" else []
+        trial(f"{name} {sent.name} after {share:.0%} of it{' (group)' if group else ''}", *found)
         yield trial
 
 
@@ -210,14 +204,15 @@ WAYS = tuple(itertools.product((signal.SIGKILL, signal.SIGTERM, signal.SIGINT), 
 """How a process is ended, and whether all that it started is as well."""
 
 
-def waited(running: subprocess.Popen, seconds: float) -> float | None:
-    """Wait as long as that; the seconds that it took if it is through before, and None while it runs."""
-    start = time.monotonic()
-    try:
-        running.wait(seconds)
-    except subprocess.TimeoutExpired:
-        return None
-    return time.monotonic() - start
+def at_its_moment(begin: Callable[[], subprocess.Popen], took: float, share: float) -> tuple[subprocess.Popen, float]:
+    """Begin what takes so long until it runs after that share of it; what ends before was not hit, and took less."""
+    while True:
+        running, start = begin(), time.monotonic()
+        try:
+            running.communicate(timeout=took * share)
+            took = time.monotonic() - start
+        except subprocess.TimeoutExpired:
+            return running, took
 
 
 def _begun(world: World, arguments: Sequence[str]) -> Sequence[str]:
@@ -231,20 +226,8 @@ def _from_nothing(world: World, arguments: Sequence[str]) -> Sequence[str]:
     return arguments
 
 
-def page_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
-    trial.name = f"page from nothing, killed ({KILLED})"
-    yield from kills(world, trial, moments, PAGE, PAGE)
-
-
-def rerun_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
-    trial.name = f"rerun, killed ({KILLED})"
-    yield from kills(world, trial, moments, RERUN, PAGE)
-
-
-def publish_kills(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
-    trial.name = f"publish, killed ({KILLED})"
-    command = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
-    yield from kills(world, trial, moments, command, command)
+def publish_to(world: World) -> tuple[str, ...]:
+    return "publish", "--target", f"dir:{world.root.parent / 'www'}"
 
 
 KILLED = "SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone"
@@ -253,7 +236,7 @@ KILLED = "SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone"
 def writers(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Two at once."""
     trial.name = "two writers at once (the same, report beside rerun, publish beside report)"
-    publish = ("publish", "--target", f"dir:{world.root.parent / 'www'}")
+    publish = publish_to(world)
     for pair in ((PAGE, PAGE), (RERUN, RERUN), (PAGE, RERUN), (PAGE, publish), (publish, publish)):
         world.run(*PAGE)
         both = [world.start(*one) for one in pair]
@@ -350,76 +333,58 @@ def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Every way to damage a record, on records that were measured."""
     trial.name = "damaged records and traces: named with release and file, in one line"
     chance = random.Random(0)
-    folder = world.root / "results" / f"newton-{RELEASE}"
-    for way in sealed_ways():
-        path = chance.choice(sorted(path for path in folder.glob("*.json") if "slip_mm" in path.read_text()))
-        content = path.read_bytes()
-        try:
-            damage_record(path, way)
-            if is_still(path, content):
-                continue
-            load_record(path)
-            trial(f"{path.name}, {way}", "taken for whole")
-        except RecordError as error:
-            said = str(error)
-            trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
-        except (KeyError, TypeError):  # this record has no such field to damage
-            pass
-        remove(path)
-        path.write_bytes(content)
+    paths = [path for path in sorted(records_of(world)) if "slip_mm" in path.read_text()]
+    for way in SEALED_WAYS:
+        path = chance.choice(paths)
+        with damaged(path, way) as is_damaged:
+            if is_damaged:
+                try:
+                    load_record(path)
+                    said = "taken for whole"
+                except RecordError as error:
+                    said = str(error)
+                trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
     yield trial
 
 
-def is_still(path: Path, content: bytes) -> bool:
-    """Whether there was nothing in a record to damage in some way."""
-    return is_own_file(path) and path.stat().st_size == len(content) and path.read_bytes() == content
+def records_of(world: World) -> Iterator[Path]:
+    return (world.root / "results" / f"newton-{RELEASE}").glob("*.json")
 
 
-def sealed_ways() -> list[str]:
-    """Those that a record from before traces were sealed can be damaged in: it has no seals, and lacks what others may
-    not."""
-    left = (
-        "field: traces",
-        "field: seal",
-        "field: digest",
-        "field: row count",
-        "field: unit of no",
-        "field: number without",
-    )
-    return [way for way in RECORD_WAYS if not way.startswith(left)]
+@contextmanager
+def damaged(path: Path, way: str) -> Iterator[bool]:
+    """Damage a record or a trace for a while; false where it has nothing to damage in that way."""
+    content = path.read_bytes()
+    try:
+        damage(path, way)
+        is_damaged = not (is_own_file(path) and path.stat().st_size == len(content) and path.read_bytes() == content)
+    except (KeyError, TypeError):
+        is_damaged = False
+    yield is_damaged
+    remove(path)
+    path.write_bytes(content)
+
+
+NOT_SEALED = ("traces", "seal", "digest", "row count", "unit of no", "number without")
+SEALED_WAYS = [way for way in RECORD_WAYS if not way.startswith(tuple(f"field: {name}" for name in NOT_SEALED))]
+"""Ways to damage a record from before traces were sealed: it has no seals, and lacks what others may not."""
 
 
 def shown_damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Some of them, and damaged traces, on the page."""
     trial.name = "pages with damaged records and traces: the rest stands, status 1"
-    chance = random.Random(1)
-    folder = world.root / "results" / f"newton-{RELEASE}"
-    shown, sealed = trial, sealed_ways()
-    names = [path for path in sorted(folder.glob("*.json")) if path.name != "noise.json"]
-    for number, (way, path) in enumerate(zip(chance.sample(sealed, 6), itertools.cycle(names), strict=False)):
-        content = path.read_bytes()
-        try:
-            damage_record(path, way)
-        except (KeyError, TypeError):
-            continue
-        if is_still(path, content):
-            continue
-        done = world.run(*PAGE)
-        found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
-        shown(f"{number} {path.name}, {way}", *found, "" if done.returncode == 1 else f"status {done.returncode}")
-        remove(path)
-        path.write_bytes(content)
-    trace = next(folder.glob("reproduction.*.gz"))
-    content = trace.read_bytes()
-    for name, way in {**TRACES, **PLACES}.items():
-        if name in ("half", "not packed", "a pipe", "a link to a password file"):
-            trace.write_bytes(way(content)) if name in TRACES else way(trace)
-            done = world.run(*PAGE)
-            found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
-            shown(f"{trace.name}, {name}", *found, "" if done.returncode == 1 else f"status {done.returncode}")
-            trace.unlink()
-            trace.write_bytes(content)
-    yield shown
+    records = itertools.cycle(path for path in sorted(records_of(world)) if path.name != "noise.json")
+    shown = list(zip(records, random.Random(1).sample(SEALED_WAYS, 6), strict=False))
+    trace = next((world.root / "results" / f"newton-{RELEASE}").glob("reproduction.*.gz"))
+    names = ("half", "not packed", "a pipe", "a link to a password file")
+    shown += [(trace, way) for way in TRACE_WAYS if way.endswith(names)]
+    for path, way in shown:
+        with damaged(path, way) as is_damaged:
+            if is_damaged:
+                done = world.run(*PAGE)
+                found = check_site(world.root / "site")[:1] + (["traceback"] if "Traceback" in done.stderr else [])
+                trial(f"{path.name}, {way}", *found, "" if done.returncode == 1 else f"status {done.returncode}")
+    yield trial
 
 
 def places(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
@@ -438,17 +403,15 @@ def places(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         "no HOME": (world, {"HOME": "/proc/nowhere"}),
     }
     rc = world.root / "matplotlibrc"
+    settings["a matplotlibrc with usetex"] = (world, {})
     pages = set()
     for name, (place, changed) in settings.items():
+        if name.endswith("usetex"):
+            rc.write_text("text.usetex: True\nfont.size: 40\n")
         done = place.run(*_from_nothing(place, PAGE), env={**os.environ, **changed})
         pages.add((place.root / "site/index.html").read_bytes())
         trial(name, "" if not done.returncode else done.stderr[-200:])
-    rc.write_text("text.usetex: True\nfont.size: 40\n")
-    (world.root / "site/index.html").unlink()
-    done = world.run(*_from_nothing(world, PAGE))
     rc.unlink()
-    pages.add((world.root / "site/index.html").read_bytes())
-    trial("a matplotlibrc with usetex", "" if not done.returncode else done.stderr[-200:])
     trial("all these pages are the same bytes", "" if len(pages) == 1 else f"{len(pages)} different ones")
     for name, script in {
         "site/ is a mount point": 'mount -t tmpfs none site; exec "$@"',
@@ -476,16 +439,16 @@ def setups(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         nowhere = subprocess.DEVNULL
         return subprocess.Popen(command, cwd=place.root, start_new_session=True, stdout=nowhere, stderr=nowhere)
 
-    took = waited(begun(), 600.0)
+    start = time.monotonic()
+    begun().wait()
+    took = time.monotonic() - start
     whole = installed(place.root)
     imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
     subprocess.run(imported, check=True, cwd=place.root, capture_output=True)
     for number in range(trial.tried, moments):
         sent = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[number % 3]
         share = (number + 0.5) / moments
-        running = begun()
-        while (ended := waited(running, took * share)) is not None:
-            took, running = ended, begun()
+        running, took = at_its_moment(begun, took, share)
         os.killpg(running.pid, sent)
         running.wait()
         done = subprocess.run(command, cwd=place.root, check=False, capture_output=True, text=True)
@@ -505,10 +468,10 @@ def installed(root: Path) -> dict[str, int]:
 
 TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
     "damages": damages,
-    "publish": publish_kills,
-    "page": page_kills,
+    "publish": lambda world, *rest: kills(world, *rest, publish_to(world), publish_to(world)),
+    "page": lambda *rest: kills(*rest, PAGE, PAGE),
     "setups": setups,
-    "rerun": rerun_kills,
+    "rerun": lambda *rest: kills(*rest, RERUN, PAGE),
     "writers": writers,
     "disks": disks,
     "shown": shown_damages,

@@ -11,6 +11,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from batches import is_running
+
 SECTIONS = ("many", "gap")
 """One without physics, which has many short batches, and one of the report's own."""
 BATCH_COUNT = 60
@@ -67,19 +69,11 @@ def studies(world, trial, moments: int) -> Iterator:
 
 
 def _start(root: Path, cluster: Sequence[str]) -> subprocess.Popen:
-    command = [
-        sys.executable,
-        "-m",
-        "measured_report.measuring.run",
-        *SECTIONS,
-        "--device",
-        "cpu",
-        "--profile",
-        "quick",
-        *cluster,
-    ]
+    options = ("--device", "cpu", "--profile", "quick", *cluster)
+    command = [sys.executable, "-m", "measured_report.measuring.run", *SECTIONS, *options]
     with (root / "study.log").open("w") as log:
-        return subprocess.Popen(command, cwd=root, stderr=log, stdout=log, start_new_session=True)
+        env = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, (root / "packages").iterdir()))}
+        return subprocess.Popen(command, cwd=root, env=env, stderr=log, stdout=log, start_new_session=True)
 
 
 def _forget(root: Path) -> None:
@@ -129,14 +123,7 @@ def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
 def _at_work(root: Path) -> dict[int, str]:
     """The batch of section many that each process is measuring."""
     last = {int(line.split()[-1]): line.split()[:2] for line in (root / "many.log").read_text().splitlines()}
-    return {number: name for number, (state, name) in last.items() if state == "begin" and _is_there(number)}
-
-
-def _is_there(process: int) -> bool:
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
+    return {number: name for number, (state, name) in last.items() if state == "begin" and is_running(number)}
 
 
 def _parent(process: int) -> int:
@@ -167,4 +154,4 @@ def _differs(root: Path, whole: dict[str, list]) -> list[str]:
     found += [f"{name} was begun {count} times" for name, count in begun.items() if count > 2]
     found += [f"{name} was measured {count} times" for name, count in ended.items() if count > 2]
     time.sleep(2.0)
-    return found + [f"process {line[-1]} still runs" for line in lines if _is_there(int(line[-1]))][:1]
+    return found + [f"process {line[-1]} still runs" for line in lines if is_running(int(line[-1]))][:1]

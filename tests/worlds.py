@@ -28,10 +28,9 @@ from measured_report.claims.claims import NUMBER
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.pages.page import Templates
-from measured_report.records.columns import REASON, is_number, units_of
+from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
-from measured_report.records.settings import settings
 from measured_report.sensitivity.perturbed import load_trace_once
 from measured_report.site.check import check_site
 from measured_report.site.site import build, undrawn
@@ -74,7 +73,7 @@ class World:
 
 def measured(row: Row) -> dict[str, float]:
     """The numbers of a row that nobody chose."""
-    return {column: value for column, value in row.items() if is_number(value) and column not in settings()}
+    return {column: value for column, value in row.items() if is_number(value) and not column_of(column).is_setting}
 
 
 def changed(rows: Sequence[Row], section: str, change: Callable[[str, float], float]) -> list[Row]:

@@ -1,6 +1,5 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
-import re
 from importlib.metadata import version
 
 import warp as wp
@@ -9,11 +8,11 @@ from tqdm import tqdm
 from experiments.simulation.measurement import Conditions
 from measured_report import ReportError
 from measured_report.editions.devices import NO_CUDA
+from measured_report.measuring.failing import NOT_COMPILED
 from measured_report.measuring.host import Device
-from measured_report.records.identity import package_versions
+from measured_report.records.provenance import package_versions
 
 __all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
-NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 
 
 def warp_device(kind: str | None) -> wp.Device:

@@ -10,7 +10,8 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.claims.claims import NEAR_NOISE, Claim, all_of, at_most, within
 from measured_report.parts.figures import INK, SERIES, new_figure
 from measured_report.parts.parts import Figure, Section
-from measured_report.values.noise import CONFIDENCE, PAIRS, RESOLUTION, tolerance
+from measured_report.records.columns import column_of
+from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
@@ -103,7 +104,8 @@ def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
         )
         for case in dict.fromkeys(group.case for group in groups)
     ]
-    least = results.chosen(f"{metric}_resolution", "what rounding may do", RESOLUTION[METRICS[metric]], unit=unit)
+    resolution = column_of(METRICS[metric]).resolution
+    least = results.chosen(f"{metric}_resolution", "what rounding may do", resolution, unit=unit)
     formula = "largest of the cases, and at least the resolution"
     return results.value(f"{metric}_floor", formula, max, *bounds, least, unit=unit, is_noise=True)
 

@@ -1,4 +1,4 @@
-"""The lint as a program: ``python -m experiments.lint TARGET``, or ``newton-lint`` where that is installed.
+"""The lint as a program: ``newton-lint TARGET``, ``python -m newton_lint TARGET`` or, here, ``experiments.lint``.
 
 See docs/lint.md.
 """
@@ -28,8 +28,8 @@ SCHEMA = 1
 CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
 """Exit status."""
 COLLIDES = int(newton.ShapeFlags.COLLIDE_SHAPES)
-INSTALLED = "newton-lint"
-PROGRAM = INSTALLED if Path(sys.argv[0]).stem == INSTALLED else "python -m experiments.lint"
+PROGRAMS = {"newton-lint": "newton-lint", "__main__": "python -m newton_lint"}
+PROGRAM = PROGRAMS.get(Path(sys.argv[0]).stem, "python -m experiments.lint")
 
 
 class _Parser(argparse.ArgumentParser):

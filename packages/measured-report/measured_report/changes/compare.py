@@ -10,7 +10,7 @@ from measured_report.changes.faults import Fault, faults_between, faults_of
 from measured_report.claims.claims import NEAR_NOISE, Claim
 from measured_report.deriving.chapters import Chapter, Chapters
 from measured_report.deriving.editions import Edition
-from measured_report.records.columns import REASON
+from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.values.noise import EDGES, NOISE, Floor, is_beyond, noise_floors, verdict
 from measured_report.values.quantities import Quantity
@@ -20,13 +20,6 @@ KEYS = ("case", "kind", "device", "worlds", "substeps")
 """Columns that tell the rows of one section apart, where they are there; a search may end at other substeps."""
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
-UNCOMPARED = (
-    *("wall_s", "build_s", "capture_s"),
-    *("failure_frame", "normal_velocity_mm_s", "cone_use", "pose_difference_mm", "creep_floor_mm_s"),
-)
-"""Times of a whole batch and of what is done once; what is chance, as the frame in which a run breaks down, what one
-frame decides, the farthest that two runs get apart, or noise itself."""
-LOST_COLUMNS = ("dropped", "failure", "invalid_reason")
 Key = tuple[Any, ...]
 
 
@@ -200,11 +193,16 @@ def _moves(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iter
         lost = any(_is_lost(row) for row in rows)
         terms = [_terms(record, row) for record, row in zip(records, rows, strict=True)]
         for column in rows[0].columns:
-            if column not in rows[1] or column in (*KEYS, *UNCOMPARED) or column.endswith((REASON, *EDGES)):
+            if (
+                column not in rows[1]
+                or column in KEYS
+                or "chance" in column_of(column).kinds
+                or column.endswith((REASON, *EDGES))
+            ):
                 continue
             cells = rows[0][column], rows[1][column]
             if not all(isinstance(cell, Quantity) for cell in cells):
-                if cells[0] != cells[1] and not (column in LOST_COLUMNS and all(map(_is_lost, rows))):
+                if cells[0] != cells[1] and not ("loss" in column_of(column).kinds and all(map(_is_lost, rows))):
                     yield Move(before.name, key, column, *cells, None, False)
                 continue
             if lost or (is_cost(column) and terms[0] != terms[1]):
@@ -256,7 +254,7 @@ def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
 
 def _is_lost(row: Row) -> bool:
     """Whether the cube was dropped or the run broke down, which makes its numbers chance."""
-    return any(name in row and bool(row[name]) for name in LOST_COLUMNS)
+    return any("loss" in column_of(name).kinds and bool(row[name]) for name in row.columns)
 
 
 def _is_split(row: Row) -> bool:

@@ -1,32 +1,23 @@
 """Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
 
-import re
 from collections.abc import Collection, Mapping
-from functools import cache
 from typing import Any
 
 from measured_report.claims.claims import Claim
 from measured_report.deriving.chapters import Chapters
+from measured_report.files.config import config
+from measured_report.records.columns import column_of
 from measured_report.records.record import Record
 from measured_report.values.noise import NOISE
 
-COST = re.compile(
-    r"(frame|mjw_step)_ms(_p[0-9]+)?|ms_per_s(_p[0-9]+)?|(frames|world_substeps)_per_s|realtime_factor"
-    r"|(wall|build|capture)_s|(.*_)?bytes(_per_world)?"
-)
-"""Columns of costs; a length of a time step is none."""
-RUN_COLUMNS = ("frame_count", "world_count", "worlds")
-"""How much was run, which no cost is comparable without."""
 
-
-@cache
 def is_cost(column: str) -> bool:
-    return bool(COST.fullmatch(column))
+    return "cost" in column_of(column).kinds
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     """What two costs must share to be compared: the machine, and how many frames and worlds."""
-    return record.machine_for_speed, *(row.get(column) for column in RUN_COLUMNS)
+    return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:

@@ -7,7 +7,8 @@ from measured_report.changes.question import Answer, Question
 from measured_report.changes.releases import Turn, turns
 from measured_report.claims.claims import NEAR_NOISE
 from measured_report.deriving.chapters import Chapters, Releases
-from measured_report.values.noise import NOISE, RESOLUTION, Floor, is_beyond, noisiest, verdict
+from measured_report.records.columns import column_of
+from measured_report.values.noise import NOISE, Floor, is_beyond, noisiest, verdict
 
 FLIPPED, MOVED = "flipped", "moved"
 
@@ -41,7 +42,9 @@ def points(releases: Releases, question: Question) -> list[Point]:
         answer = question.answer(chapters)
         if answer is not None:
             floor = _floors({release: chapters}).get(column, noisiest)
-            noise = None if isinstance(answer, str) or not floor else max(floor.at(answer), RESOLUTION.get(column, 0.0))
+            noise = (
+                None if isinstance(answer, str) or not floor else max(floor.at(answer), column_of(column).resolution)
+            )
             point = Point(release, answer, noise, _said(question, chapters, answer, noise))
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found

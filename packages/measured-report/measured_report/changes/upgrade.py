@@ -10,8 +10,9 @@ from measured_report.changes.releases import Headline, cell
 from measured_report.claims.claims import HOLDS
 from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
+from measured_report.files.config import config
 from measured_report.measuring.measure import seconds_known
-from measured_report.records.identity import PACKAGES, package_changes
+from measured_report.records.provenance import package_changes
 from measured_report.records.record import Record
 
 DECIDING = ("noise", "reproduction", "upgrade", "contact_source")
@@ -74,7 +75,7 @@ def _other_packages(before: Edition, after: Edition) -> str:
     if not all(sides):
         return ""
     old, new = (records[0].identity.packages for records in sides)
-    changed = package_changes(old, new, PACKAGES[1:])
+    changed = package_changes(old, new, config().packages[1:])
     return f" ({', '.join(changed)})" if changed else ""
 
 

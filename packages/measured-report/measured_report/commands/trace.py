@@ -13,8 +13,8 @@ from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
 from measured_report.files.near import near
 from measured_report.pages.page import Templates
+from measured_report.records.columns import changed_parameters, is_setting
 from measured_report.records.record import Record
-from measured_report.records.settings import from_shipped, is_setting
 from measured_report.sensitivity.perturbed import Cell
 from measured_report.site.site import undrawn
 from measured_report.values.format import unit_label
@@ -189,7 +189,7 @@ def _in_unit(noise: float, unit: str) -> str:
 
 def _settings(row: Mapping[str, Any]) -> str:
     """In which settings a row's case differs from the scene as shipped."""
-    changed = ", ".join(f"{name} {value}" for name, value in from_shipped(row).items())
+    changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
     return f"the scene as shipped, but for {changed}" if changed else "the scene as shipped"
 
 

@@ -17,6 +17,7 @@ from measured_report import ROOT
 from measured_report.claims.claims import Claim
 from measured_report.deriving.derived import Reads
 from measured_report.files.cache import Cache
+from measured_report.files.config import config
 from measured_report.parts.drawing import Beside
 from measured_report.parts.parts import Figure, Pictures, Section
 from measured_report.records.code import files, roots_of
@@ -26,8 +27,8 @@ PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
 """What decides how numbers are computed and figures are drawn."""
 FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"
 """How wide its letters are decides where things stand."""
-READ_BY_NAME = ("experiments/facts/case.py",)
-"""What report/settings.py reads and nobody imports."""
+READ_BY_NAME = config().sources
+"""What says what columns are, and nobody imports."""
 
 Derivation = tuple[Section, Mapping[str, Value]]
 """A section without its words, and the values that were derived for it."""

@@ -4,7 +4,6 @@ Each is made aside and put in place whole, so that one that is there can be used
 nothing yet, this makes the project's own.
 """
 
-import ast
 import hashlib
 import json
 import os
@@ -13,23 +12,22 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from datetime import date, timedelta
 from functools import partial
 from pathlib import Path
 
+import measured_report
 from measured_report import ROOT, ReportError, UsageError
 from measured_report.editions.stack import Stack, release_date
+from measured_report.files.config import config, read_toml
 from measured_report.files.files import locked
 from measured_report.files.processes import end_with
-from measured_report.records.identity import MISSING, package_versions
-from measured_report.records.sources import EDITED
+from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
-REQUIREMENT = re.compile(r'^ {4}"([^"]+)",$', re.MULTILINE)
 NAME = re.compile(r"[A-Za-z0-9-]+")
-EXTRA = re.compile(r"^cluster = (\[.+\])$", re.MULTILINE)
-"""What a cluster takes, in pyproject.toml."""
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
@@ -51,65 +49,50 @@ def own_environment(root: Path = ROOT) -> None:
 
 def add_group(group: str, root: Path = ROOT) -> None:
     """Install a group of pyproject.toml into ``.venv`` as the lock says; another Python is left as it is."""
-    tools = root / ".venv.tools"
-    if Path(sys.prefix) != root / ".venv":
-        return
-    with locked(root):
-        try:
-            uv = _uv(root, tools, group)
+    if Path(sys.prefix) == root / ".venv":
+        with locked(root), _installer(root, group) as uv:
             _run([uv, "sync", "--frozen", "--inexact", "--group", group, "--project", str(root)], group)
-        finally:
-            _remove(tools)
 
 
 def add_cluster(python: Path, root: Path = ROOT) -> None:
     """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
     asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
-    requirements = ast.literal_eval(EXTRA.search((root / "pyproject.toml").read_text(encoding="utf-8"))[1])
-    names = [NAME.match(requirement)[0] for requirement in requirements]
+    takes = read_toml(root / "pyproject.toml")["project"]["optional-dependencies"]["cluster"]
+    names = [NAME.match(requirement)[0] for requirement in takes]
     if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
         return
     folder = python.parent.parent
     if folder.parent != root:
         raise UsageError(f"CLUSTER takes {' and '.join(names)}, which {python} lacks; install them there")
-    tools = root / ".venv.tools"
-    with locked(root):
-        try:
-            uv = _uv(root, tools, "cluster")
-            own = [uv, "sync", "--frozen", "--inexact", "--extra", "cluster", "--project", str(root)]
-            _run(
-                own if folder.name == ".venv" else [uv, "pip", "install", "--python", str(python), *requirements],
-                "cluster",
-            )
-        finally:
-            _remove(tools)
+    with locked(root), _installer(root, "cluster") as uv:
+        own = [uv, "sync", "--frozen", "--inexact", "--extra", "cluster", "--project", str(root)]
+        _run(own if folder.name == ".venv" else [uv, "pip", "install", "--python", str(python), *takes], "cluster")
 
 
 def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
     """The Python that has a stack; its environment is made when it is not there.
 
     Args:
-        stack: Newton, and what was asked for with it.
+        stack: What was asked for.
         packages: Version by package that its earlier measurements were made with, to be installed again; a package
-            that is ``missing`` there gets the version that Newton asked for when it came out.
+            that is ``missing`` there gets the version that the release asked for when it came out.
     """
-    installed = package_versions()
-    if installed["newton"] == stack.label.newton and dict(stack.label.pins).items() <= installed.items():
+    package, option = config().package, config().option
+    if stack.label.is_installed_with(package_versions()):
         return Path(sys.executable)
-    if not stack.newton:
+    if not stack.requirement:
         raise UsageError(
-            f"NEWTON={stack.label} does not say where its code is; a path or git+https://HOST/newton.git@COMMIT does"
+            f"{option}={stack.label} does not say where its code is; "
+            f"a path or git+https://HOST/{package}.git@COMMIT does"
         )
     folder = environment_of(stack, root)
-    project = (root / "pyproject.toml").read_text(encoding="utf-8")
-    wanted = requirements(project, {**packages, **dict(stack.label.pins), "newton": stack.label.version})
-    named = f"newton[sim]=={stack.label.version}"
-    rest = [requirement for requirement in wanted if requirement != named]
-    source = "\n".join([stack.newton, *rest]).encode()
+    others = {name: version for name, version in packages.items() if name != package}
+    rest = requirements(root, {package: MISSING, **others, **dict(stack.label.pins)})
+    source = "\n".join([stack.requirement, *rest]).encode()
     if stack.checkout:
         source += (stack.checkout / "pyproject.toml").read_bytes()
     if stack.checkout or not (folder / READY).exists():
-        _make(folder, f"NEWTON={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
+        _make(folder, f"{option}={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
     _refuse_other(folder / "bin" / "python", stack, root)
     return folder / "bin" / "python"
 
@@ -120,17 +103,22 @@ def environment_of(stack: Stack, root: Path = ROOT) -> Path:
     if stack.checkout:
         pins = "".join(f"+{part}" for part in name.split("+")[2:])
         name = f"{stack.checkout.name}-{hashlib.sha256(str(stack.checkout).encode()).hexdigest()[:7]}{pins}"
-    return root / f".venv-newton-{name}"
+    return root / f".venv-{config().edition_folder(name)}"
 
 
 def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
     """UsageError unless what is installed is what was asked for."""
-    code = "import json; from report.records.identity import package_versions; print(json.dumps(package_versions()))"
+    code = (
+        f"import json, sys; sys.path.append({str(Path(measured_report.__file__).parents[1])!r});"
+        "from measured_report.records.provenance import package_versions; print(json.dumps(package_versions()))"
+    )
     done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise UsageError(f"NEWTON={stack.asked}: {python} does not run; remove its folder and it is made anew")
+        raise UsageError(
+            f"{config().option}={stack.asked}: {python} does not run; remove its folder and it is made anew"
+        )
     installed = json.loads(done.stdout)
-    wanted = {**dict(stack.label.pins), "newton": stack.label.newton}
+    wanted = {**dict(stack.label.pins), config().package: stack.label.package_version}
     for package, version in wanted.items():
         found = installed[package]
         if found.partition(f"{EDITED}.")[0] != version.removesuffix(EDITED):
@@ -138,19 +126,21 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
             raise UsageError(f"{folder} has {package} {found} in place of {version}; remove it and it is made anew")
 
 
-def requirements(project: str, packages: Mapping[str, str]) -> list[str]:
-    """The project's requirements with these versions of the simulator's packages in the place of its own.
+def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
+    """The requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
 
     Args:
-        project: Text of pyproject.toml, in which each requirement is a line of its own.
+        root: The project's folder.
         packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
     """
-    named = {"newton": "newton[sim]", "warp-lang": "warp-lang", "mujoco-warp": "mujoco-warp", "mujoco": "mujoco"}
     for name, version in packages.items():
-        if name not in named or (not VERSION.fullmatch(version) and version != MISSING):
-            raise ReportError(f"{name} {version!r:.60} is no package of the simulator with a plain version")
-    own = [line for line in REQUIREMENT.findall(project) if NAME.match(line)[0] not in packages]
-    return own + [f"{named[name]}=={version}" for name, version in packages.items() if version != MISSING]
+        if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
+            raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
+    asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
+    own = [requirement for requirement in asked if NAME.match(requirement)[0] not in packages]
+    return own + [
+        f"{config().requirement_of(name)}=={version}" for name, version in packages.items() if version != MISSING
+    ]
 
 
 def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> None:
@@ -161,18 +151,18 @@ def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> N
         fill: Gives the commands, and settings for each, that install what it needs.
     """
     digest = hashlib.sha256(source).hexdigest()
-    new, old, tools = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old", ".tools"))
+    new, old = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old"))
     with locked(root):
         ready = folder / READY
         if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
             return
         try:
-            _remove(new, old, tools)  # of one that was killed
-            uv = _uv(root, tools, name)
-            # Its programs are found from where they lie, so that it can be moved.
-            _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
-            for command, settings in fill(uv, new):
-                _run(command, name, settings)
+            _remove(new, old)  # of one that was killed
+            with _installer(root, name) as uv:
+                # Its programs are found from where they lie, so that it can be moved.
+                _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
+                for command, settings in fill(uv, new):
+                    _run(command, name, settings)
             (new / READY).write_text(digest, encoding="utf-8")
             if os.path.lexists(folder):
                 os.rename(folder, old)
@@ -180,7 +170,7 @@ def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> N
         except OSError as error:
             raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
         finally:
-            _remove(new, old, tools)
+            _remove(new, old)
 
 
 def _remove(*folders: Path) -> None:
@@ -191,13 +181,19 @@ def _remove(*folders: Path) -> None:
             shutil.rmtree(folder, ignore_errors=True)
 
 
-def _uv(root: Path, tools: Path, name: str) -> str:
+@contextmanager
+def _installer(root: Path, name: str) -> Iterator[str]:
     """The program that makes environments; where there is none it is installed for the time being."""
+    tools = root / ".venv.tools"
     uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
-    if not uv:
-        _run([sys.executable, "-m", "venv", str(tools)], name)
-        _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
-    return uv or str(tools / "bin" / "uv")
+    try:
+        if not uv:
+            _remove(tools)  # of one that was killed
+            _run([sys.executable, "-m", "venv", str(tools)], name)
+            _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
+        yield uv or str(tools / "bin" / "uv")
+    finally:
+        _remove(tools)
 
 
 def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
@@ -207,20 +203,21 @@ def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
 
 
 def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":
-    """Install Newton and the rest: packages that nobody named are those of the day on which it came out."""
+    """Install what was asked for and the rest: packages that nobody named are those of the day on which it came out."""
     pins = dict(stack.label.pins)
     overrides = new / "overrides.txt"
     overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
     options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
     options += ["--overrides", str(overrides)] if pins else []
     if day := release_date(stack):
-        print(f"NEWTON={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
+        print(f"{config().option}={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
         after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
         options += ["--exclude-newer", after]
         named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
         options += [word for name in named for word in ("--exclude-newer-package", f"{name}={NEVER}")]
-    newton = ["--editable", f"{stack.checkout}[sim]"] if stack.checkout else [stack.newton]
-    yield [uv, "pip", "install", *options, *rest, *newton], {}
+    extras = config().requirement.removeprefix(config().package)
+    asked = ["--editable", f"{stack.checkout}{extras}"] if stack.checkout else [stack.requirement]
+    yield [uv, "pip", "install", *options, *rest, *asked], {}
 
 
 def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:

@@ -1,19 +1,16 @@
 """Labels: what an edition is called, after all that was installed and, where several measured it, the machine.
 
-``1.8.0``, ``1.8.0+warp-1.19.0``, ``1.9.0.dev0+g1a2b3c4`` (a commit), ``1.9.0.dev0+g1a2b3c4.edited``, ``1.8.0@cpu``.
+``1.8.0``, ``1.8.0+numpy-2.1.0``, ``1.9.0.dev0+g1a2b3c4`` (a commit), ``1.9.0.dev0+g1a2b3c4.edited``, ``1.8.0@cpu``.
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
+
+from measured_report.files.config import config
 
 _VERSION = r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?"
-_NUMBERS = re.compile(r"[0-9]+")
-SHORT = {"warp": "warp-lang", "mujoco-warp": "mujoco-warp", "mujoco": "mujoco"}
-"""Package by its name in a label."""
-_LABEL = re.compile(
-    rf"(?P<version>{_VERSION})(?P<source>\+[a-z][0-9a-f]{{7}}(?:\.edited)?)?"
-    rf"(?P<pins>(?:\+(?:{'|'.join(SHORT)})-{_VERSION})*)(?:@(?P<machine>[a-z0-9][a-z0-9-]{{0,60}}))?"
-)
 VERSION = re.compile(_VERSION)
 COMPONENTS = 3
 
@@ -23,7 +20,7 @@ class Label:
     """What an edition is called, in its parts."""
 
     version: str
-    """Version of Newton, with three numbers at least."""
+    """Version of the package whose releases are editions, with three numbers at least."""
     source: str = ""
     """Which code that is where the version does not say: ``g`` and a commit, ``w`` and the digest of a wheel, ``x`` and
     that of a folder; ``.edited`` behind it for a checkout that differs from its commit."""
@@ -33,35 +30,53 @@ class Label:
     """Where it was measured, when the label without it is of another machine."""
 
     def __str__(self) -> str:
-        short = {package: name for name, package in SHORT.items()}
-        parts = [self.newton, *(f"{short[package]}-{version}" for package, version in self.pins)]
+        short = {package: name for name, package in short_names().items()}
+        parts = [self.package_version, *(f"{short[package]}-{version}" for package, version in self.pins)]
         return "+".join(parts) + (f"@{self.machine}" if self.machine else "")
 
     @property
-    def newton(self) -> str:
-        """What is installed of Newton."""
+    def package_version(self) -> str:
+        """The version that is installed, with the code that it is of."""
         return f"{self.version}+{self.source}" if self.source else self.version
 
     @property
     def order(self) -> tuple:
-        """By version, a development version and a candidate before the release; then by what else is in it."""
-        numbers, *rest = re.split(r"((?:a|b|rc)[0-9]+|\.(?:dev|post)[0-9]+)", self.version, maxsplit=1)
-        stage = "".join(rest)
-        rank = -1 if stage.startswith(".dev") else 1 if not stage else 2 if stage.startswith(".post") else 0
-        return tuple(map(int, numbers.split("."))), rank, tuple(map(int, _NUMBERS.findall(stage)))
+        """Sorts by version, as packages are: a development version and a candidate stand before the release."""
+        from packaging.version import Version  # which a Python that makes the environment lacks
+
+        return (Version(self.version),)
+
+    def is_installed_with(self, versions: Mapping[str, str]) -> bool:
+        """Whether these versions of packages are the ones that the label names."""
+        return versions[config().package] == self.package_version and dict(self.pins).items() <= versions.items()
 
 
 def read_label(text: str) -> Label | None:
     """The label that a text is; None when it is none. ``1.8`` is 1.8.0."""
-    found = _LABEL.fullmatch(text)
+    found = _pattern().fullmatch(text)
     if not found:
         return None
     pins = [part.rpartition("-")[::2] for part in found["pins"].split("+") if part]
     return Label(
         version=full_version(found["version"]),
         source=(found["source"] or "").removeprefix("+"),
-        pins=tuple(sorted((SHORT[name], version) for name, version in pins)),
+        pins=tuple(sorted((short_names()[name], version) for name, version in pins)),
         machine=found["machine"] or "",
+    )
+
+
+@cache
+def short_names() -> Mapping[str, str]:
+    """Package by its name in a label, of those that may be asked for besides."""
+    return {config().short_names.get(package, package): package for package in config().packages[1:]}
+
+
+@cache
+def _pattern() -> re.Pattern[str]:
+    names = "|".join(map(re.escape, short_names())) or "(?!)"
+    return re.compile(
+        rf"(?P<version>{_VERSION})(?P<source>\+[a-z][0-9a-f]{{7}}(?:\.edited)?)?"
+        rf"(?P<pins>(?:\+(?:{names})-{_VERSION})*)(?:@(?P<machine>[a-z0-9][a-z0-9-]{{0,60}}))?"
     )
 
 

@@ -1,4 +1,4 @@
-"""Which report is meant: the project's folder, a Newton release and a profile."""
+"""Which report is meant: the project's folder, an edition and a profile."""
 
 import re
 import shlex
@@ -10,6 +10,7 @@ from pathlib import Path
 from measured_report import ROOT, ReportError
 from measured_report.editions.label import Label, read_label
 from measured_report.editions.manifest import Manifest, read_manifest
+from measured_report.files.config import config
 from measured_report.files.files import RecordError
 from measured_report.records.record import record_path, results_folder
 
@@ -18,7 +19,6 @@ INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
 """Folders that the site is made from."""
 NEWEST = "9999"
 """Sorts behind all dates."""
-REQUIREMENT = re.compile(r'"newton\[sim\]==([0-9.]+)"')
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Project:
     """One report of one checkout."""
 
     release: str
-    """Label of the edition whose results are shown: mostly a Newton release."""
+    """Label of the edition whose results are shown: mostly a release."""
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
     root: Path = ROOT
@@ -70,8 +70,8 @@ class Project:
         return sorted({self.release, *self._found()}, key=lambda release: self.of(release).order)
 
     def _found(self) -> Iterator[str]:
-        for folder in {path.parent for path in self.results.parent.glob("newton-*/*.json")}:
-            name = folder.name.removeprefix("newton-")
+        for folder in {path.parent for path in self.results.parent.glob(config().edition_folder("*/*.json"))}:
+            name = config().edition_in(folder.name)
             if read_label(name):
                 yield name
 
@@ -95,7 +95,7 @@ class Project:
         options = {
             "SECTION": section,
             "DEVICE": device or ("cpu" if self.label.machine == "cpu" else None),
-            "NEWTON": None if self.is_own else self.asked,
+            config().option: None if self.is_own else self.asked,
             "PROFILE": None if self.profile == "full" else self.profile,
         }
         told = (shlex.quote(f"{name}={value}") for name, value in options.items() if value)
@@ -105,12 +105,16 @@ class Project:
     def asked(self) -> str:
         """What names this edition to make: its label, unless that does not say where its code is."""
         manifest = self.manifest if self.label.source else None
-        return manifest.newton if manifest else self.release
+        return manifest.asked if manifest else self.release
 
 
 def own_release(root: Path = ROOT) -> str:
-    """The project's own Newton release, which is meant where none is named: the one that pyproject.toml asks for."""
-    found = REQUIREMENT.search((root / "pyproject.toml").read_text(encoding="utf-8"))
+    """The project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
+    requirement = config().requirement_of(config().package)
+    text = (root / "pyproject.toml").read_text(encoding="utf-8")
+    found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not found:
-        raise ReportError('pyproject.toml asks for no Newton release; a line "newton[sim]==1.4.0" does')
+        raise ReportError(
+            f'pyproject.toml asks for no {config().edition_name} release; a line "{requirement}==1.4.0" does'
+        )
     return found[1]

@@ -1,4 +1,4 @@
-"""Stacks: what is to be installed, as it was asked for, and what that is called."""
+"""Stacks: which packages are to be installed, as they were asked for, and what an edition of them is called."""
 
 import json
 import os
@@ -11,28 +11,28 @@ from functools import cache
 from pathlib import Path
 
 from measured_report import UsageError
-from measured_report.editions.label import SHORT, VERSION, Label, full_version, read_label
-from measured_report.records.sources import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
+from measured_report.editions.label import VERSION, Label, full_version, read_label, short_names
+from measured_report.files.config import config
+from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
 
-WHEEL = re.compile(rf"newton-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
+WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
 WHEEL_ADDRESS = re.compile(rf"https?://[^\s@]+/{WHEEL.pattern}")
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
-PIN = re.compile(rf"(?P<package>{'|'.join(SHORT.values())})==(?P<version>{VERSION.pattern})")
 INDEX = "https://pypi.org/simple"
 INDEX_VARIABLES = ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")
 
 
 @dataclass(frozen=True)
 class Stack:
-    """Newton and the packages that are to be installed with it."""
+    """The package whose releases are editions, and those that are to be installed with it."""
 
     label: Label
-    newton: str
+    requirement: str
     """What the installer is told to install; empty where only the results are known."""
     asked: str
-    """As NEWTON= said it."""
+    """As the command named it."""
     date: str = ""
     """Of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
     checkout: Path | None = None
@@ -40,36 +40,36 @@ class Stack:
 
 
 @cache  # a repository or an index is asked once
-def stack_of(asked: str, pins: str = "", option: str = "NEWTON") -> Stack:
-    """What ``NEWTON=asked WITH=pins`` means; UsageError, one line, when it means nothing."""
-    found = _newton_of(asked, option)
+def stack_of(asked: str, pins: str = "", option: str = "") -> Stack:
+    """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
+    found = _found(asked, option or config().option)
     told = {**dict(found.label.pins), **dict(_read_pins(pins))}
     return replace(found, label=replace(found.label, pins=tuple(sorted(told.items()))))
 
 
-def _newton_of(asked: str, option: str) -> Stack:
+def _found(asked: str, option: str) -> Stack:
+    requirement, package = config().requirement_of(config().package), config().package
     if label := read_label(asked):
-        return Stack(label, "" if label.source else f"newton[sim]=={label.version}", asked)
+        return Stack(label, "" if label.source else f"{requirement}=={label.version}", asked)
     if not asked:
-        raise UsageError(f"{option}= names no Newton; {option}=1.8.0 does")
+        raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.8.0 does")
     path, _, reference = asked.rpartition("@")
-    if there := WHEEL_ADDRESS.fullmatch(asked):
-        return Stack(Label(full_version(there["version"]), address_source(asked)), f"newton[sim] @ {asked}", asked)
+    if (there := WHEEL_ADDRESS.fullmatch(asked)) and _is_own(there["package"]):
+        return Stack(Label(full_version(there["version"]), address_source(asked)), f"{requirement} @ {asked}", asked)
     if asked.startswith("git+"):
         address = path.removeprefix("git+") if ADDRESS.fullmatch(path.removeprefix("git+")) else ""
         if address and REFERENCE.fullmatch(reference):
             return _commit(address, reference, asked, option)
-        raise UsageError(f"{option}={asked} names no commit; {option}=git+https://HOST/newton.git@main does")
+        raise UsageError(f"{option}={asked} names no commit; {option}=git+https://HOST/{package}.git@main does")
     here = Path(asked).expanduser().resolve()
     if (here / "pyproject.toml").is_file():
         source = checkout_source(here)
         version = _own_version((here / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
         label = Label(version, ".".join(source.split(".")[:2]))
         return Stack(label, str(here), str(here), git(here, "show", "-s", "--format=%cs", "HEAD"), here)
-    if (wheel := WHEEL.fullmatch(here.name)) and here.is_file():
-        return Stack(
-            Label(full_version(wheel["version"]), wheel_source(here)), f"newton[sim] @ {here.as_uri()}", str(here)
-        )
+    if (wheel := WHEEL.fullmatch(here.name)) and _is_own(wheel["package"]) and here.is_file():
+        label = Label(full_version(wheel["version"]), wheel_source(here))
+        return Stack(label, f"{requirement} @ {here.as_uri()}", str(here))
     repository = Path(path).expanduser().resolve()
     if path and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
@@ -78,8 +78,13 @@ def _newton_of(asked: str, option: str) -> Stack:
     )
 
 
+def _is_own(name: str) -> bool:
+    """Whether a name, as a wheel or a project has it, is that of the package."""
+    return name.replace("_", "-").lower() == config().package
+
+
 def _commit(address: str, reference: str, asked: str, option: str) -> Stack:
-    """A commit of a repository, of which no more is fetched than it takes to say its version and date."""
+    """Find a commit of a repository, of which no more is fetched than it takes to say its version and date."""
     with tempfile.TemporaryDirectory() as folder:
         there = Path(folder)
         local = address.removeprefix("file://") if address.startswith("file://") else ""
@@ -90,36 +95,40 @@ def _commit(address: str, reference: str, asked: str, option: str) -> Stack:
         if not commit:
             raise UsageError(f"{option}={asked} cannot be fetched; git fetch {address} {reference} says why")
         version = _own_version(git(there, "show", f"{commit}:pyproject.toml"), asked, option)
-    return Stack(Label(version, f"g{commit[:SHORT_COMMIT]}"), f"newton[sim] @ git+{address}@{commit}", asked, date)
+    requirement = f"{config().requirement_of(config().package)} @ git+{address}@{commit}"
+    return Stack(Label(version, f"g{commit[:SHORT_COMMIT]}"), requirement, asked, date)
 
 
 def _own_version(project: str, asked: str, option: str) -> str:
+    """The version that the text of a pyproject.toml names."""
     found = OWN_VERSION.search(project)
-    if not found or 'name = "newton"' not in project or not VERSION.fullmatch(found[1]):
+    if not found or f'name = "{config().package}"' not in project or not VERSION.fullmatch(found[1]):
         raise UsageError(
-            f"{option}={asked} is no checkout of Newton: its pyproject.toml names no newton with a version"
+            f"{option}={asked} is no checkout of {config().edition_name}: its pyproject.toml names no "
+            f"{config().package} with a version"
         )
     return full_version(found[1])
 
 
 def _read_pins(text: str) -> Sequence[tuple[str, str]]:
-    found = [PIN.fullmatch(word) for word in text.split()]
-    if None in found:
-        raise UsageError(f'WITH={text} is no list of versions; WITH="warp-lang==1.19.0 mujoco-warp==4.0.0" is one')
-    return [(pin["package"], full_version(pin["version"])) for pin in found]
+    pins = [word.partition("==")[::2] for word in text.split()]
+    if not all(package in short_names().values() and VERSION.fullmatch(version) for package, version in pins):
+        example = " ".join(f"{package}==1.19.0" for package in config().packages[1:3])
+        raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
+    return [(package, full_version(version)) for package, version in pins]
 
 
 @cache
 def release_date(stack: Stack) -> str:
     """The day, as 2026-11-11, on which what was asked for came out; empty where the index does not say."""
-    if stack.date or not stack.newton.startswith("newton[sim]=="):
+    if stack.date or not stack.requirement.startswith(f"{config().requirement_of(config().package)}=="):
         return stack.date
-    return _index_dates("newton").get(stack.label.version, "")
+    return _index_dates(config().package).get(stack.label.version, "")
 
 
 def releases_between(older: Label, newer: Label) -> list[str]:
     """The releases of the index between two, oldest first; candidates and development versions are none."""
-    found = [read_label(version) for version in releases_of("newton")]
+    found = [read_label(version) for version in releases_of(config().package)]
     return [str(label) for label in found if older.order < label.order < newer.order]
 
 

@@ -7,12 +7,13 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
+from measured_report.files.config import config
 from measured_report.files.files import RecordError
 from measured_report.records.code import unchanged_files
-from measured_report.records.identity import MISSING, changes, identity_of, package_versions, sections
+from measured_report.records.identity import changes, identity_of, sections
+from measured_report.records.provenance import EDITED, MISSING, checkout_source, package_versions
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record
-from measured_report.records.sources import EDITED, checkout_source
 
 HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
 
@@ -81,21 +82,20 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
     before is stale. A checkout counts as it lies there now.
     """
     label, installed = project.label, package_versions()
-    pins = dict(label.pins)
-    if installed["newton"] == label.newton and pins.items() <= installed.items():
+    if label.is_installed_with(installed):
         return installed
     kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(label, machine=""))))]
     newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, **pins, "newton": newton_now(project)}
+    return {**others, **dict(label.pins), config().package: package_version(project)}
 
 
-def newton_now(project: Project) -> str:
-    """The version of an edition's Newton; of a checkout with edits, with the digest of its code."""
+def package_version(project: Project) -> str:
+    """The version that an edition is of; of a checkout with edits, with the digest of its code."""
     label, manifest = project.label, project.manifest
-    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.newton)).is_dir():
+    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
         return f"{label.version}+{checkout_source(folder)}"
-    return label.newton
+    return label.package_version
 
 
 def records_of(project: Project) -> Iterator[Record]:
@@ -111,7 +111,7 @@ def status_matrix(project: Project) -> str:
     """The state of every section, in a column for each release that has results."""
     with unchanged_files():
         columns = {release: states_of(project.of(release)) for release in project.releases}
-    lines = [("section", *(f"newton {release}" for release in columns))]
+    lines = [("section", *(f"{config().package} {release}" for release in columns))]
     for states in zip(*columns.values(), strict=True):
         lines.append((states[0].section, *(state.summary for state in states)))
     return _aligned(lines)

@@ -1,18 +1,36 @@
 """What ``report.toml`` says: all that has to be known of a report besides its rooms."""
 
 import sys
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from measured_report import ROOT, ReportError
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
 FILE = "report.toml"
+
+
+@dataclass(frozen=True)
+class Declared:
+    """What one table ``columns`` says of the columns that it names, or all of whose name its pattern matches."""
+
+    names: Collection[str] = ()
+    pattern: str = ""
+    kind: str = ""
+    """``parameter`` (a field of the case, or one like it), ``setting`` (set before a run as well), ``given`` (made from
+    settings), ``cost``, ``chance`` (compared between no two editions) or ``loss`` (makes the row's numbers chance)."""
+    given_beside: str = ""
+    """The column beside which it is given; alone it is measured."""
+    better: str = ""
+    """``less`` or ``more``."""
+    resolution: float = 0.0
+    """Least difference that counts, however well a machine repeats itself."""
+    signed: bool | None = None
+    """Whether its numbers have a sign; None: its unit says so."""
+    rate_of: str = ""
+    """The column of the time that makes this rate, whose share of noise it has."""
 
 
 @dataclass(frozen=True)
@@ -21,8 +39,61 @@ class Config:
 
     packages: tuple[str, ...] = ()
     """Whose versions are part of what a record depends on; the first is the one whose releases are editions."""
+    requirement: str = ""
+    """The first package as pyproject.toml asks for it, with its extras and without a version."""
+    edition_name: str = ""
+    """What people call the first package."""
+    short_names: Mapping[str, str] = field(default_factory=dict)
+    """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
     """The module that says how this report measures on a host; the one named here says what it may have."""
+    case: str = ""
+    """The dataclass, as ``module:name``, whose fields are what a run was set to."""
+    noise_section: str = "noise"
+    """The section whose rows are runs of one and the same case, as ``of`` says."""
+    repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """What columns say of runs that repeat to the last bit, all but times."""
+    cost_terms: tuple[str, ...] = ()
+    """Columns that two rows must share for their costs to be compared."""
+    columns: tuple[Declared, ...] = ()
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The files that this is read from, below the root: with the case's, they say what columns hold."""
+        module = self.case.partition(":")[0]
+        return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
+
+    @property
+    def package(self) -> str:
+        """The package whose releases are editions."""
+        return self.packages[0]
+
+    @property
+    def option(self) -> str:
+        """The variable of make that names an edition."""
+        return self.package.upper()
+
+    def edition_folder(self, release: str) -> str:
+        """The name of the folder that has the results of an edition."""
+        return f"{self.package}-{release}"
+
+    def edition_in(self, folder: str) -> str:
+        """The label of the edition whose results are in a folder of that name."""
+        return folder.removeprefix(f"{self.package}-")
+
+    def requirement_of(self, package: str) -> str:
+        """A package as it is asked for, with its extras."""
+        return self.requirement if package == self.package and self.requirement else package
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The content of a TOML file; ValueError or OSError where it is none."""
+    # A Python that makes the environment has no more than its own library.
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
 @cache
@@ -30,7 +101,11 @@ def config(root: Path = ROOT) -> Config:
     """ReportError, one line, where the file is not whole."""
     path = root / FILE
     try:
-        fields = tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
-        return Config(**{name: tuple(value) if isinstance(value, list) else value for name, value in fields.items()})
+        found = read_toml(path) if path.is_file() else {}
+        found["columns"] = [Declared(**table) for table in found.get("columns", ())]
+        fields: dict[str, Any] = {
+            key: tuple(value) if isinstance(value, list) else value for key, value in found.items()
+        }
+        return Config(**fields)
     except (OSError, ValueError, TypeError) as error:
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None

@@ -119,7 +119,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
 
 def settle(results: Path) -> None:
     """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest."""
-    for folder in {path.parent for ending in (WHOLE, NEW) for path in results.glob(f"newton-*/.*{ending}")}:
+    for folder in {path.parent for ending in (WHOLE, NEW) for path in results.glob(f"*/.*{ending}")}:
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
             _settle(folder)
 

@@ -5,6 +5,7 @@ import re
 from measured_report import ReportError
 from measured_report.measuring.host import host
 
+NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
 DEVICE_LOST = re.compile(
     "cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture", re.IGNORECASE

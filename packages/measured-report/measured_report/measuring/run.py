@@ -17,6 +17,7 @@ from types import ModuleType
 from measured_report import ReportError
 from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
+from measured_report.files.config import config
 from measured_report.files.files import refuse_unwritable
 from measured_report.files.processes import workers
 from measured_report.measuring.course import Course, course_of
@@ -26,8 +27,8 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.progress import progress
 from measured_report.measuring.scheduler import Crew, Here, Study
 from measured_report.measuring.where import read_cluster
-from measured_report.records.identity import package_versions, sections
-from measured_report.records.sources import EDITED
+from measured_report.records.identity import sections
+from measured_report.records.provenance import EDITED, package_versions
 
 STOPPED = 130
 
@@ -108,12 +109,12 @@ def section_module(section: str) -> ModuleType:
 def edition_of(asked: str | None) -> str:
     """The label that results of what is installed here are kept under; ReportError when another one was asked for."""
     installed = package_versions()
-    newton, edits, _ = installed["newton"].partition(f"{EDITED}.")
-    newton += EDITED if edits else ""
-    label = read_label(asked or newton)
-    if label is None or label.newton != newton or not dict(label.pins).items() <= installed.items():
+    version, edits, _ = installed[config().package].partition(f"{EDITED}.")
+    version += EDITED if edits else ""
+    label = read_label(asked or version)
+    if label is None or not label.is_installed_with({**installed, config().package: version}):
         have = ", ".join(f"{package} {version}" for package, version in installed.items())
-        raise ReportError(f"NEWTON={asked or newton} is not what is installed here ({have})")
+        raise ReportError(f"{config().option}={asked or version} is not what is installed here ({have})")
     return str(label)
 
 

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import cache
 from itertools import accumulate
 from pathlib import Path, PurePosixPath
 
@@ -86,16 +87,16 @@ def files() -> Files:
 @contextmanager
 def sources_kept(root: Path = ROOT) -> Iterator[None]:
     """Within it, what sources say is known from the processes before, since parsing all of them takes a second."""
-    cache = Cache(root)
+    kept = Cache(root)
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
-    _known.update(cache.get(SOURCES, made_by) or {})
+    _known.update(kept.get(SOURCES, made_by) or {})
     before = len(_known)
     try:
         yield
     finally:
         if len(_known) > before:
             # The newest: those of texts that are no more need not be kept for ever.
-            cache.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
+            kept.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
 
 
 class Graph:
@@ -104,28 +105,20 @@ class Graph:
     def __init__(self, roots: tuple[str, ...], files: Files):
         self.roots = roots
         self._files = files
-        self._sources: dict[str, Source] = {}
-        self._imported: dict[str, list[str]] = {}
-        self._meanings: dict[Node, list[list[Node] | str]] = {}
-        self._digests: dict[tuple[Node, int], str] = {}
-        self._reached: dict[str, dict[Node, str]] = {}
+        for method in (self.source, self.imported, self.reached, self.digest, self.meanings):
+            setattr(self, method.__name__, cache(method))
 
     def name_of(self, path: str) -> str:
         """A file's name, below the innermost of the folders that it lies in."""
         return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
 
     def source(self, path: str) -> Source:
-        if path not in self._sources:
-            self._sources[path] = self._files.source(path, self.name_of(path))
-        return self._sources[path]
+        return self._files.source(path, self.name_of(path))
 
     def imported(self, path: str) -> list[str]:
         """The files that the source at ``path`` may import."""
-        if path not in self._imported:
-            named = {part for name in self.source(path).modules for part in accumulate(name.split("."), "{}.{}".format)}
-            found = (self.module(name.split(".")) for name in sorted(named))
-            self._imported[path] = [file for file in found if file]
-        return self._imported[path]
+        named = {part for name in self.source(path).modules for part in accumulate(name.split("."), "{}.{}".format)}
+        return list(filter(None, (self.module(name.split(".")) for name in sorted(named))))
 
     def module(self, parts: Sequence[str]) -> str:
         """The file of a module; empty where it is none of this project."""
@@ -147,12 +140,10 @@ class Graph:
         Raises:
             ReportError: Nothing of this project has that name.
         """
-        if name not in self._reached:
-            found = self.found(name)
-            if isinstance(found, str):
-                raise ReportError(f"there is no {name}")
-            self._reached[name] = {node: self.digest(node) for node in self._run(found) if self.definitions(node)}
-        return self._reached[name]
+        found = self.found(name)
+        if isinstance(found, str):
+            raise ReportError(f"there is no {name}")
+        return {node: self.digest(node) for node in self._run(found) if self.definitions(node)}
 
     def _run(self, nodes: Sequence[Node]) -> set[Node]:
         loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
@@ -178,21 +169,16 @@ class Graph:
 
     def digest(self, node: Node, rounds: int = ROUNDS) -> str:
         """Of what defines a name, and of what the names in it mean."""
-        if (node, rounds) not in self._digests:
-            trees = [each.tree for each in self.definitions(node)]
-            meanings = [self._told(each, rounds) for each in self.meanings(node)] if rounds else []
-            self._digests[node, rounds] = digest_of([trees, meanings])
-        return self._digests[node, rounds]
-
-    def _told(self, meaning: list[Node] | str, rounds: int) -> list[str] | str:
-        return meaning if isinstance(meaning, str) else [self.digest(node, rounds - 1) for node in meaning]
+        trees = [each.tree for each in self.definitions(node)]
+        meanings = [
+            meaning if isinstance(meaning, str) else [self.digest(each, rounds - 1) for each in meaning]
+            for meaning in (self.meanings(node) if rounds else ())
+        ]
+        return digest_of([trees, meanings])
 
     def meanings(self, node: Node) -> list[list[Node] | str]:
         """What the names mean that stand in what defines a name, in order."""
-        if node not in self._meanings:
-            there = ((each, name) for each in self.definitions(node) for name in each.names)
-            self._meanings[node] = [self._meaning(node[0], each, name) for each, name in there]
-        return self._meanings[node]
+        return [self._meaning(node[0], each, name) for each in self.definitions(node) for name in each.names]
 
     def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
         """What of this project a name stands for, or what it is called elsewhere."""

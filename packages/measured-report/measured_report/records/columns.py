@@ -1,11 +1,23 @@
-"""Columns: what a column's name says of the numbers in it: their unit, and the range that they can lie in."""
+"""Columns: what is known of the numbers in a column, by its name.
+
+The name ends in their unit; all else is declared in ``report.toml``, for columns or patterns of their names:
+
+    [[columns]]
+    names = ["height_mm"]
+    better = "less"
+    resolution = 1e-3
+"""
 
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, dataclass, fields
 from functools import cache
+from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
+
+from measured_report.files.config import Declared, config
 
 UNITS = {
     "mm_per_cycle": "mm/cycle",
@@ -30,6 +42,7 @@ UNITS = {
 }
 """Unit by the end of a column's name; the longest end that fits counts."""
 
+PLAIN_TYPES = bool, int, float, str, type(None)
 PLAIN = "1"
 """The unit of a number whose column names none."""
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
@@ -37,14 +50,6 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 LARGEST_OF_OTHERS = 1e18
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
-MAGNITUDE = re.compile(
-    r"(.*_)?(slip|wander|oscillation|penetration|pose_difference|numerical_error|c_difference|edge)_mm"
-    r"|.*excess_speed_mm_s|.*_floor_mm(_s)?|(normal|tangential|grip)_force_n|stiffness_n_m|(.*_)?count|substeps|worlds"
-)
-"""Columns of other units whose numbers have no sign either: a slip is a distance."""
-SIGNED = re.compile(r"increment_.*|(used|authored)_.*|(.*_)?growth_per_s")
-"""Columns whose numbers have one in spite of their unit: what is added a cycle, what a model was given, a growth."""
-
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
@@ -57,20 +62,87 @@ UNPRINTABLE = re.compile(
 """Characters that no text needs: control, text turned round, halves of others, and those that mean what one likes."""
 
 
+@dataclass(frozen=True)
+class Column:
+    """What is known of a column; what ``report.toml`` says of it is told there."""
+
+    name: str
+    unit: str
+    """``1`` where the name says none."""
+    least: float
+    largest: float
+    """The range of the numbers that are believed."""
+    kinds: frozenset[str]
+    given_beside: str
+    better: str
+    resolution: float
+    rate_of: str
+
+    @property
+    def is_setting(self) -> bool:
+        """Whether it was set before a run: a parameter of a case, or how much was run."""
+        return not self.kinds.isdisjoint(("parameter", "setting"))
+
+    def is_exact(self, row: Mapping[str, Any]) -> bool:
+        """Whether in a row it holds what was set, or made from nothing but that, and so has no noise."""
+        return self.is_setting or "given" in self.kinds or self.given_beside in row
+
+
 @cache
-def unit_of(column: str) -> str:
-    """The unit that a column's name says; ``1`` when it says none."""
-    words = PERCENTILE.sub("", column).split("_")
+def column_of(name: str) -> Column:
+    """What is known of the column of that name."""
+    found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
+    unit = _unit(name)
+    largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
+    signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
+    kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
+
+    def said(what: str) -> Any:
+        return next(filter(None, (getattr(each, what) for each in found)), getattr(Declared, what))
+
+    return Column(
+        name=name,
+        unit=unit,
+        least=-largest if signed else 0.0,
+        largest=largest,
+        kinds=frozenset(kinds),
+        given_beside=said("given_beside"),
+        better=said("better"),
+        resolution=said("resolution"),
+        rate_of=said("rate_of"),
+    )
+
+
+def _unit(name: str) -> str:
+    words = PERCENTILE.sub("", name).split("_")
     ends = ("_".join(words[start:]) for start in range(len(words)))
     return next((UNITS[end] for end in ends if end in UNITS), PLAIN)
+
+
+@cache
+def parameters() -> Mapping[str, Any]:
+    """The parameters of a case and their defaults, ``MISSING`` for one that has none."""
+    module, _, name = config().case.partition(":")
+    return {each.name: each.default for each in fields(getattr(import_module(module), name))} if module else {}
+
+
+def is_setting(pointer: str) -> bool:
+    """Whether a pointer into a record leads to a setting."""
+    return column_of(pointer.rpartition("/")[2]).is_setting
+
+
+def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters of a row's case that differ from their defaults."""
+    default = {name: value for name, value in parameters().items() if value is not MISSING}
+    return {name: cell for name, cell in row.items() if name in default and cell != default[name]}
 
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Units of the columns that hold numbers, missing ones included."""
     there = columns_of(rows)
-    columns = [column for column in there if any(is_number(row.get(column)) for row in rows)]
-    columns += [column.removesuffix(REASON) for column in there if column.endswith(REASON)]
-    return {column: unit_of(column) for column in columns}
+    names = [name for name in there if any(is_number(row.get(name)) for row in rows)]
+    names += [name.removesuffix(REASON) for name in there if name.endswith(REASON)]
+    return {name: column_of(name).unit for name in names}
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -87,26 +159,23 @@ def is_column(name: str) -> bool:
     return bool(COLUMN.fullmatch(name))
 
 
-@cache
-def range_of(column: str) -> tuple[float, float]:
-    """The least and the largest number that is believed in a column."""
-    unit = unit_of(column)
-    largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
-    has_no_sign = MAGNITUDE.fullmatch(column) or (unit in NEVER_NEGATIVE and not SIGNED.fullmatch(column))
-    return 0.0 if has_no_sign else -largest, largest
-
-
-def number_problem(column: str, value: int | float) -> str:
-    """What is wrong with a number in ``column``, in words; empty when nothing is."""
-    least, largest = range_of(column)
-    if least <= value <= largest:
+def number_problem(name: str, value: int | float) -> str:
+    """What is wrong with a number in the column ``name``, in words; empty when nothing is."""
+    known = column_of(name)
+    if known.least <= value <= known.largest:
         return ""
     if isinstance(value, float) and not math.isfinite(value):
-        return f"is {value}; a number that does not exist is null, with its {column}{REASON}"
-    if -largest <= value < least:
+        return f"is {value}; a number that does not exist is null, with its {name}{REASON}"
+    if -known.largest <= value < known.least:
         return f"is {value:g}, and can't be negative"
-    unit = unit_of(column)
-    return f"is beyond {largest:g}{'' if unit == PLAIN else f' {unit}'}"
+    return f"is beyond {known.largest:g}{'' if known.unit == PLAIN else f' {known.unit}'}"
+
+
+def cell_problem(value: Any) -> str:
+    """What is wrong with anything but a number of a known column, in words; empty when nothing is."""
+    if not isinstance(value, PLAIN_TYPES):
+        return f"is a {type(value).__name__}, not a plain number or text"
+    return text_problem(value) if isinstance(value, str) else ""
 
 
 def text_problem(text: str) -> str:

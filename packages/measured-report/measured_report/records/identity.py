@@ -1,32 +1,35 @@
 """Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from importlib import metadata
 from pathlib import Path
+from typing import Annotated
+
+from msgspec import Meta
 
 from measured_report import ROOT
-from measured_report.files.config import config
 from measured_report.records.code import Source, digest_of, files, roots_of
-from measured_report.records.sources import source_of
+from measured_report.records.provenance import package_changes, package_versions
 
-PACKAGES = config().packages
-MISSING = "missing"
+Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
+FileName = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
+Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
+Profile = Annotated[str, Meta(pattern=r"\A(full|quick)\Z")]
 
 
 @dataclass(frozen=True)
 class Identity:
     """Digests of all that a measurement depends on, except the machine."""
 
-    code: str
+    code: Digest
     """Digest of the definitions that its ``measure`` may run; see ``code``."""
-    config: str
+    config: Digest
     """Digest of the profile and of the assets that these name."""
-    packages: Mapping[str, str]
+    packages: Mapping[str, Version]
     """Version by package."""
-    profile: str = "full"
-    files: Mapping[str, str] = field(default_factory=dict)
+    profile: Profile = "full"
+    files: Mapping[FileName, Digest] = field(default_factory=dict)
     """Digest by file, of what lies in it of these: so that a change can be named. Where it lies does not count."""
 
 
@@ -75,14 +78,6 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
     return words + [f"packages: {change}" for change in package_changes(recorded.packages, current.packages)]
 
 
-def package_changes(
-    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = PACKAGES
-) -> list[str]:
-    """Which packages are of another version than before, each with both."""
-    versions = {name: (before.get(name), after.get(name)) for name in names}
-    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
-
-
 def sections(root: Path = ROOT) -> list[str]:
     """Names of the sections: those that have a module, or a folder of modules, on the report's side."""
     folder = root / "report" / "sections"
@@ -93,26 +88,6 @@ def sections(root: Path = ROOT) -> list[str]:
 def source_at(path: Path, name: str) -> Source:
     """What ``read_source`` says, of one that was looked at before as well."""
     return files().source(str(path), name)
-
-
-def package_versions() -> dict[str, str]:
-    """Version of each package that is installed here; Newton's says which code it is, where that is not an index's."""
-    seen = files()
-    seen.versions = seen.versions or _installed_versions()
-    return dict(seen.versions)
-
-
-def _installed_versions() -> dict[str, str]:
-    versions = {package: _installed_version(package) for package in PACKAGES}
-    source = source_of("newton")
-    return versions | ({"newton": f"{versions['newton']}+{source}"} if source else {})
-
-
-def _installed_version(package: str) -> str:
-    try:
-        return metadata.version(package)
-    except metadata.PackageNotFoundError:
-        return MISSING
 
 
 def _sha256(path: Path) -> str:

@@ -2,6 +2,8 @@
 
 import hashlib
 import json
+from collections.abc import Mapping
+from dataclasses import fields
 from datetime import datetime
 from functools import cache as once
 from pathlib import Path
@@ -10,30 +12,16 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from measured_report import ROOT
 from measured_report.files.cache import Cache
+from measured_report.files.config import FILE, config
 from measured_report.files.files import RecordError, place_of, read_own_file
-from measured_report.records.columns import UNPRINTABLE, text_problem
+from measured_report.records.columns import UNPRINTABLE, cell_problem
 from measured_report.records.identity import Identity
-from measured_report.records.record import SCHEMA, Record, Seal, check_record
-from measured_report.records.traces import CASE, check_seals
+from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record
+from measured_report.records.traces import check_seals
 
 BYTE_LIMIT = 32 << 20
-
-Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
-FileName = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_][A-Za-z0-9_./-]*\Z", max_length=200)]
-Version = Annotated[str, Meta(pattern=r"\A(missing|[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?)\Z", max_length=64)]
-Package = Literal["newton", "warp-lang", "mujoco-warp", "mujoco"]
-Text = Annotated[str, Meta(max_length=400)]
-Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
-Cell = bool | int | float | str | None
-
-
-class _Identity(Struct, forbid_unknown_fields=True):
-    code: Digest
-    config: Digest
-    packages: dict[Package, Version]
-    profile: Literal["full", "quick"] = "full"
-    files: dict[FileName, Digest] = {}
 
 
 class _Machine(Struct):
@@ -53,22 +41,6 @@ class _Measured(Struct):
     commit: Text | None
     command: Text
     seconds: Annotated[float, Meta(ge=0.0, le=1e8)]
-
-
-class _Seal(Struct, forbid_unknown_fields=True):
-    digest: Digest
-    row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
-
-
-class _Record(Struct, forbid_unknown_fields=True):
-    schema: int
-    section: Text
-    identity: _Identity
-    machine: dict[Text, Text | int | float | bool | None]
-    measured: dict[Text, Text | int | float | bool | None]
-    units: dict[Text, Text]
-    rows: list[dict[Text, Cell]]
-    traces: dict[Case, _Seal] | None = None
 
 
 def load_record(path: Path, cache: Cache | None = None) -> Record:
@@ -96,41 +68,42 @@ def load_record(path: Path, cache: Cache | None = None) -> Record:
 def _own_code() -> bytes:
     """What decides what is found whole, and how it is read."""
     names = ("reading.py", "record.py", "columns.py", "identity.py")
-    return hashlib.sha256(b"".join(Path(__file__).with_name(name).read_bytes() for name in names)).digest()
+    files = [*map(Path(__file__).with_name, names), ROOT / FILE]
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files if file.is_file())).digest()
 
 
 def _checked(content: bytes, path: Path) -> Record:
     place = place_of(path)
     try:
         data = json.loads(content.decode("utf-8"), object_pairs_hook=_unique, parse_constant=_refuse)
-        schema = data.get("schema") if isinstance(data, dict) else None
-        if schema is not None and schema != SCHEMA:
+        schema = data.get("schema") if isinstance(data, dict) else SCHEMA
+        if type(schema) is not int or schema != SCHEMA:
             raise RecordError(f"{place} has schema {schema!r:.40}, not {SCHEMA}")
-        known = msgspec.convert(data, _Record)
-        msgspec.convert(known.machine, _Machine)
-        date = msgspec.convert(known.measured, _Measured).date
+        record = msgspec.convert(data, Record)
+        _refuse_others(data, "schema", *(field.name for field in fields(Record)))
+        _refuse_others(data["identity"], *(field.name for field in fields(Identity)))
+        _refuse_others(data["identity"]["packages"], *config().packages)
+        for seal in (data.get("traces") or {}).values():
+            _refuse_others(seal, *(field.name for field in fields(Seal)))
+        msgspec.convert(record.machine, _Machine)
+        date = msgspec.convert(record.measured, _Measured).date
         if datetime.fromisoformat(date).tzinfo is None:
             raise ValueError(f"the date {date} has no time zone")
     except (ValueError, RecursionError, msgspec.ValidationError) as error:
         raise RecordError(f"{place} is no whole record: {_line(error)}") from None
-    if known.section != path.stem:
-        raise RecordError(f"{place} is a record of {known.section!r}")
-    for name, text in [*known.machine.items(), *known.measured.items()]:
-        problem = text_problem(text) if isinstance(text, str) else ""
-        if problem:
+    if record.section != path.stem:
+        raise RecordError(f"{place} is a record of {record.section!r}")
+    for name, value in [*record.machine.items(), *record.measured.items()]:
+        if problem := cell_problem(value):
             raise RecordError(f"{place}: {name} {problem}")
-    seals = known.traces
-    record = Record(
-        section=known.section,
-        identity=Identity(**{name: getattr(known.identity, name) for name in _Identity.__struct_fields__}),
-        machine=known.machine,
-        measured=known.measured,
-        units=known.units,
-        rows=known.rows,
-        traces=None if seals is None else {case: Seal(seal.digest, seal.row_count) for case, seal in seals.items()},
-    )
     check_record(record, place)
     return record
+
+
+def _refuse_others(data: Mapping[str, Any], *known: str) -> None:
+    """ValueError for any key that is not ``known``."""
+    if others := data.keys() - {*known}:
+        raise ValueError(f"nothing here is called {min(others)!r:.80}")
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

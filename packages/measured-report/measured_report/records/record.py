@@ -1,30 +1,36 @@
 """Records: what one section measured, as one JSON file that git can compare line by line."""
 
 import json
-import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from msgspec import Meta
 
 from measured_report import ROOT
+from measured_report.files.config import config
 from measured_report.files.files import RecordError, place_of, put_record
 from measured_report.records.columns import (
     PLAIN,
     REASON,
+    cell_problem,
+    column_of,
     columns_of,
     is_column,
     is_number,
     number_problem,
-    range_of,
-    text_problem,
-    unit_of,
     units_of,
 )
-from measured_report.records.identity import MISSING, Identity
+from measured_report.records.identity import Digest, Identity
+from measured_report.records.provenance import MISSING
 
 SCHEMA = 1
+CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+Text = Annotated[str, Meta(max_length=400)]
+Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 
 
 @dataclass(frozen=True, order=True)
@@ -32,35 +38,35 @@ class Origin:
     """What a number was measured with, as far as others must share it to be compared with it."""
 
     release: str
-    """Newton release."""
+    """Version of the package whose releases are editions."""
     processor: str
 
     def __str__(self) -> str:
-        return f"Newton {self.release} on {self.processor}"
+        return f"{config().edition_name} {self.release} on {self.processor}"
 
 
 @dataclass(frozen=True)
 class Seal:
     """What binds a trace to its record."""
 
-    digest: str
+    digest: Digest
     """SHA-256 of the file."""
-    row_count: int
+    row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
 @dataclass(frozen=True)
 class Record:
     """What one section measured, and where, when and by which code."""
 
-    section: str
+    section: Text
     identity: Identity
-    machine: Mapping[str, Any]
+    machine: Mapping[Text, Any]
     """``device`` (cuda or cpu), ``gpu``, ``driver``, ``cpu``, ``python``; None where there is none."""
-    measured: Mapping[str, Any]
+    measured: Mapping[Text, Any]
     """``date``, ``commit``, ``command`` and ``seconds``."""
-    units: Mapping[str, str]
-    rows: Sequence[Mapping[str, Any]]
-    traces: Mapping[str, Seal] | None = None
+    units: Mapping[Text, Text]
+    rows: Sequence[Mapping[Text, Any]]
+    traces: Mapping[Case, Seal] | None = None
     """Seal of each trace by its case; None in a record from before traces were sealed."""
 
     @property
@@ -89,7 +95,7 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(self.identity.packages.get("newton", MISSING), self.processor)
+        return Origin(self.identity.packages.get(config().package, MISSING), self.processor)
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
@@ -107,9 +113,9 @@ any of these numbers repeats to."""
 
 
 def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
-    """Where the records of a Newton release lie; only those of the full profile are tracked."""
+    """Where the records of an edition lie; only those of the full profile are tracked."""
     results = root / "results"
-    return (results if profile == "full" else results / profile) / f"newton-{release}"
+    return (results if profile == "full" else results / profile) / config().edition_folder(release)
 
 
 def record_path(section: str, release: str, profile: str, root: Path = ROOT) -> Path:
@@ -143,23 +149,19 @@ def _text(record: Record) -> str:
     return head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]\n}\n"
 
 
-PLAIN_TYPES = bool, int, float, str, type(None)
-NO_RANGE = math.inf, -math.inf
-
-
 def check_record(record: Record, place: str) -> None:
     """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
     if not record.rows:
         raise RecordError(f"{place} has no rows")
-    ranges = {column: range_of(column) for column in record.units if is_column(column)}
+    known = {name: column_of(name) for name in record.units if is_column(name)}
+    ranges = {name: (column.least, column.largest) for name, column in known.items()}
     for index, row in enumerate(record.rows):
         case = row.get("case")
         if not case or not isinstance(case, str):
             raise RecordError(f"{place}: row {index} has no case")
         for column, value in row.items():
-            least, largest = ranges.get(column, NO_RANGE)
             # Nearly all are numbers that may be there, and every build reads every record.
-            if type(value) in (float, int) and least <= value <= largest:
+            if type(value) in (float, int) and column in ranges and ranges[column][0] <= value <= ranges[column][1]:
                 continue
             if problem := _problem(record, row, column, value):
                 raise RecordError(f"{place}: {column:.80} of {case!r:.80} {problem}")
@@ -169,15 +171,13 @@ def check_record(record: Record, place: str) -> None:
 def _problem(record: Record, row: Mapping[str, Any], column: str, value: Any) -> str:
     if not is_column(column):
         return "is no column name (lower-case words joined by _)"
-    if not isinstance(value, PLAIN_TYPES):
-        return f"is a {type(value).__name__}, not a plain number or text"
     if is_number(value):
         return "has no unit" if column not in record.units else number_problem(column, value)
     if column in record.units and value is None and not row.get(column + REASON):
         return f"is null without a {column}{REASON}"
-    if value is not None and (column in record.units or unit_of(column) != PLAIN):
+    if isinstance(value, bool | str) and (column in record.units or column_of(column).unit != PLAIN):
         return f"is {value!r:.40}, not a number"
-    return text_problem(value) if isinstance(value, str) else ""
+    return cell_problem(value)
 
 
 def _check_columns(record: Record, place: str) -> None:

@@ -61,7 +61,7 @@ class Reader:
             for place, name in enumerate(names):
                 definitions.setdefault(name, []).append(self._definition(node, place))
         return Source(
-            digest=digest_of(_Canonical(whole=True).plain(self.tree, frozenset())),
+            digest=hashlib.sha256(ast.dump(self.tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(name for node in nodes for name in self._modules(node))),
             assets=tuple(_named_assets(nodes)),
             top=dict(self._top()),
@@ -72,8 +72,7 @@ class Reader:
     @cached_property
     def _statements(self) -> list[ast.stmt]:
         """What stands at the top level and is run when the module is imported."""
-        passed_over = (_is_text, _is_program, _is_path)
-        return [node for node in self.tree.body if not (_imports_alone(node) or any(it(node) for it in passed_over))]
+        return [node for node in self.tree.body if not (_imports_alone(node) or _is_text(node) or _is_aside(node))]
 
     @cached_property
     def _imports(self) -> dict[str, str]:
@@ -87,9 +86,9 @@ class Reader:
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
         inner = {name: what for each in ast.walk(node) for name, what in self._named(each)}
-        tree = _Canonical()
+        tree = Canonical()
         text = tree.top(node, self._names | inner.keys())
-        decorators = (_chain(each.func if isinstance(each, ast.Call) else each) for each in _decorators(node))
+        decorators = (_chain(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
         return Definition(
             tree=digest_of([text, place]),
             names=tuple(tree.gaps),
@@ -123,6 +122,7 @@ class Reader:
             yield from ((alias.asname or alias.name, f"{module}.{alias.name}") for alias in node.names)
 
 
+IMPORTS = (ast.Import, ast.ImportFrom)
 DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 SCOPES = (*DEFINING, *COMPREHENSIONS, ast.Lambda)
@@ -143,7 +143,7 @@ def _imports_alone(node: ast.AST) -> bool:
     """Whether a statement imports and does nothing else, as behind a condition."""
     if isinstance(node, ast.If | ast.Try):
         return all(map(_imports_alone, [*node.body, *node.orelse, *getattr(node, "handlers", ())]))
-    return isinstance(node, ast.Import | ast.ImportFrom | ast.Pass)
+    return isinstance(node, (*IMPORTS, ast.Pass))
 
 
 def _is_text(node: Any) -> bool:
@@ -151,18 +151,11 @@ def _is_text(node: Any) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
-def _is_program(node: ast.AST) -> bool:
-    """Whether it is what a module does only when it is run as a program."""
-    return isinstance(node, ast.If) and ast.unparse(node.test) == "__name__ == '__main__'"
-
-
-def _is_path(node: ast.AST) -> bool:
-    """Whether it says where modules are found, which is no part of what they do."""
+def _is_aside(node: ast.AST) -> bool:
+    """Whether a statement is run only where its module is a program, or says where modules are found."""
+    if isinstance(node, ast.If):
+        return ast.unparse(node.test) == "__name__ == '__main__'"
     return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]).startswith("sys.path")
-
-
-def _decorators(node: ast.AST) -> list[ast.expr]:
-    return node.decorator_list if isinstance(node, DEFINING) else []
 
 
 def _chain(node: ast.AST) -> str:
@@ -175,15 +168,13 @@ def _chain(node: ast.AST) -> str:
 
 
 @dataclass
-class _Canonical:
+class Canonical:
     """Makes plain tuples of a syntax tree, without comments, docstrings and positions.
 
     Fields that are empty or that only some Python versions know are left out: a record measured under one Python has
     to be fresh under another.
     """
 
-    whole: bool = False
-    """Whether imports and the texts of errors count as well."""
     gaps: list[str] = field(default_factory=list)
     """What stands in the gaps, in order."""
 
@@ -196,25 +187,25 @@ class _Canonical:
 
     def plain(self, node: Any, scope: Collection[str], own: Collection[str] = ()) -> Any:
         if isinstance(node, list):
-            kept = (each for each in node if not (_is_text(each) or (not self.whole and _is_import(each))))
+            kept = (each for each in node if not (_is_text(each) or isinstance(each, IMPORTS)))
             return tuple(self.plain(each, scope, own) for each in kept)
         if not isinstance(node, ast.AST):
             return repr(node)
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
             return GAP if node.id in own else ("Name", node.id)
-        if (chain := _chain(node)).partition(".")[0] in scope:
+        if isinstance(node, ast.Name | ast.Attribute) and (chain := _chain(node)).partition(".")[0] in scope:
             self.gaps.append(chain)
             return GAP, type(node.ctx).__name__, *chain.split(".")[1:]
-        if isinstance(node, ast.Raise) and not self.whole:
+        if isinstance(node, ast.Raise):
             return "Raise", self.plain(_silent(node.exc), scope), self.plain(node.cause, scope)
-        if isinstance(node, ast.Assert) and not self.whole:
+        if isinstance(node, ast.Assert):
             return "Assert", self.plain(node.test, scope)
         if isinstance(node, ast.JoinedStr):
             # Python 3.12 and later put an empty text behind a nested format specification.
             node = ast.JoinedStr([part for part in node.values if getattr(part, "value", None) != ""])
         if isinstance(node, COMPREHENSIONS):
             return self._comprehension(node, scope)
-        inner = scope if self.whole else _inner(node, scope)
+        inner = _inner(node, scope)
         fields = [
             (name, self.plain(value, inner if name == "body" else scope, own))
             for name, value in ast.iter_fields(node)
@@ -240,10 +231,6 @@ def _inner(node: ast.AST, scope: Collection[str]) -> Collection[str]:
     parameters = {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
     outside = {name for each in ast.walk(node) if isinstance(each, ast.Global) for name in each.names}
     return frozenset(scope) - ((parameters | {name for each in body for name in _bound(each)}) - outside)
-
-
-def _is_import(node: Any) -> bool:
-    return isinstance(node, ast.Import | ast.ImportFrom)
 
 
 def _silent(node: ast.AST | None) -> ast.AST | None:

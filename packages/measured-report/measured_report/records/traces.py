@@ -11,14 +11,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.files import RecordError, is_own_file, place_of, read_own_file
-from measured_report.records.columns import PLAIN, number_problem, text_problem, unit_of
-from measured_report.records.record import DIGITS, Record, Seal
+from measured_report.records.columns import PLAIN, column_of, number_problem, text_problem
+from measured_report.records.record import CASE, DIGITS, Record, Seal
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
     import pandas as pd
 
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
-CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 256 << 20
 NO_NUMBER = re.compile(r"(?:^|,)[+-]?(?:nan|inf|infinity)(?:,|$)", re.IGNORECASE | re.MULTILINE)
 """What a number that is missing is never written as: its cell is empty."""
@@ -117,7 +116,7 @@ def _check_column(column: str, cells: "pd.Series") -> None:
         problems = (number_problem(column, value) for value in (values.min(), values.max()) if len(values))
         if column == "time_s" and not cells.is_monotonic_increasing:
             raise ValueError("its time_s runs backwards")
-    elif unit_of(column) != PLAIN:
+    elif column_of(column).unit != PLAIN:
         raise ValueError(f"{column} is not all numbers")
     else:
         problems = (text_problem(value) or _mixed(value) for value in values.unique() if isinstance(value, str))

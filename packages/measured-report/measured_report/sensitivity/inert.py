@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from measured_report.claims.claims import Claim
 from measured_report.parts.parts import Section
-from measured_report.records.settings import is_setting
+from measured_report.records.columns import is_setting
 from measured_report.sensitivity.perturbed import FACTORS, Cell, World
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 

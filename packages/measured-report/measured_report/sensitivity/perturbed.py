@@ -12,9 +12,8 @@ from measured_report.deriving.editions import derive_section, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.pages.page import Templates
 from measured_report.parts.parts import Section
-from measured_report.records.columns import REASON
+from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
-from measured_report.records.settings import settings
 from measured_report.records.traces import load_trace
 from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.results import Results, Series
@@ -81,7 +80,7 @@ class AlteredResults(Results):
 
 
 def _scaled(frame: pd.DataFrame, factor: float) -> pd.DataFrame:
-    columns = [column for column in frame.select_dtypes("number") if column != "time_s" and column not in settings()]
+    columns = [name for name in frame.select_dtypes("number") if name != "time_s" and not column_of(name).is_setting]
     return frame.assign(**{column: factor * frame[column] for column in columns})
 
 

@@ -11,8 +11,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
 from measured_report.pages.page import Templates
-from measured_report.records.columns import REASON
-from measured_report.records.settings import settings
+from measured_report.records.columns import REASON, column_of
 from measured_report.records.traces import traces_of
 from measured_report.values.quantities import VALUES_FILE
 
@@ -86,7 +85,7 @@ def _columns(editions: Mapping[str, Edition]) -> list[Column]:
             for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
                 sections.setdefault(column, set()).add(chapter.name)
     return [
-        Column(name, units.get(name, ""), ", ".join(sorted(found)), name in settings())
+        Column(name, units.get(name, ""), ", ".join(sorted(found)), column_of(name).is_setting)
         for name, found in sorted(sections.items())
     ]
 

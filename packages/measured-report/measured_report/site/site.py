@@ -17,7 +17,7 @@ from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.deriving.keeping import Keeper, surroundings
 from measured_report.editions.project import INPUTS, Project
-from measured_report.editions.status import State, newton_now
+from measured_report.editions.status import State, package_version
 from measured_report.files.cache import Cache
 from measured_report.files.files import locked
 from measured_report.files.staging import Draft, aside, digests_below, replace
@@ -25,7 +25,8 @@ from measured_report.pages.page import Prose, Templates
 from measured_report.pages.pages import FRONT, Page
 from measured_report.parts.drawing import draw_all
 from measured_report.records.code import sources_kept, unchanged_files
-from measured_report.records.identity import files_digest, package_versions
+from measured_report.records.identity import files_digest
+from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT, traces_of
 from measured_report.site.archive import rows_csv
 from measured_report.site.surroundings import ASSETS, citation, write_surroundings
@@ -33,7 +34,7 @@ from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from report.media.replay import write_replay
 
-OTHER_INPUTS = ("CITATION.cff", "LICENSE")
+OTHER_INPUTS = ("report.toml", "CITATION.cff", "LICENSE")
 """Files that the site is made from, besides the folders."""
 WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 """Packages that have a part in it, besides those that decide what is drawn."""
@@ -286,7 +287,9 @@ def _digest(project: Project, address: str) -> str:
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
-    checkouts = [newton_now(project.of(release)) for release in project.releases]  # may be edited, and lie elsewhere
+    checkouts = [
+        package_version(project.of(release)) for release in project.releases
+    ]  # may be edited, and lie elsewhere
     made_from = (place, address, package_versions(), surroundings(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 

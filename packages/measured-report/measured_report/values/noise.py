@@ -6,24 +6,18 @@ from dataclasses import dataclass
 from statistics import NormalDist, fmean, stdev
 from typing import Any
 
-from measured_report.records.columns import unit_of
+from measured_report.files.config import config
+from measured_report.records.columns import column_of
 from measured_report.records.record import Record
-from measured_report.records.settings import is_exact
 
-NOISE = "noise"
+NOISE = config().noise_section
 """The section whose rows are runs of one and the same case, as ``of`` says."""
 ROUNDING_SHARE = 1e-3
 """Chosen: no difference smaller than this share of a value is one, however well a release repeats itself."""
-RESOLUTION = {"slip_mm": 1e-3, "drift_mm_s": 1e-4}
-"""Least difference that counts, however well a machine repeats itself."""
 EDGES = ("_p5", "_p95")
 """Ends of columns that say how far the numbers spread of which a column has the median."""
 MEDIAN = 1.25
 """How much wider the median of n numbers spreads than their mean, which does by 1/√n of theirs: √(π/2), for many."""
-RATES = {"frames_per_s": "frame_ms", "realtime_factor": "frame_ms", "world_substeps_per_s": "frame_ms"}
-"""Rates that a time in the same row makes, so that they have its share of noise."""
-IN_C = ("c", "mujoco", "mujoco-c")
-"""What ``backend`` says of MuJoCo's engine in C, whose runs on one thread repeat to the last bit, all but times."""
 TIMES = ("s", "ms")
 PAIRS = 0.999
 """Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
@@ -32,25 +26,14 @@ CONFIDENCE = 0.95
 """Chosen: how sure that is, for a spread that was measured with as many runs."""
 LEAST_RUNS = 4
 """With fewer their spread says too little."""
-LESS_IS_BETTER = (
-    "slip_mm",
-    "drift_mm_s",
-    "wander_mm",
-    "frame_ms",
-    "mjw_step_ms",
-    "dropped",
-    "bytes_per_world",
-    "exit_status",
-)
-MORE_IS_BETTER = ("frames_per_s", "realtime_factor", "world_substeps_per_s")
 
 
 def verdict(column: str, before: Any, after: Any) -> str:
     """Whether going from one value to the other is better or worse; empty where the column does not say."""
-    if None in (before, after) or column not in LESS_IS_BETTER + MORE_IS_BETTER:
+    better = column_of(column).better
+    if None in (before, after) or not better:
         return ""
-    grows = abs(after) > abs(before)
-    return "better" if grows == (column in MORE_IS_BETTER) else "worse"
+    return "better" if (abs(after) > abs(before)) == (better == "more") else "worse"
 
 
 def is_beyond(noise: float, before: float, after: float) -> bool:
@@ -115,19 +98,20 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
     A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or of
     rounding where the engine repeats itself; what was set or counted is exact.
     """
-    value, timed = row[column], RATES.get(column, column)
+    value, about = row[column], column_of(column)
+    timed = about.rate_of or column
     if value is None:
         return None
-    if is_exact(column, row) or isinstance(value, int):
+    if about.is_exact(row) or isinstance(value, int):
         return 0.0
     low, high = (row.get(timed + edge) for edge in EDGES)
     if None not in (low, high) and row.get(timed):
         share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:
-        is_repeated = row.get("backend") in IN_C and unit_of(column) not in TIMES
-        return ROUNDING_SHARE * abs(value) if is_repeated else None
-    return max(floors[column].at(value), RESOLUTION.get(column, 0.0)) or None
+        is_repeated = any(row.get(name) in said for name, said in config().repeating.items())
+        return ROUNDING_SHARE * abs(value) if is_repeated and about.unit not in TIMES else None
+    return max(floors[column].at(value), about.resolution) or None
 
 
 def derived_noise(

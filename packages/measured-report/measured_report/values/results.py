@@ -11,9 +11,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from measured_report import ReportError
-from measured_report.records.columns import REASON
+from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Origin, Record
-from measured_report.records.settings import case_settings
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
@@ -208,7 +207,7 @@ def _whole(record: Record) -> list[bool]:
     cells = Counter(column for row in record.rows for column in row)
     # Not the reasons, which say of a number that it is not there: of most rows it may not be.
     texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
-    telling = texts | (case_settings() & set(cells))
+    telling = texts | {column for column in cells if "parameter" in column_of(column).kinds}
     common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
     return [
         common <= set(row) and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)

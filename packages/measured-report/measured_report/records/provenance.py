@@ -1,0 +1,105 @@
+"""Provenance of packages: which version of each is installed, and of which code where the version does not say.
+
+Code comes from an index, a commit, a checkout or a wheel, as PEP 610 notes it.
+"""
+
+import hashlib
+import json
+import subprocess
+from collections.abc import Mapping, Sequence
+from importlib import metadata
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+from measured_report import UsageError
+from measured_report.files.config import config
+from measured_report.records.code import files
+
+SHORT_COMMIT = 7
+EDITED = ".edited"
+"""Behind a commit: a checkout of it differs."""
+MISSING = "missing"
+
+
+def package_versions() -> dict[str, str]:
+    """Version of each package that is installed here; of the first with its code, where that is not an index's."""
+    seen = files()
+    seen.versions = seen.versions or _installed_versions()
+    return dict(seen.versions)
+
+
+def _installed_versions() -> dict[str, str]:
+    versions = {package: _version(package) for package in config().packages}
+    source = source_of(config().package)
+    return versions | ({config().package: f"{versions[config().package]}+{source}"} if source else {})
+
+
+def _version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return MISSING
+
+
+def package_changes(
+    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = ()
+) -> list[str]:
+    """Which packages are of another version than before, each with both."""
+    versions = {name: (before.get(name), after.get(name)) for name in names or config().packages}
+    return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
+
+
+def source_of(package: str) -> str:
+    """The part of a version that says which code is installed here; empty for a package from an index."""
+    try:
+        said = metadata.distribution(package).read_text("direct_url.json")
+    except metadata.PackageNotFoundError:
+        return ""
+    found = json.loads(said) if said else {}
+    if "vcs_info" in found:
+        return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
+    address = found.get("url", "")
+    path = Path(unquote(urlparse(address).path))
+    if "dir_info" in found:
+        return checkout_source(path)
+    if address and not address.startswith("file:"):
+        return address_source(address)
+    return wheel_source(path) if address else ""
+
+
+def checkout_source(folder: Path) -> str:
+    """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
+    module = config().package.replace("-", "_")
+    code = _digest(sorted((folder / module).rglob("*.py")), folder)
+    commit = git(folder, "rev-parse", f"--short={SHORT_COMMIT}", "HEAD")
+    if not commit:
+        return f"x{code}"
+    edited = git(folder, "status", "--porcelain", "--", module)
+    return f"g{commit[:SHORT_COMMIT]}{EDITED}.{code}" if edited else f"g{commit[:SHORT_COMMIT]}"
+
+
+def wheel_source(path: Path) -> str:
+    return f"w{_digest([path], path.parent)}"
+
+
+def address_source(address: str) -> str:
+    """The same of a wheel that is fetched: another one has another address."""
+    return f"w{hashlib.sha256(address.encode()).hexdigest()[:SHORT_COMMIT]}"
+
+
+def _digest(paths: list[Path], root: Path) -> str:
+    """Seven digits for the files, by their names below ``root`` and what they hold."""
+    digest = hashlib.sha256()
+    for path in paths:
+        if path.is_file():
+            digest.update(f"{path.relative_to(root).as_posix()}\0".encode() + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:SHORT_COMMIT]
+
+
+def git(folder: Path, *command: str) -> str:
+    """What git says in a folder; nothing where it has nothing to say, as outside of a repository."""
+    try:
+        done = subprocess.run(["git", "-C", folder, *command], capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        raise UsageError("git is not installed, and a checkout takes it") from None
+    return done.stdout.strip() if done.returncode == 0 else ""

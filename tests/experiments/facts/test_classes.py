@@ -1,0 +1,146 @@
+"""The classifier on hand-made traces: each class, each border between two, and the order of the tests."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments.facts import metrics
+from experiments.facts.case import AS_SHIPPED
+from experiments.facts.classes import classify, creep_mm_s, drive_peak_m_s, excess_energy, is_energy_growing
+from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
+
+FRAME_DT = 1.0 / 60.0
+FRAME_COUNT = 241
+"""Four seconds: two periods of the shake, and the frame that they begin with."""
+TIME_S = np.arange(FRAME_COUNT) * FRAME_DT
+TOOL_DOWN = (1.0, 0.0, 0.0, 0.0)
+HAND = np.array([0.0, -0.44, 0.22])
+FLOOR_MM_S = 0.01
+DRIVE_PEAK_M_S = 0.03 * 2.0 * np.pi * np.sqrt(1.0 + 1.3**2 + 0.525**2)
+"""Peak of the shake as shipped, worked out from its three axes."""
+
+
+def make_trace(cube_in_world_m, failure=None) -> Trace:
+    """A shake with the hand still, and the cube at these places less HAND [m], shape [frames, 3]."""
+    poses = np.zeros((len(cube_in_world_m), 6, 7))
+    poses[:, :, 3:] = TOOL_DOWN
+    poses[:, :, :3] = HAND
+    poses[:, metrics.CUBE, :3] += cube_in_world_m
+    phase = np.full(len(poses), metrics.SHAKE)
+    return Trace(FRAME_DT, phase, poses, np.zeros((len(poses), len(FRAME_COLUMNS))), failure)
+
+
+def along(axis: int, values_m) -> np.ndarray:
+    place = np.zeros((len(values_m), 3))
+    place[:, axis] = values_m
+    return place
+
+
+def creeping_at(rate_mm_s: float) -> np.ndarray:
+    return along(0, 1e-3 * rate_mm_s * TIME_S)
+
+
+def kicked_at(speed_m_s: float) -> np.ndarray:
+    """Still, but for one frame in which it moves at that speed, there and back."""
+    values = np.zeros(FRAME_COUNT)
+    values[100] = speed_m_s * FRAME_DT
+    return along(0, values)
+
+
+def swinging(before_m: float, after_m: float) -> np.ndarray:
+    """At 5 Hz, with one amplitude in the last but one second and another in the last."""
+    amplitude = np.where(TIME_S < 3.0, before_m, after_m)
+    return along(0, amplitude * np.sin(2.0 * np.pi * 5.0 * TIME_S))
+
+
+def outcome(place, failure=None, case=AS_SHIPPED) -> str:
+    return classify(case, make_trace(place, failure), FLOOR_MM_S)
+
+
+OVERFLOW = Failure("overflow", 3, "the contact buffer overflowed")
+GONE = along(2, np.interp(TIME_S, (1.0, 1.5), (0.0, -0.1)))
+BROKEN = along(0, np.where(TIME_S < 3.0, 0.0, np.nan))
+FALLEN = along(2, -np.minimum(0.2, 0.5 * 9.81 * np.maximum(0.0, TIME_S - 1.0) ** 2))
+
+
+def away(distance_m: float) -> np.ndarray:
+    return along(0, np.full(FRAME_COUNT, distance_m))
+
+
+@pytest.mark.parametrize(
+    ("place", "failure", "expected"),
+    [
+        (BROKEN, None, "non-finite"),
+        (creeping_at(0.0), OVERFLOW, "overflow"),
+        (kicked_at(100.0), None, "exploded"),
+        (swinging(1e-3, 0.01), None, "exploded"),
+        (FALLEN, None, "dropped"),
+        (creeping_at(1.0), None, "creeping"),
+        (creeping_at(0.0), None, "holding"),
+        # Where two fit, the first counts.
+        (BROKEN, OVERFLOW, "non-finite"),
+        (kicked_at(100.0), OVERFLOW, "overflow"),
+        (kicked_at(100.0) + GONE, None, "exploded"),
+        (GONE + creeping_at(1.0), None, "dropped"),
+        # On either side of each border.
+        *((kicked_at(9.99 * DRIVE_PEAK_M_S), None, "holding"), (kicked_at(10.01 * DRIVE_PEAK_M_S), None, "exploded")),
+        *((away(0.0799), None, "holding"), (away(0.0801), None, "dropped")),
+        *((creeping_at(0.0099), None, "holding"), (creeping_at(0.0101), None, "creeping")),
+    ],
+)
+def test_each_class(place, failure, expected):
+    assert outcome(place, failure) == expected
+
+
+def test_one_pose_that_is_not_finite_is_enough():
+    trace = make_trace(creeping_at(0.0))
+    trace.poses[-1, 5, 6] = np.inf
+    assert classify(AS_SHIPPED, trace, FLOOR_MM_S) == "non-finite"
+
+
+@pytest.mark.parametrize(("factor", "expected"), [(9.99, "holding"), (10.01, "exploded")])
+def test_the_speed_is_that_of_the_drive_of_the_case(factor, expected):
+    case = replace(AS_SHIPPED, shake_amplitude_m=0.06, shake_frequency_hz=2.0)
+    assert outcome(kicked_at(factor * 4.0 * DRIVE_PEAK_M_S), case=case) == expected
+
+
+def test_an_arm_held_still_is_judged_by_the_shake_as_shipped():
+    assert drive_peak_m_s(replace(AS_SHIPPED, shake_amplitude_m=0.0)) == pytest.approx(DRIVE_PEAK_M_S)
+
+
+# Twice the energy is 1.414 times the amplitude. The drive's peak is 0.325 m/s, so 0.0325 m/s must be reached:
+# at 5 Hz the root mean square of the speed is 22.2 1/s times the amplitude.
+@pytest.mark.parametrize(
+    ("before_m", "after_m", "growing"),
+    [(0.005, 0.0069, False), (0.005, 0.0073, True), (1e-4, 1.4e-3, False), (1e-4, 1.6e-3, True), (0.01, 0.005, False)],
+)
+def test_border_of_the_growing_energy(before_m, after_m, growing):
+    assert is_energy_growing(AS_SHIPPED, make_trace(swinging(before_m, after_m))) is growing
+
+
+def test_the_energy_grows_only_in_the_grasp():
+    assert not is_energy_growing(AS_SHIPPED, make_trace(swinging(0.005, 0.03) + (0.0, 0.0, 0.1)))
+
+
+def test_a_fall_has_no_energy_of_its_own():
+    fall = along(2, -0.5 * 9.81 * TIME_S**2)
+    np.testing.assert_allclose(excess_energy(fall, 9.81, FRAME_DT), 0.0, atol=1e-6)
+    # Across at 1 m/s: 1/2 J/kg more than the fall, but for g² dt² / 8 of the frames being straight lines.
+    np.testing.assert_allclose(excess_energy(fall + along(0, TIME_S), 9.81, FRAME_DT), 0.5, atol=0.004)
+    # Upward gravity drops things upwards.
+    np.testing.assert_allclose(excess_energy(-fall, -9.81, FRAME_DT), 0.0, atol=1e-6)
+    # A rise is not made up for.
+    np.testing.assert_allclose(excess_energy(along(2, 2.0 * TIME_S), 9.81, FRAME_DT), 2.0, rtol=1e-6)
+
+
+def test_creep_is_the_change_over_the_last_period():
+    early = along(0, np.where(TIME_S < 1.0, 0.0, 5e-3))
+    swing = along(2, 1e-3 * np.sin(np.pi * TIME_S))
+    place = early + swing + creeping_at(0.3) + along(1, 1e-3 * 0.4 * TIME_S)
+    assert creep_mm_s(AS_SHIPPED, make_trace(place)) == pytest.approx(0.5)
+
+
+def test_creep_of_a_short_shake_is_over_all_of_it():
+    assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:31])) == pytest.approx(0.3)
+    assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:1])) == 0.0

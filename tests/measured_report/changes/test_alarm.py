@@ -1,0 +1,236 @@
+"""The alarm: what can't be trusted is named first and is status 1, and what can't be compared is no flip."""
+
+import json
+import re
+from argparse import Namespace
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import pytest
+from conftest import MODULE, ROWS
+from damage import damage
+
+import build
+from measured_report import ROOT
+from measured_report.changes.alarm import check, check_said, diff_said
+from measured_report.changes.compare import Comparison, compare
+from measured_report.changes.costs import is_cost
+from measured_report.changes.upgrade import verdict
+from measured_report.commands.options import FORMATS
+from measured_report.deriving.editions import derive_edition
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.stack import stack_of
+from measured_report.pages.page import Templates
+from measured_report.records.reading import load_record
+from measured_report.records.record import Record, write_record
+
+SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
+SHAKEN = (
+    "slip_mm",
+    "drift_mm_s",
+    "oscillation_mm",
+    "wander_mm",
+    "increment_mean_mm",
+    "increment_last_mm",
+    "cycle_count",
+)
+"""Numbers that a run which breaks down does not have."""
+SOFT, STIFF = ROWS
+
+
+def broken(row: dict, frame: int) -> dict:
+    """The row of a run whose poses are not finite from a frame on, as the recorder leaves it."""
+    reason = f"a body's pose is not finite in frame {frame}"
+    lost = [name for name in SHAKEN if name in row]
+    return row | {"failure": reason, **dict.fromkeys(lost), **{f"{name}_reason": reason for name in lost}}
+
+
+@pytest.fixture
+def measured(tmp_path) -> Callable[..., Project]:
+    """Makes an edition out of the tracked records of 1.8.0, each changed by a function."""
+    for name in ("report", "experiments", "templates", "assets", "pyproject.toml"):
+        (tmp_path / name).symlink_to(ROOT / name)
+
+    def make(release: str, change: Callable[[Record], Record] = lambda record: record) -> Project:
+        project = Project(release, root=tmp_path, own_release=own_release())
+        for section in SECTIONS:
+            record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
+            packages = {**record.identity.packages, "newton": release}
+            record = replace(record, identity=replace(record.identity, packages=packages), traces=None)
+            write_record(project.record_path(section), change(record))
+        return project
+
+    make("1.8.0")
+    return make
+
+
+def compared(project: Project, before: str = "1.8.0") -> Comparison:
+    templates = Templates(project.templates)
+    return compare(*(derive_edition(project.of(release), templates) for release in (before, project.release)))
+
+
+def rows_changed(section: str, cases: Iterable[str], frame: int) -> Callable[[Record], Record]:
+    def change(record: Record) -> Record:
+        rows = [broken(row, frame) if not cases or row["case"] in cases else row for row in record.rows]
+        return replace(record, rows=rows) if section in ("all", record.section) else record
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("section", "cases", "frame"),
+    [("all", (), 1), ("reproduction", ("as-shipped",), 500), ("reproduction", (), 1), ("noise", (), 1)],
+)
+def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
+    """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
+    found = compared(measured("1.9.0", rows_changed(section, cases, frame)))
+    assert found.is_alarm
+    said = diff_said(found, "text", all_values=False).splitlines()
+    assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
+    assert json.loads(diff_said(found, "json", all_values=False))["status"] == 1
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_one_run_that_breaks_down_is_enough(measured, section):
+    record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
+    last = [row["case"] for row in record.rows if row.get("slip_mm") is not None][-1]
+    faults = compared(measured("1.9.0", rows_changed(section, (last,), 500))).faults
+    assert "broken" in {fault.kind for fault in faults} and all("frame 500" in fault.reason for fault in faults)
+
+
+def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
+    project = measured("1.9.0", rows_changed("all", (), 1))
+    edition = derive_edition(project, Templates(project.templates))
+    assert check(edition).is_alarm
+    assert check_said(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
+    assert compared(project, before="1.9.0").is_alarm, "broken alike is no agreement"
+    assert compared(project.of("1.8.0"), before="1.9.0").is_alarm
+    assert not compared(project.of("1.8.0")).is_alarm
+
+
+def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
+    newer = toy.of("1.8.0")
+    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="sums")
+    for change, kind in ((partial(damage, name="field: unit 'm'"), "damaged"), (Path.unlink, "missing")):
+        newer.measure()
+        newer.write("report/sections/other.py", MODULE)
+        newer.write("templates/sections/other.md.j2", (toy.project.templates / "sections/toy.md.j2").read_text())
+        newer.write("experiments/other.py", "")
+        for side in (toy, newer):
+            write_record(side.project.record_path("other"), side.record(section="other"))
+        assert build.diff(toy.project, arguments) == 0
+        capsys.readouterr()
+        change(newer.record_path)
+        assert build.diff(toy.project, arguments) == 1
+        assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
+
+
+def test_what_cannot_be_shown_is_named_first(toy):
+    newer = toy.of("1.8.0")
+    newer.measure([SOFT])
+    toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows; rows[1]"))
+    found = compared(newer.project, before="1.4.0")
+    assert [(fault.kind, fault.release) for fault in found.faults] == [("damaged", "1.8.0")]
+
+
+def on_a_cpu(record: Record) -> Record:
+    """As a CPU would have measured it: a batch costs three times as much there."""
+    machine = {**record.machine, "device": "cpu", "gpu": None, "driver": None, "gpu_uuid": None}
+    rows = [row | {"wall_s": 3.5 * row["wall_s"]} if row["case"] == "batch-64" else row for row in record.rows]
+    return replace(record, machine=machine, rows=rows)
+
+
+def test_a_cost_flips_on_one_machine_alone(measured):
+    def dearer(record: Record) -> Record:
+        return replace(record, rows=on_a_cpu(record).rows)
+
+    same = compared(measured("1.9.0", dearer))
+    assert [flip.before.name for flip in same.flips] == ["batch_is_cheap"]
+    other = compared(measured("1.10.0", on_a_cpu))
+    assert not other.is_alarm and other.flips == []
+    assert any(note.startswith("speed and cost in ") for note in other.notes)
+
+
+def test_the_noise_is_the_machines(measured):
+    """A CPU repeats itself, so the noise is small there in a release that has it large on a GPU."""
+
+    def still(record: Record) -> Record:
+        if record.section != "noise":
+            return on_a_cpu(record)
+        first = {row["of"]: row for row in reversed(record.rows)}
+        rows = [row | {name: first[row["of"]][name] for name in SHAKEN} for row in record.rows]
+        return replace(record, rows=rows, machine=on_a_cpu(record).machine)
+
+    def still_on_the_same(record: Record) -> Record:
+        return replace(record, rows=still(record).rows) if record.section == "noise" else record
+
+    assert "noise_is_small" in {flip.before.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
+    assert compared(measured("1.10.0", still)).flips == []
+
+
+@pytest.mark.parametrize("column", ["frame_count", "world_count"])
+def test_a_cost_flips_for_as_many_frames_and_worlds_alone(measured, column):
+    def change(record: Record) -> Record:
+        rows = [row | {column: row[column] // 2} if row["case"].startswith("batch-64") else row for row in record.rows]
+        rows = [row | {"wall_s": 9 * row["wall_s"]} if row["case"] == "batch-64" else row for row in rows]
+        return replace(record, rows=rows) if record.section == "reproduction" else record
+
+    assert compared(measured("1.9.0", change)).flips == []
+
+
+def test_what_is_a_cost():
+    assert all(map(is_cost, ("frame_ms", "frame_ms_p95", "wall_s", "realtime_factor", "buffer_bytes_per_world")))
+    assert not any(map(is_cost, ("step_ms", "timeconst_ms", "friction_damping_per_s", "shake_start_s", "drift_mm_s")))
+
+
+def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
+    def farther(record: Record) -> Record:
+        rows = [row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row for row in record.rows]
+        return replace(record, rows=rows) if record.section == "reproduction" else record
+
+    project = measured("1.9.0", farther)
+    found, templates = compared(project), Templates(project.templates)
+    assert not found.flips and [(move.section, move.column) for move in found.moves] == [("reproduction", "wander_mm")]
+    first, *_, last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))
+    assert first.startswith("Newton 1.9.0 against 1.8.0: "), "all other packages are the same"
+    assert last.endswith("make diff A=1.8.0 B=1.9.0 VALUES=all lists it")
+
+
+def test_a_verdict_says_which_other_packages_differ(measured):
+    def newer(record: Record) -> Record:
+        packages = {**record.identity.packages, "mujoco-warp": "4.0.0"}
+        return replace(record, identity=replace(record.identity, packages=packages))
+
+    project = measured("1.9.0", newer)
+    templates = Templates(project.templates)
+    first = verdict(compared(project), *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))[0]
+    assert first.startswith("Newton 1.9.0 against 1.8.0 (mujoco-warp 3.17.0 → 4.0.0): ")
+
+
+def test_the_documentation_names_what_the_json_has(measured):
+    text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
+    project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
+    said = diff_said(compared(project), "json", all_values=False)
+    edition = derive_edition(project, Templates(project.templates))
+    for each in (said, check_said(check(edition), "json")):
+        names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
+        assert {name for name in names if f"`{name}`" not in text} == set()
+
+
+def test_markdown_is_not_made_of_what_a_record_says(toy):
+    newer = toy.of("1.8.0")
+    newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
+    said = diff_said(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
+    assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said
+
+
+def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
+    sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
+    for form in FORMATS:
+        assert build.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        assert "toy" in capsys.readouterr().out
+        assert build.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
+        assert "holds" in capsys.readouterr().out

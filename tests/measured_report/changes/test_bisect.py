@@ -1,0 +1,241 @@
+"""Bisect, history and retire: on records that are there already, and on a small repository."""
+
+import re
+import shutil
+import subprocess
+import sys
+from argparse import Namespace
+from dataclasses import replace
+from html import unescape
+
+import pytest
+from conftest import ROWS, TEMPLATE, Toy, git
+
+import build
+from measured_report import ReportError, UsageError
+from measured_report.changes import bisect
+from measured_report.changes.bisect import (
+    AS_LAST,
+    Bisection,
+    Question,
+    bisect_commits,
+    bisect_releases,
+    common_repository,
+    first_change,
+)
+from measured_report.changes.history import flip_history, flips, history
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.stack import stack_of
+from measured_report.pages.page import Templates
+from measured_report.records.record import write_record
+from measured_report.site.check import check_site
+
+SOFT, STIFF = ROWS
+WORSE = ({**SOFT, "slip_mm": 0.4}, STIFF)
+"""With these rows the toy's claim fails."""
+OLD = {"warp-lang": "1.15.0", "mujoco-warp": "3.10.0", "mujoco": "3.10.0"}
+NEW = {"warp-lang": "1.16.0", "mujoco-warp": "3.11.0", "mujoco": "3.11.0"}
+
+
+@pytest.mark.parametrize("count", [2, 3, 8, 9])
+def test_the_first_change_is_found_wherever_it_is(count):
+    for change in range(1, count):
+        assert first_change(range(count), lambda point, change=change: point < change) == (change - 1, change, [])
+
+
+def test_what_cannot_tell_is_passed_over_and_named():
+    cannot = {3, 4}
+    found = first_change(range(8), lambda point: None if point in cannot else point < 4)
+    assert found == (2, 5, [3, 4])
+
+
+def keep(toy: Toy, release: str, rows, packages: dict[str, str]) -> None:
+    """What a release gave, as if it had been measured."""
+    side = toy.of(release)
+    newton = release.partition("+")[0]
+    record = side.record(rows)
+    identity = replace(record.identity, packages={"newton": newton, **packages})
+    write_record(side.record_path, replace(record, identity=identity))
+
+
+@pytest.fixture
+def search(toy, monkeypatch) -> Bisection:
+    """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
+    monkeypatch.setattr(bisect, "releases_between", lambda first, last: ["1.5.9", "1.6.9", "1.7.9"])
+    for release, rows, packages in (("1.5.9", ROWS, OLD), ("1.6.9", WORSE, NEW), ("1.7.9", WORSE, NEW)):
+        keep(toy, release, rows, packages)
+    keep(toy, "1.8.9", WORSE, NEW)
+    return Bisection(toy.project, Question("toy.helps", True), "cpu", Templates(toy.project.templates))
+
+
+def test_the_release_and_then_newton_itself(toy, search, capsys):
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()
+    assert said[0] == "toy.helps changes between 1.5.9 and 1.6.9"
+    assert said[1].startswith("newton 1.6.9 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
+    assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
+
+
+def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
+    def refuse(project, stack, *others):
+        raise ReportError("it does not compile")
+
+    monkeypatch.setattr(bisect, "measure", refuse)
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    assert said == "newton 1.6.9 did it: 1.5.9 stays as it is with all others of 1.6.9"
+
+
+def test_or_another_package_of_it(toy, search):
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
+    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.9 does so too")
+
+
+def test_a_value_is_followed_as_well(toy, search):
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    search = replace(search, question=Question("toy.soft.slip_mm", False))
+    assert bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).startswith(
+        "toy.soft.slip_mm changes between 1.5.9"
+    )
+
+
+def test_there_is_nothing_to_find_between_ends_that_agree(search):
+    with pytest.raises(UsageError, match="holds at A and holds at B"):
+        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.9"))
+
+
+def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
+    """And does not begin one with full runs, which take hours."""
+
+    def fail(project, stack, *others):
+        raise ReportError("measuring ended")
+
+    monkeypatch.setattr(bisect, "measure", fail)
+    with pytest.raises(ReportError, match="measuring ended") as error:
+        search.ends(stack_of("1.4.0"), stack_of("1.9.0"))
+    assert not isinstance(error.value, UsageError)
+
+
+def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
+    code = checkout / "newton/__init__.py"
+    commits = []
+    for value in range(2, 8):
+        code.write_text(f"x = {value}\n")
+        git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
+        commits.append(git(checkout, "rev-parse", "--short", "HEAD"))
+    clone = tmp_path / "clone"
+    judge = [
+        sys.executable,
+        "-c",
+        f"import sys; sys.path[:0] = [{str(clone)!r}]; import newton; sys.exit({AS_LAST} * (newton.x >= 5))",
+    ]
+    for _ in range(2):  # again, as after an interruption
+        found = bisect_commits(checkout, "HEAD~6", "main", judge, clone)
+        assert found.startswith(commits[3]) and found.endswith("x is 5")
+        subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
+
+
+def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
+    for value in range(2, 5):
+        (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
+        git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
+    with pytest.raises(ReportError, match="no first commit was found"):
+        bisect_commits(checkout, "HEAD~3", "main", [sys.executable, "-c", "import nothing_like_it"], tmp_path / "clone")
+
+
+def test_commits_of_one_repository_are_seen_as_such(checkout):
+    first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
+    assert common_repository(first, last) == (checkout, "HEAD", "main")
+    assert common_repository(first, stack_of("1.8.9")) is None
+
+
+@pytest.fixture
+def told(search, toy):
+    """What all editions of the toy have, as a history takes it."""
+    editions = editions_of(toy.project, Templates(toy.project.templates))
+    return {release: edition.uncompared for release, edition in editions.items()}
+
+
+def test_a_history_has_every_edition_and_says_what_moved(told):
+    lines = history(told, Question("toy.soft.slip_mm", False)).splitlines()
+    assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.9", "6.362"], ["1.6.9", "0.4", "better"]]
+    lines = history(told, Question("toy.helps", True)).splitlines()
+    assert [line.split() for line in lines[1:4]] == [
+        ["1.4.0", "holds"],
+        ["1.5.9", "holds"],
+        ["1.6.9", "not", "shown", "flipped"],
+    ]
+    assert history(told, Question("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "near"),
+    [
+        ({"value": "nonsense"}, "VALUE=nonsense"),
+        ({"value": "toy.gian"}, "near it: toy.gain"),
+        ({"value": "toy.sofd.slip_mm"}, "near it: toy.soft.slip_mm"),
+        ({"claim": "toy.help"}, "near it: toy.helps; CLAIM=reproduction.slips is one"),
+    ],
+)
+def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search, asked, near):
+    with pytest.raises(UsageError, match=near) as refused:
+        build.history(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
+    assert "\n" not in str(refused.value)
+
+
+def test_a_history_of_what_no_edition_can_tell_says_so(told):
+    assert history(told, Question("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
+
+
+def test_claims_that_flip_are_listed_with_what_each_edition_says(told):
+    (flip,) = flips(told, "1.4.0")
+    assert flip.said == dict.fromkeys(("1.4.0", "1.5.9"), "holds") | dict.fromkeys(
+        ("1.6.9", "1.7.9", "1.8.9"), "not shown"
+    )
+    assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
+
+
+def test_the_page_of_the_history_is_there_where_there_is_more_than_one_edition(toy, search):
+    toy.build()
+    site = toy.project.site
+    page = (site / "history.html").read_text(encoding="utf-8")
+    assert "<b>In 1.4.0, 1.5.9:</b> It helps" in page and "<b>In 1.6.9, 1.7.9, 1.8.9:</b> It does not." in page
+    assert check_site(site) == []
+    for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
+        shutil.rmtree(toy.of(release).project.results)
+    toy.build()
+    assert not (site / "history.html").exists() and check_site(site) == []
+
+
+def test_the_answer_of_a_claim_that_asks_the_contrary_is_what_its_sentence_says(toy, search):
+    """It holds where the answer is no, so that neither yes nor true may stand for that."""
+    words = TEMPLATE.replace("It helps {{ gain }} times.", "Soft pads do not do.").replace("It does not.", "They do.")
+    words = words.replace("whether it helps", "whether soft pads do")
+    toy.write("templates/sections/toy.md.j2", words)
+    toy.build()
+    page = (toy.project.site / "history.html").read_text(encoding="utf-8")
+    turned = unescape(re.sub("<[^>]*>", " ", page.partition('class="turns"')[2]))
+    said = "whether soft pads do In 1.4.0, 1.5.9: Soft pads do not do. In 1.6.9, 1.7.9, 1.8.9: They do."
+    assert said in " ".join(turned.split())
+    feed = (toy.project.site / "feed.xml").read_text(encoding="utf-8")
+    assert "toy.helps, holds → not shown</title>" in feed
+
+
+def test_a_retired_edition_leaves_no_link(toy, search, capsys):
+    toy.build()
+    stack = stack_of("1.6.9")
+    side = toy.project.of("1.6.9")
+    write_manifest(side.results, Manifest("1.6.9"))
+    (toy.project.root / ".venv-newton-1.6.9").mkdir()
+    assert build.retire(side, Namespace(stack=stack, address="")) == 0
+    assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
+    site = toy.project.site
+    assert not (site / "newton-1.6.9").exists() and "1.6.9" not in toy.front and check_site(site) == []
+    with pytest.raises(UsageError, match="neither results"):
+        build.retire(side, Namespace(stack=stack, address=""))
+    with pytest.raises(UsageError, match="stays"):
+        build.retire(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))

@@ -1,0 +1,82 @@
+"""The way of a number, from the page back to rows, cases and command."""
+
+import pytest
+
+from measured_report import UsageError
+from measured_report.commands.trace import Ways
+from measured_report.deriving.editions import editions_of
+from measured_report.pages.page import Templates
+from measured_report.records.columns import changed_parameters
+
+ROWS = (
+    {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
+    {"case": "stiff", "frame_count": 900, "slip_mm": 0.3, "pad_ke": 2.5e5, "dropped": False},
+)
+
+
+def ways(toy) -> Ways:
+    templates = Templates(toy.project.templates)
+    return Ways(toy.project, editions_of(toy.project, templates), templates)
+
+
+def test_a_value_leads_to_page_rows_settings_and_command(toy):
+    toy.measure(ROWS)
+    lines = [line.strip() for line in ways(toy).text("toy.gain").splitlines()]
+    assert lines[0].startswith("toy.gain: 20") and lines[0].endswith("(20.0)")
+    for line in (
+        "is          soft over stiff",
+        "printed at  evidence.html#toy",
+        "decides     toy.helps: holds",
+        "from newton-1.4.0/toy.json",
+        "row 0, case soft",
+        "the scene as shipped",
+        "row 1, case stiff",
+        "the scene as shipped, but for pad_ke 250000.0",
+        "measured on A processor, 2026-01-02 03:04 UTC, newton 1.4.0, commit abc",
+        "again by    make rerun SECTION=toy DEVICE=cpu",
+    ):
+        assert line in lines
+    assert any(line.startswith("slip_mm = 6.0 mm, noise") and line.endswith("(its frames)") for line in lines)
+    assert "noise       not known, by that of what it is made of" in lines, "stiff has no percentiles"
+
+
+def test_a_number_of_the_page_is_found_by_its_pointer(toy):
+    text = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    assert "printed at  evidence.html#toy-way" in text, "in the caption of a figure"
+    assert "row 1, case stiff" in text
+    assert ways(toy).text("values.json#/toy/gain").partition(": ")[2] == ways(toy).text("toy.gain").partition(": ")[2]
+
+
+@pytest.mark.parametrize("name", ["toy.gian", "toy", "toi.gain", "other.gain"])
+def test_an_unknown_value_names_those_near_it_in_one_line(toy, name):
+    with pytest.raises(UsageError, match=r"near it: .*toy\.gain") as refused:
+        ways(toy).text(name)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_number_of_a_row_is_named_by_section_case_and_column(toy):
+    of_row = ways(toy).text("toy.stiff.slip_mm")
+    assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
+    pointed = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    assert of_row.splitlines()[1:] == pointed.splitlines()[1:]
+
+
+@pytest.mark.parametrize(
+    "name", ["toy.stif.slip_mm", "toy.stiff.slip", "tpy.stiff.slip_mm", "toy.stiff.slip_mm_reason"]
+)
+def test_an_unknown_number_of_a_row_names_those_near_it(toy, name):
+    with pytest.raises(UsageError, match=r"near it: .*toy\.stiff\.slip_mm"):
+        ways(toy).text(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["toy.stiff.dropped", "newton-1.4.0/toy.json#/rows/1/dropped", "newton-1.4.0/toy.json#/rows/7/slip_mm"]
+)
+def test_what_is_no_number_has_no_way(toy, name):
+    with pytest.raises(UsageError, match="is no value of newton"):
+        ways(toy).text(name)
+
+
+def test_what_differs_from_the_scene_as_shipped():
+    row = {"case": "x", "backend": "warp", "cube_gap_m": 0.1, "shake_amplitude_m": 0.0, "slip_mm": 1.0}
+    assert changed_parameters(row) == {"shake_amplitude_m": 0.0}

@@ -1,0 +1,355 @@
+"""Building again: what was made before is made again when anything that it was made from has changed, and else not."""
+
+import hashlib
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import MODULE, ROWS, TEMPLATE, Toy
+
+from measured_report import ROOT, ReportError
+from measured_report.deriving import keeping
+from measured_report.deriving.editions import editions_of
+from measured_report.deriving.keeping import surroundings
+from measured_report.files.cache import FOLDER, Cache
+from measured_report.pages.page import Templates
+from measured_report.records import identity
+from measured_report.records.code import sources_kept
+from measured_report.records.record import write_record
+from measured_report.records.traces import packed
+
+READER = """
+from report.shared.arithmetic import other_value
+from measured_report.parts.parts import Section
+from measured_report.values.results import Results
+
+order = 2
+page = "limits"
+
+def derive(results):
+    with open({log!r}, "a") as log:
+        log.write("reader ")
+    gain = other_value(results, "toy", "gain")
+    results.value("twice", "twice the gain", lambda a: 2 * a, gain)
+    return Section()
+"""
+ALONE = """
+from measured_report.parts.parts import Section
+
+order = 3
+page = "limits"
+
+def derive(results):
+    with open({log!r}, "a") as log:
+        log.write("alone ")
+    return Section()
+"""
+
+
+def files(toy: Toy) -> dict[str, bytes]:
+    site = toy.project.site
+    return {str(path.relative_to(site)): path.read_bytes() for path in sorted(site.rglob("*")) if path.is_file()}
+
+
+def from_nothing(toy: Toy) -> dict[str, bytes]:
+    """The site as it is built where nothing was kept."""
+    shutil.rmtree(toy.project.root / FOLDER)
+    shutil.rmtree(toy.project.site)
+    toy.build()
+    return files(toy)
+
+
+def trace_of(toy: Toy, end: float) -> None:
+    traces = {"stiff": packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end]})}
+    write_record(toy.record_path, toy.record(), traces)
+
+
+CHANGES: dict[str, Callable[[Toy], None]] = {
+    "a word of its template": lambda toy: toy.write(
+        "templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer")
+    ),
+    "a word of a claim": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("It helps", "It aids")),
+    "a caption": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("The way", "The long way")),
+    "an alternative text": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("moves", "walks")),
+    "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
+    "a layout": lambda toy: toy.write(
+        "templates/base.html.j2", (toy.project.templates / "base.html.j2").read_text().replace("Skip to", "Go to")
+    ),
+    "the style": lambda toy: toy.write("assets/style.css", "body { color: red }\n"),
+    "what it draws": lambda toy: toy.write("report/sections/toy.py", MODULE.replace('label="x"', 'label="y"')),
+    "what it derives": lambda toy: toy.write("report/sections/toy.py", MODULE.replace("a / b", "a / b + 1")),
+    "its place": lambda toy: toy.write("report/sections/toy.py", MODULE + '\npage = "limits"\n'),
+    "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
+    "its trace": lambda toy: trace_of(toy, 0.7),
+    "the simulator's side": lambda toy: toy.write("experiments/scene.py", "def slip():\n    return 2.0\n"),
+    "another release": lambda toy: toy.of("1.8.0").measure(),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_change_of_anything_is_seen(toy, change):
+    toy.build()
+    before = files(toy)
+    CHANGES[change](toy)
+    toy.build()
+    after = files(toy)
+    assert after != before
+    assert after == from_nothing(toy)
+
+
+def test_a_module_that_the_section_imports_counts(toy):
+    (toy.project.root / "report/sections/toy.py").unlink()
+    module = "from report.sections.toy.label import LABEL\n" + MODULE.replace('label="x"', "label=LABEL")
+    toy.write("report/sections/toy/__init__.py", module)
+    toy.write("report/sections/toy/label.py", 'LABEL = "x"\n')
+    toy.build()
+    assert ">x</text>" in toy.page
+    toy.write("report/sections/toy/label.py", 'LABEL = "y"\n')
+    toy.build()
+    assert ">y</text>" in toy.page and ">x</text>" not in toy.page
+
+
+def test_a_file_that_the_section_names_counts(toy):
+    """The file is the checkout's, for it is where modules of this side look."""
+    code = toy.project.root / "report/sections/toy.py"
+    assert "assets/fix/fix.patch" not in keeping.files_of(code)
+    toy.write("report/sections/toy.py", MODULE + '\nNAMED = "assets/fix/fix.patch"\n')
+    assert "assets/fix/fix.patch" in keeping.files_of(code)
+
+
+@pytest.mark.parametrize("package", keeping.PACKAGES)
+def test_what_is_installed_counts(monkeypatch, package):
+    def digest() -> str:
+        surroundings.cache_clear()
+        return surroundings()
+
+    before = digest()
+    version = keeping.metadata.version
+    monkeypatch.setattr(keeping.metadata, "version", lambda name: "9.9" if name == package else version(name))
+    assert digest() != before
+    monkeypatch.undo()
+    assert digest() == before
+
+
+def with_readers(toy: Toy) -> Path:
+    """A section that reads another, and one that reads none; returns where they say that they are derived."""
+    log = toy.project.root / "log"
+    for name, module in {"reader": READER, "alone": ALONE}.items():
+        toy.write(f"experiments/{name}.py", "")
+        toy.write(f"report/sections/{name}.py", module.format(log=str(log)))
+        toy.write(f"templates/sections/{name}.md.j2", f"# Section {name}\n\n{{{{ rows[0].slip_mm }}}}\n")
+        measure(toy, name)
+    return log
+
+
+def measure(toy: Toy, name: str, slip_mm: float = 1.0) -> None:
+    rows = [{"case": "one", "slip_mm": slip_mm}]
+    write_record(toy.project.record_path(name), toy.record(rows, section=name), {})
+
+
+def test_only_what_reads_a_record_is_derived_again(toy):
+    log = with_readers(toy)
+
+    def derived() -> list[str]:
+        log.write_text("")
+        toy.build()
+        return log.read_text().split()
+
+    toy.build()
+    assert derived() == []
+    measure(toy, "alone", 2.0)
+    assert derived() == ["alone"]
+    measure(toy, "reader", 2.0)
+    assert derived() == ["reader"]
+    toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}])
+    assert derived() == ["reader"]
+    toy.record_path.unlink()
+    assert derived() == ["reader"]
+    toy.measure()
+    assert derived() == ["reader"]
+    assert files(toy) == from_nothing(toy)
+
+
+def test_a_figure_can_not_read_what_its_section_has_not(toy):
+    """Else nobody would know that it is to be drawn again."""
+    with_readers(toy)
+    module = (toy.project.root / "report/sections/reader.py").read_text()
+    toy.write("report/sections/reader.py", module.replace("order = 2", "order = 0"))
+    late = MODULE.replace("order = 1", "order = 9").replace(
+        "lambda: draw(trace)", 'lambda: results.others["reader"] and draw(trace)'
+    )
+    toy.write("report/sections/toy.py", late)
+    with pytest.raises(ReportError, match="reads reader only while it is drawn"):
+        toy.build()
+
+
+def test_a_section_can_not_read_one_that_stands_after_it(toy):
+    """It would find nothing there, ever."""
+    with_readers(toy)
+    module = (toy.project.root / "report/sections/reader.py").read_text()
+    toy.write("report/sections/reader.py", module.replace("order = 2", "order = 0"))
+    [edition] = editions_of(toy.project, Templates(toy.project.templates)).values()
+    said = {state.section: "; ".join(state.notes) for state in edition.left_out}
+    assert "report/sections/reader.py reads toy, which stands after it" in said["reader"]
+
+
+WARM = """
+import sys
+from pathlib import Path
+import report.sections
+from measured_report.editions.project import Project
+from measured_report.site.site import build
+
+root = Path(sys.argv[1])
+report.sections.__path__ = [str(root / "report/sections"), *report.sections.__path__]
+build(Project("1.4.0", root=root))
+print(*({"pandas", "numpy", "matplotlib", "warp", "newton"} & set(sys.modules)))
+"""
+
+
+@pytest.mark.parametrize("change", [None, "a word of its template", "a word of a claim", "a layout", "the style"])
+def test_what_is_kept_takes_neither_numbers_nor_drawing(toy, change):
+    toy.build()
+    if change:
+        CHANGES[change](toy)
+    done = subprocess.run([sys.executable, "-c", WARM, toy.project.root], cwd=ROOT, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("\n", "")
+    assert files(toy) == from_nothing(toy)
+
+
+def test_only_files_that_changed_are_written(toy):
+    toy.build()
+    site = toy.project.site
+    before = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
+    CHANGES["a word of its template"](toy)
+    toy.build()
+    after = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
+    assert {path.name for path in after if after[path] != before[path]} == {"evidence.html"}
+    assert set(before) == set(after)
+
+
+def test_a_site_that_was_altered_is_built_again(toy):
+    toy.build()
+    before = files(toy)
+    toy.page_path.write_text("altered")
+    (toy.project.site / "more.html").write_text("more")
+    (toy.project.site / "style.css").unlink()
+    toy.build()
+    assert files(toy) == before
+
+
+ENTRIES = ("site", "card", "full.1.4.0.toy", "full.1.4.0.front")
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "empty": lambda path: path.write_bytes(b""),
+    "half": lambda path: path.write_bytes(path.read_bytes()[: path.stat().st_size // 2]),
+    "one bit": lambda path: path.write_bytes(path.read_bytes()[:-9] + b"\x00" + path.read_bytes()[-8:]),
+    "whole, and no entry": lambda path: path.write_bytes(hashlib.sha256(b"text").digest() + b"text"),
+    "of what is no more": lambda path: path.write_bytes(
+        hashlib.sha256(b"cno.module\nthing\n.").digest() + b"cno.module\nthing\n."
+    ),
+    "a folder": lambda path: (path.unlink(), path.mkdir()),
+    "a pipe": lambda path: (path.unlink(), os.mkfifo(path)),
+    "a link": lambda path: (path.unlink(), path.symlink_to("/dev/zero")),
+    "of another kind": lambda path: Cache(path.parents[1]).put(path.name, "other", {"other": 1}),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_an_entry_that_is_damaged_is_made_again(toy, damage):
+    toy.build()
+    before = files(toy)
+    cache = toy.project.root / FOLDER
+    assert {path.name for path in cache.iterdir()} >= set(ENTRIES)
+    for name in ENTRIES:
+        DAMAGE[damage](cache / name)
+    (toy.project.root / "templates" / "unused.md.j2").write_text("new")
+    toy.build()
+    assert files(toy) == before
+
+
+def test_where_nothing_can_be_kept_the_site_is_built(toy):
+    (toy.project.root / FOLDER).write_text("no folder")
+    toy.build()
+    before = files(toy)
+    CHANGES["a number"](toy)
+    toy.build()
+    assert files(toy) != before
+
+
+@pytest.mark.parametrize("stop", range(1, 4))
+def test_a_kill_while_something_is_kept_leaves_the_old_or_the_new(tmp_path, stop):
+    cache = Cache(tmp_path)
+    cache.put("entry", "key", "old")
+    child = os.fork()
+    if not child:
+        steps = iter(range(stop))
+
+        def step(event, arguments):
+            if event in ("open", "os.rename") and "entry" in str(arguments[0]) and next(steps, None) is None:
+                os.kill(os.getpid(), signal.SIGKILL)
+
+        sys.addaudithook(step)
+        cache.put("entry", "key", "new")
+        os._exit(0)
+    os.waitpid(child, 0)
+    assert cache.get("entry", "key") in ("old", "new")
+    cache.put("entry", "key", "newer")
+    assert cache.get("entry", "key") == "newer"
+    assert [path.name for path in (tmp_path / FOLDER).iterdir()] == ["entry"]
+
+
+ELSEWHERE = """
+import sys
+from pathlib import Path
+from measured_report.editions.project import Project, own_release
+from measured_report.site.site import build
+
+build(Project("1.5.0", root=Path(sys.argv[1]), own_release=own_release()))
+"""
+
+
+def test_the_same_commit_gives_the_same_bytes_anywhere(tmp_path):
+    """In two folders, languages, time zones, and orders of what has none; of the release with the fewest records."""
+    digests = []
+    for number, surrounding in enumerate(
+        (
+            {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
+            {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
+        )
+    ):
+        root = tmp_path / ("a place", "ein anderer Ört")[number]
+        (root / "results").mkdir(parents=True)
+        for name in ("experiments", "report", "templates", "assets", "results/newton-1.5.0"):
+            (root / name).symlink_to(ROOT / name)
+        environment = {**os.environ, **surrounding}
+        subprocess.run([sys.executable, "-c", ELSEWHERE, root], cwd=ROOT, env=environment, check=True)
+        site = root / "site"
+        found = {path.relative_to(site): path.read_bytes() for path in site.rglob("*") if path.is_file()}
+        digests.append({name: hashlib.sha256(content).hexdigest() for name, content in found.items()})
+    assert digests[0] == digests[1]
+    assert len(digests[0]) > 30
+
+
+def test_what_sources_say_is_kept_by_their_texts(tmp_path, monkeypatch):
+    monkeypatch.setattr(identity, "_known", {})
+    module = tmp_path / "experiments" / "one.py"
+    module.parent.mkdir()
+
+    def says(text: str) -> dict:
+        module.write_text(text)
+        identity._known.clear()
+        with sources_kept(tmp_path):
+            return identity.read_source(module, "experiments/one.py").top
+
+    assert says("order = 1\n") == {"order": 1}
+    assert says("order = 2\n") == {"order": 2}
+    monkeypatch.setattr(identity, "canonical", None)
+    assert says("order = 1\n") == {"order": 1}
+    (tmp_path / FOLDER / "sources").write_bytes(b"damaged")
+    with pytest.raises(TypeError):
+        says("order = 1\n")

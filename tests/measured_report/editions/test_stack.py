@@ -1,0 +1,237 @@
+"""Stacks: what NEWTON and WITH mean, what it is called, and that what is installed is what was asked for.
+
+Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
+"""
+
+import json
+from dataclasses import replace
+
+import pytest
+from conftest import Toy, git
+
+from measured_report import ReportError, UsageError
+from measured_report.commands import building
+from measured_report.editions import devices, environment
+from measured_report.editions.environment import environment_of, python_of
+from measured_report.editions.label import read_label
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.project import Project
+from measured_report.editions.stack import Stack, stack_of
+from measured_report.editions.status import expected_packages
+from measured_report.measuring import measure
+from measured_report.records import provenance
+from measured_report.records.provenance import package_versions
+from measured_report.records.record import write_record
+
+
+@pytest.mark.parametrize(
+    ("text", "label"),
+    [
+        ("1.8", "1.8.0"),
+        ("1.8.0", "1.8.0"),
+        ("1.9.0rc1", "1.9.0rc1"),
+        ("1.9.0.dev20261122", "1.9.0.dev20261122"),
+        ("1.8+warp-1.19+mujoco-warp-4.0.0", "1.8.0+mujoco-warp-4.0.0+warp-1.19"),
+        ("1.9.0.dev0+g1a2b3c4.edited", "1.9.0.dev0+g1a2b3c4.edited"),
+        ("1.8.0@nvidia-h100", "1.8.0@nvidia-h100"),
+    ],
+)
+def test_a_label_is_read(text, label):
+    assert str(read_label(text)) == label and read_label(label) == read_label(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["new", "", "1", "1.8.0+", "1.8.0@", "1.8.0+warp", "../1.8.0", "1.8.0+g1", "1.8.0@A/B"]
+)
+def test_what_is_no_label(text):
+    assert read_label(text) is None
+
+
+def test_editions_stand_in_the_order_of_their_versions_and_dates(tmp_path):
+    there = ["1.10.0", "1.8.0", "1.8.0@cpu", "1.9.0", "1.9.0.dev0+gaaaaaaa", "1.9.0.dev0+gbbbbbbb", "1.9.0rc1"]
+    project = Project("1.4.0", root=tmp_path)
+    for release in there:
+        folder = project.of(release).results
+        folder.mkdir(parents=True)
+        (folder / "gap.json").touch()
+        dates = {"1.9.0.dev0+gaaaaaaa": "2026-11-20", "1.9.0.dev0+gbbbbbbb": "2026-11-13"}
+        write_manifest(folder, Manifest(release, dates.get(release, "")))
+    assert project.releases == [
+        *("1.4.0", "1.8.0", "1.8.0@cpu", "1.9.0.dev0+gbbbbbbb", "1.9.0.dev0+gaaaaaaa", "1.9.0rc1", "1.9.0", "1.10.0")
+    ]
+
+
+def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
+    commit = git(checkout, "rev-parse", "--short=7", "HEAD")
+    clean = stack_of(str(checkout))
+    assert str(clean.label) == f"1.9.0.dev0+g{commit}" and clean.date
+    (checkout / "newton/__init__.py").write_text("x = 2\n")
+    stack_of.cache_clear()
+    edited, source = stack_of(str(checkout)), provenance.checkout_source(checkout)
+    assert str(edited.label) == f"1.9.0.dev0+g{commit}.edited"
+    (checkout / "newton/__init__.py").write_text("x = 3\n")
+    assert provenance.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
+
+
+def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
+    first = git(checkout, "rev-parse", "HEAD")
+    (checkout / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.10.0.dev0"\n')
+    git(checkout, "commit", "--quiet", "-a", "-m", "two")
+    named = {stack_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
+    assert {str(stack.label) for stack in named} == {f"1.9.0.dev0+g{first[:7]}"}
+    assert {stack.requirement for stack in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
+    assert str(stack_of(f"{checkout}@main").label).startswith("1.10.0.dev0+g")
+    with pytest.raises(UsageError, match="cannot be fetched"):
+        stack_of(f"{checkout}@nothing")
+
+
+def test_a_wheel_is_called_after_its_content(tmp_path):
+    wheel = tmp_path / "newton-1.9.0.dev5-py3-none-any.whl"
+    wheel.write_bytes(b"one")
+    first = stack_of(str(wheel))
+    assert str(first.label).startswith("1.9.0.dev5+w") and first.requirement == f"newton[sim] @ {wheel.as_uri()}"
+    wheel.write_bytes(b"two")
+    stack_of.cache_clear()
+    assert stack_of(str(wheel)).label != first.label
+    nightly = stack_of(f"https://example.org/nightly/{wheel.name}")
+    assert str(nightly.label).startswith("1.9.0.dev5+w") and nightly.requirement.startswith("newton[sim] @ https://")
+
+
+def test_with_names_packages(tmp_path):
+    stack = stack_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
+    assert str(stack.label) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
+    assert stack_of(str(stack.label)) == replace(stack, asked=str(stack.label))
+    for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
+        with pytest.raises(UsageError, match="WITH="):
+            stack_of("1.8.0", bad)
+
+
+def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, capsys):
+    (tmp_path / "pyproject.toml").write_text("")
+    monkeypatch.setattr(environment, "release_date", lambda stack: "2026-06-11")
+    [(command, _)] = environment._fill_from_requirements(
+        tmp_path, stack_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"], "uv", tmp_path
+    )
+    assert command[command.index("--exclude-newer") + 1] == "2026-06-12"
+    assert command[command.index("--exclude-newer-package") + 1].startswith("warp-lang=")
+    assert command[-3:] == ["pandas>=2", "warp-lang==1.19.0", "newton[sim]==1.3.0"]
+    assert (tmp_path / "overrides.txt").read_text() == "warp-lang==1.19.0\n"
+
+
+def test_what_is_installed_must_be_what_was_asked_for(tmp_path, monkeypatch):
+    python = environment_of(stack_of("1.7.9"), tmp_path) / "bin/python"
+    python.parent.mkdir(parents=True)
+    (python.parent.parent / ".ready").touch()
+    (tmp_path / "pyproject.toml").write_text("")
+    missing = dict.fromkeys(package_versions(), provenance.MISSING)
+    for said, fault in ((missing | {"newton": "1.7.8"}, "newton 1.7.8"), (missing | {"newton": "1.7.9"}, "")):
+        python.write_text(f"#!/bin/sh\necho '{json.dumps(said)}'\n")
+        python.chmod(0o755)
+        if fault:
+            with pytest.raises(UsageError, match=fault):
+                python_of(stack_of("1.7.9"), missing, tmp_path)
+        else:
+            assert python_of(stack_of("1.7.9"), missing, tmp_path) == python
+
+
+def test_a_measurement_refuses_what_is_not_installed():
+    from measured_report.measuring.run import edition_of
+
+    installed = package_versions()["newton"]
+    assert edition_of(None) == edition_of(f"{installed}@cpu").removesuffix("@cpu") == installed
+    for other in ("1.0.0", f"{installed}+warp-0.1.0", "nonsense"):
+        with pytest.raises(ReportError, match="is not what is installed here"):
+            edition_of(other)
+
+
+def test_an_installed_checkout_says_its_commit(checkout, tmp_path, monkeypatch):
+    info = tmp_path / "site/newton-1.9.0.dev0.dist-info"
+    info.mkdir(parents=True)
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: newton\nVersion: 1.9.0.dev0\n")
+    said = {"url": checkout.as_uri(), "dir_info": {"editable": True}}
+    (info / "direct_url.json").write_text(json.dumps(said))
+    monkeypatch.syspath_prepend(info.parent)
+    commit = git(checkout, "rev-parse", "--short=7", "HEAD")
+    assert package_versions()["newton"] == f"1.9.0.dev0+g{commit}"
+    said = {"url": "https://example.org/newton.git", "vcs_info": {"vcs": "git", "commit_id": "1a2b3c4d" * 5}}
+    (info / "direct_url.json").write_text(json.dumps(said))
+    assert package_versions()["newton"] == "1.9.0.dev0+g1a2b3c4"
+
+
+def test_edited_code_is_stale(toy, checkout):
+    (checkout / "newton/__init__.py").write_text("x = 2\n")
+    stack_of.cache_clear()
+    stack = stack_of(str(checkout))
+    edited = toy.of(str(stack.label))
+    edited.project.results.mkdir(parents=True)
+    write_manifest(edited.project.results, Manifest(stack.asked))
+    write_record(edited.record_path, edited.record(identity=replace(edited.record().identity, packages=now(edited))))
+    assert edited.state().kind == "fresh"
+    (checkout / "newton/__init__.py").write_text("x = 3\n")
+    assert edited.state().summary == "stale: packages"
+
+
+def now(side: Toy) -> dict[str, str]:
+    return dict(expected_packages(side.project))
+
+
+def test_one_machine_never_takes_the_place_of_another(toy, capsys):
+    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
+    assert measure.kept_by(toy.project, "nvidia-h200", ["toy"]).release == "1.4.0@nvidia-h200"
+    assert "1.4.0@nvidia-h200" in capsys.readouterr().out
+    apart = toy.project.of("1.4.0@nvidia-h200")
+    assert measure.kept_by(apart, "nvidia-h200", ["toy"]) == apart
+    with pytest.raises(UsageError, match="nvidia-h200"):
+        measure.kept_by(apart, "cpu", ["toy"])
+    record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
+    assert devices.machine_of(record) == "nvidia-h100-80gb-hbm3"
+
+
+def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of(toy, monkeypatch, capsys):
+    def hint(side: Project) -> str:
+        building.build_site(side, "")
+        return next(line for line in capsys.readouterr().out.splitlines() if line.startswith("make rerun"))
+
+    monkeypatch.setattr(building, "has_cuda", lambda: False)
+    stale = toy.record().identity
+    toy.write("experiments/scene.py", "def slip():\n    return 2.0\n")  # which makes the record stale
+    assert hint(toy.project) == "make rerun SECTION=toy DEVICE=cpu measures one of them"
+    gpu = {"device": "cuda", "gpu": "NVIDIA H200", "driver": "1", "cpu": "A processor", "python": "3.12.1"}
+    on_gpu = "make rerun SECTION=toy measures one of them on a GPU"
+    for release, said in {
+        "1.4.0": f"{on_gpu}; with DEVICE=cpu it becomes an edition of its own, 1.4.0@cpu",
+        "1.4.0@nvidia-h200": on_gpu.replace("toy", "toy NEWTON=1.4.0@nvidia-h200"),
+    }.items():
+        side = toy.of(release) if "@" in release else toy
+        write_record(side.record_path, side.record(machine=gpu, identity=stale, traces=None))
+        assert hint(side.project) == said
+    monkeypatch.setattr(building, "has_cuda", lambda: True)
+    assert hint(toy.project) == "make rerun SECTION=toy measures one of them"
+    assert measure.kept_by(toy.project, "cpu", ["toy"]).release == "1.4.0@cpu", "as it was said"
+
+
+def test_an_edition_whose_code_is_nowhere_says_so(tmp_path):
+    (tmp_path / "pyproject.toml").write_text("")
+    stack = stack_of("1.9.0.dev0+g1a2b3c4")
+    assert isinstance(stack, Stack)
+    with pytest.raises(UsageError, match="does not say where its code is"):
+        python_of(stack, {}, tmp_path)
+
+
+def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
+    assert devices.needs_gpu("toy", toy.project.root)
+    module = toy.project.root / "experiments/toy.py"
+    module.with_name("other.py").write_text(module.read_text())
+    module.write_text(f"{module.read_text()}\nNEEDS_GPU = False\n")
+    assert not devices.needs_gpu("toy", toy.project.root)
+    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
+    # Its record of a CPU does not keep those of a GPU from the release.
+    assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project
+
+
+def test_the_command_that_is_shown_names_what_make_can_find(toy):
+    side = toy.project.of("1.9.0+g1234567.edited")
+    write_manifest(side.results, Manifest("/a place/newton"))
+    assert side.rerun("toy") == "make rerun SECTION=toy 'NEWTON=/a place/newton'"
+    assert toy.project.of("1.8.0@cpu").rerun("toy") == "make rerun SECTION=toy DEVICE=cpu NEWTON=1.8.0@cpu"
+    assert toy.project.rerun("toy", "cpu") == "make rerun SECTION=toy DEVICE=cpu"

@@ -1,0 +1,146 @@
+"""Studies on a cluster's workers, which are killed, stopped and of another mind."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import batches
+import pytest
+from batches import begun, course, is_running, rows_of
+
+pytest.importorskip("distributed", reason="make test installs the extra that has it")
+
+from distributed import LocalCluster
+
+from measured_report import ROOT, ReportError
+from measured_report.measuring import cluster as clusters
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.cluster import crew_of
+from measured_report.measuring.machine import machine
+from measured_report.measuring.scheduler import Here, Study
+from measured_report.measuring.where import read_cluster
+
+
+@pytest.fixture(scope="module")
+def scheduler():
+    """Address of a cluster of one worker with two slots, as somebody may have started it."""
+    options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
+    with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options) as cluster:
+        yield cluster.scheduler_address
+
+
+def crew(scheduler: str):
+    return crew_of(read_cluster(scheduler), "cpu", None, {}, "quick")
+
+
+def spans(log: Path) -> dict[str, tuple[float, float]]:
+    """When each batch was last begun and ended."""
+    found: dict[str, list[float]] = {}
+    for line in log.read_text().splitlines():
+        found.setdefault(line.split()[1], []).append(float(line.split()[2]))
+    return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
+
+
+def named(course, section: str):
+    course.section = section
+    return course
+
+
+def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, log, scheduler, capsys):
+    whole = course(toy, batches.section(str(log), "abcdefg", 0.1, alone="cf"))
+    mortal = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 2)))), "mortal")
+    doomed = named(course(toy, batches.single(Batch("die", batches.die, (str(log), 99)))), "doomed")
+    killer = named(course(toy, batches.single(Batch("worker", batches.kill_worker, (str(log),)))), "killer")
+    with crew(scheduler) as workers:
+        assert Study([killer, whole, mortal], workers).run() is False
+        assert Study([doomed], workers).run() is True
+    errors = capsys.readouterr().err
+    assert "killer/worker: its worker is gone; it is tried again" in errors
+    assert errors.count("mortal/die: its process was killed by SIGKILL; it is tried again") == 2
+    assert "doomed: measuring failed; what was there is kept: die: its process was killed by SIGKILL, 3 times" in errors
+    assert [row["case"] for row in rows_of(toy)] == [*"abcdefg", "sum"]
+    assert all(begun(log).count(name) <= 2 for name in "abcdefg")
+    times = spans(log)
+    for alone in "cf":
+        begin, end = times.pop(alone)
+        assert all(other[1] <= begin or end <= other[0] for other in times.values()), "it was alone"
+    assert not running(log)
+
+
+def test_a_worker_of_this_host_comes_back_however_often_it_is_killed():
+    with clusters.connected(read_cluster("local:1"), "cpu") as client:
+        end = time.monotonic() + 17.0  # by itself Dask looks 15 s after a loss whether there is a worker, and gives up
+        while time.monotonic() < end:
+            for process in client.run(os.getpid, on_error="ignore").values():
+                os.kill(process, signal.SIGKILL)
+            time.sleep(0.02)
+        client.wait_for_workers(1, timeout=10.0)
+
+
+def running(log: Path) -> list[int]:
+    """Processes that have measured and are still there, a moment later."""
+    numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
+    deadline = time.monotonic() + 5.0
+    while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return left
+
+
+def test_a_worker_of_another_mind_is_refused_by_name(scheduler, monkeypatch, capsys):
+    own = clusters.identity_of("slot", "quick")
+    other = replace(own, code="0" * 64, files={**own.files, "experiments/ending.py": "0" * 64})
+    monkeypatch.setattr(clusters, "identity_of", lambda section, profile: other)
+    with pytest.raises(ReportError, match="no worker may measure this"), crew(scheduler):
+        pass
+    said = capsys.readouterr().err
+    assert f"{os.uname().nodename} is left out: it would measure with another code: experiments/ending.py" in said
+
+
+def test_a_worker_without_the_gpu_of_the_study_is_refused_by_name(scheduler, monkeypatch, capsys):
+    wanted = crew_of(read_cluster(scheduler), "cuda", "nvidia-h200", {}, "quick")
+    with pytest.raises(ReportError, match="no worker may measure this"), wanted:
+        pass
+    assert "left out: it has no CUDA device, and this is of nvidia-h200" in capsys.readouterr().err
+
+
+DRIVER = """
+import signal
+import sys
+import batches
+from pathlib import Path
+from measured_report.measuring.cluster import crew_of
+from measured_report.measuring.scheduler import Study
+from measured_report.measuring.where import read_cluster
+from measured_report.editions.project import Project
+from types import SimpleNamespace
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
+    cluster, root, log = sys.argv[1:]
+    toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
+    with crew_of(read_cluster(cluster), "cpu", None, {}, "quick") as crew:
+        Study([batches.course(toy, batches.slow_after(log, "ab"))], crew).run()
+"""
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
+def test_a_study_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):
+    own = "local:2" if sent == signal.SIGKILL else scheduler
+    driver = subprocess.Popen(
+        [sys.executable, "-c", DRIVER, own, str(toy.project.root), str(log)],
+        cwd=ROOT, stderr=subprocess.PIPE, start_new_session=True,
+    )  # fmt: skip
+    while "begin slow" not in log.read_text():
+        assert driver.poll() is None, driver.stderr.read().decode()
+        time.sleep(0.02)
+    driver.send_signal(sent)
+    stopped = time.monotonic()
+    driver.communicate()
+    assert not running(log) and time.monotonic() - stopped < 5.0
+    log.write_text("")
+    assert not Study([course(toy, batches.slow_after(str(log), "ab", 0.0))], Here(machine("cpu"))).run()
+    assert begun(log) == ["slow"] and [row["case"] for row in rows_of(toy)] == ["a", "b", "slow"]

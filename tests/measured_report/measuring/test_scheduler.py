@@ -1,0 +1,230 @@
+"""Studies: sections in batches, on this process and on a cluster, and what may go wrong meanwhile."""
+
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import batches
+import pytest
+import warp as wp
+from batches import begun, course, rows_of
+
+from measured_report import ROOT, UsageError
+from measured_report.files.processes import workers
+from measured_report.measuring import on_paper
+from measured_report.measuring import worker as slots
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.course import Task
+from measured_report.measuring.forks import Forks
+from measured_report.measuring.machine import machine
+from measured_report.measuring.on_paper import hosts_of, makespan
+from measured_report.measuring.scheduler import Here, Host, Study, next_start
+from measured_report.measuring.where import read_cluster
+from measured_report.records.reading import load_record
+
+
+def test_a_record_is_put_together_from_its_batches(toy, log):
+    assert not Study([course(toy, batches.section(str(log), "abc", alone="b"))], Here(machine("cpu"))).run()
+    assert begun(log) == ["a", "b", "c"]
+    record = load_record(toy.record_path)
+    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
+    assert {name for name in record.measured if name.endswith("_s")} == {
+        "batch_a_s", "alone_b_s", "batch_c_s", "batch_sum_s",
+    }  # fmt: skip
+    assert list(toy.project.root.glob(".cache/batch.*")) == [], "what a record was made of is not kept"
+
+
+def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy, log, capsys):
+    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    failing.section = "bad-one"
+    with workers(2, "fork") as pool:
+        crew = Forks(pool, 2, machine("cpu"))
+        assert Study([failing, course(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], crew).run()
+    said = [line.split() for line in log.read_text().splitlines()]
+    times = {(what, name): float(time) for what, name, time, _ in said}
+    assert times["begin", "d"] > max(times["end", name] for name in "abc")
+    assert str(os.getpid()) not in {line[3] for line in said}
+    assert load_record(toy.record_path).machine["sections_at_once"] == 2
+    assert "bad-one: measuring failed" in capsys.readouterr().err
+
+
+def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
+    failing = course(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    other = course(toy, batches.section(str(log), "a"))
+    other.section = "other"
+    failing.section, other.section = "bad-one", "toy"
+    assert Study([failing, other], Here(machine("cpu"))).run()
+    assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
+    assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
+
+
+def test_a_study_says_how_far_it_is(toy, log):
+    said = []
+
+    class Watched(Here):
+        def start(self, task, place):
+            super().start(task, place)
+            said.append(study.status())
+
+    known = course(toy, batches.section(str(log), "ab"))
+    known.known = {"toy": 300.0}
+    study = Study([known], Watched(machine("cpu")))
+    study.run()
+    assert said == [f"{done}; about 5 min left" for done in (
+        "0 of 2 batches; toy/a running", "1 of 2 batches; toy/b running", "2 of 3 batches; toy/sum running"
+    )]  # fmt: skip
+    assert study.status() == "3 of 3 batches; nothing running; about 0 s left"
+
+
+class Stopped(Here):
+    """One that is stopped, as by Ctrl-C, before the batch ``at``."""
+
+    def __init__(self, at: str):
+        super().__init__(machine("cpu"))
+        self.at = at
+
+    def start(self, task, place):
+        if task.batch.name == self.at:
+            raise KeyboardInterrupt
+        super().start(task, place)
+
+
+def test_what_is_finished_is_found_again_and_only_by_the_same_code(toy, log):
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+    assert begun(log) == ["a", "b", "c", "d"]
+    whole = rows_of(toy)
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+    toy.write("experiments/toy.py", "def measure(conditions):\n    return 2\n")
+    assert not Study([course(toy, batches.section(str(log), "abcd"))], Here(machine("cpu"))).run()
+    assert begun(log)[4:] == ["a", "b", "a", "b", "c", "d"] and rows_of(toy) == whole
+
+
+def test_what_another_kind_of_machine_has_finished_is_not_found(toy, log):
+    with pytest.raises(KeyboardInterrupt):
+        Study([course(toy, batches.section(str(log), "ab"))], Stopped("b")).run()
+    other = Here({**machine("cpu"), "cpu": "Another"})
+    assert not Study([course(toy, batches.section(str(log), "ab"))], other).run()
+    assert begun(log) == ["a", "a", "b"] and load_record(toy.record_path).machine["cpu"] == "Another"
+
+
+@pytest.mark.parametrize("names", ["aa", ""])
+def test_batches_need_names_of_their_own(toy, log, names, capsys):
+    assert Study([course(toy, batches.section(str(log), names))], Here(machine("cpu"))).run()
+    assert "batches need names of their own" in capsys.readouterr().err
+
+
+def task(name: str, seconds: float = 1.0, alone: bool = False) -> Task:
+    return Task("toy", Batch(name, batches.work, alone=alone), seconds)
+
+
+KIND = ("cuda", "NVIDIA H200")
+TWO = [Host("one", KIND, ["0", "1"]), Host("two", KIND, ["0"])]
+
+
+def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
+    short, long, alone = task("short", 1.0), task("long", 9.0), task("alone", 99.0, alone=True)
+    ready = [(each, None) for each in (short, alone, long)]
+    assert next_start(ready, TWO, {})[0] is long
+    assert next_start([(alone, None)], TWO, {("one", "0"): long})[2] == ("two", "0")
+    assert next_start([(alone, None)], TWO[:1], {("one", "0"): long}) is None
+    assert next_start([(short, None)], TWO[:1], {("one", "0"): alone}) is None
+
+
+def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
+    host = Host("one", KIND, ["gpu"], ["gpu/0", "gpu/1"])
+    short, long, alone = task("short", 1.0), task("long", 9.0), task("alone", 99.0, alone=True)
+    ready, busy, places = [(each, None) for each in (short, alone, long)], {}, []
+    while found := next_start(ready, [host], busy):
+        places.append((found[0].batch.name, found[2][1]))
+        busy[found[2]] = found[0]
+        ready = [pair for pair in ready if pair[0] is not found[0]]
+    assert places == [("long", "gpu/0"), ("short", "gpu/1")]
+    assert next_start(ready, [host], {}) == (alone, host, ("one", "gpu"))
+
+
+def test_processes_share_a_gpu_where_a_daemon_lets_them(tmp_path, monkeypatch):
+    monkeypatch.setenv(slots.MPS, str(tmp_path))
+    monkeypatch.setattr(slots.os, "cpu_count", lambda: 10)
+    assert slots.shared_slots(["A", "B"]) == []
+    (tmp_path / "control").touch()
+    assert slots.shared_slots(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
+    assert slots.shared_slots(["A", "B", "C"]) == []  # one process each shares nothing
+
+
+def test_a_section_stays_on_one_kind_of_machine():
+    assert next_start([(task("a"), ("cuda", "NVIDIA A100"))], TWO, {}) is None
+    assert next_start([(task("a"), KIND)], TWO, {})[1] is TWO[0]
+
+
+def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
+    chance = random.Random(0)
+    for _ in range(50):
+        ready = [(task(f"t{i}", chance.random(), chance.random() < 0.3), None) for i in range(20)]
+        busy = {}
+        while ready or busy:
+            while found := next_start(ready, TWO, busy):
+                busy[found[2]] = found[0]
+                ready = [pair for pair in ready if pair[0] is not found[0]]
+            for host in TWO:
+                there = [each for (name, _), each in busy.items() if name == host.name]
+                assert len(there) <= (1 if any(each.batch.alone for each in there) else len(host.slots))
+            assert busy, "something can always be started"
+            del busy[chance.choice(list(busy))]
+
+
+def test_a_study_on_paper_is_as_by_hand():
+    tasks = [task("a", 3.0), task("b", 2.0), task("c", 2.0), task("d", 4.0, alone=True)]
+    assert [makespan(tasks, hosts_of(count)) for count in (1, 2, 9)] == [11.0, 8.0, 4.0]
+    assert [len(host.slots) for host in hosts_of(17)] == [8, 8, 1]
+
+
+def test_on_paper_the_longest_batch_is_what_no_number_of_gpus_goes_below(monkeypatch, capsys):
+    tasks = [task("a", 6.0), task("b", 2.0), task("c", 1.0)]
+    monkeypatch.setattr(on_paper, "records_of", lambda project: [None])
+    monkeypatch.setattr(on_paper, "tasks_of", lambda record: tasks)
+    monkeypatch.setattr(sys, "argv", ["on_paper", "1", "64"])
+    assert on_paper.main() == 0
+    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [
+        "1 GPU 9 s 1.0 times as fast".split(),
+        "64 GPUs 6 s 1.5 times as fast".split(),
+        "never less than 6 s, which toy/a takes by itself".split(),
+    ]
+
+
+HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}
+
+
+@pytest.mark.parametrize("asked", [
+    "", "locals", "local:", "local:0", "local:x", "local:-1", "local:1e3", "local:٣", "local:999999999", "ssh", "ssh:",
+    "ssh:/nowhere", "ssh:/", "tcp://", "tcp://x", "tcp://x:0", "tcp://x:99999", "tcp://x:1/y", "http://x:1",
+    *(f"ssh:{name}" for name in HOSTS),
+])  # fmt: skip
+def test_what_names_no_workers_is_refused_in_one_line(asked, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name, text in HOSTS.items():
+        Path(name).write_text(text)
+    with pytest.raises(UsageError, match=f"CLUSTER={asked}") as error:
+        read_cluster(asked)
+    assert "\n" not in str(error.value)
+
+
+def test_hosts_are_read_with_their_folders(tmp_path):
+    (tmp_path / "hosts").write_text("# ours\none\n\ntwo /data/shake report  # the other\n")
+    assert read_cluster(f"ssh:{tmp_path}/hosts").hosts == (("one", ""), ("two", "/data/shake report"))
+    assert read_cluster("local:3").process_count == 3 and read_cluster("tcp://[::1]:8786").scheduler
+
+
+def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
+    settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path)}
+    command = [sys.executable, ROOT / "tests" / "kernels_at_once.py", tmp_path / "cuda"]
+
+    both = [subprocess.Popen(command, env=settings, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    assert [process.communicate()[0].strip() for process in both] == ["[0.0, 2.0, 4.0]"] * 2
+    [folder] = (path for path in (tmp_path / wp.config.version).iterdir() if path.name.startswith("wp_"))
+    assert sorted(path.suffix for path in folder.iterdir()) == [".cpp", ".meta", ".o"], "one of each, and no leavings"
+    assert sorted(path.suffix for path in (tmp_path / "cuda").iterdir()) == [".cu", ".cubin", ".meta"]

@@ -1,0 +1,240 @@
+"""Publishing: into a folder, onto a branch, over rsync; whole, or not at all, and nothing else is touched."""
+
+import os
+import shutil
+import socket
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from conftest import ROWS, git
+
+from measured_report import ReportError, UsageError
+from measured_report.site.check import check_site
+from measured_report.site.publish import publish
+from measured_report.site.targets import MARK
+
+
+@pytest.fixture(autouse=True)
+def is_built(toy) -> None:
+    toy.build()
+
+
+@pytest.fixture
+def place(toy, tmp_path) -> Path:
+    """Where the site was published."""
+    publish(toy.project.site, f"dir:{tmp_path / 'www'}")
+    return tmp_path / "www"
+
+
+def change(toy, slip_mm: float = 5.0) -> None:
+    """Build another site."""
+    toy.measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+
+
+def test_publishing_switches_a_link(toy, place):
+    first = place.resolve()
+    assert place.is_symlink() and check_site(place) == []
+    publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == first
+    change(toy)
+    for _ in range(3):  # the same site twice keeps the one before
+        publish(toy.project.site, f"dir:{place}")
+        assert place.resolve() != first and first.is_dir()
+        assert (place / "evidence.html").read_text() == toy.page
+        assert len(list(place.with_name(".www.versions").iterdir())) == 2
+
+
+def test_a_build_with_a_problem_is_not_published(toy, place):
+    before = place.resolve()
+    (toy.project.site / "data/values.json").unlink()
+    with pytest.raises(ReportError, match="not published"):
+        publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == before
+
+
+def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
+    letter = written_by_the_user(tmp_path / "mine")
+    (tmp_path / "link").symlink_to(tmp_path / "mine")
+    targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 62)]
+    for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:", "ftp:x", ""):
+        with pytest.raises(UsageError) as error:
+            publish(toy.project.site, target)
+        assert "\n" not in str(error.value)
+    assert letter.read_text() == "dear" and not list(tmp_path.glob(".*.versions"))
+
+
+def written_by_the_user(folder: Path) -> Path:
+    folder.mkdir()
+    (folder / "letter.txt").write_text("dear")
+    return folder / "letter.txt"
+
+
+@pytest.mark.parametrize("step", ["shutil.copytree", "os.replace"])
+def test_nothing_is_left_behind_when_publishing_fails(toy, tmp_path, monkeypatch, step):
+    def fail(source, target, **options):
+        failed = (str(source), str(target), "No space left on device")
+        raise shutil.Error([failed] * 2) if step == "shutil.copytree" else OSError(28, failed[2])
+
+    monkeypatch.setattr(step, fail)
+    with pytest.raises(UsageError, match=r"^TARGET=dir:.*/www: No space left on device$"):
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert [path.name for path in tmp_path.iterdir()] == ["project"]
+
+
+def test_an_empty_folder_may_become_the_site(toy, tmp_path):
+    (tmp_path / "www").mkdir()
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    assert check_site(tmp_path / "www") == []
+
+
+def test_a_quick_look_is_not_published(toy, tmp_path):
+    quick = replace(toy, project=replace(toy.project, profile="quick"))
+    quick.measure()
+    quick.build()
+    with pytest.raises(UsageError, match="quick look"):
+        publish(quick.project.site, f"dir:{tmp_path / 'www'}")
+
+
+def test_what_was_damaged_after_it_was_published_is_repaired(toy, place):
+    whole = (place / "index.html").read_bytes()
+    for damage in (lambda path: path.write_text("half"), lambda path: path.unlink()):
+        damage(place / "index.html")
+        publish(toy.project.site, f"dir:{place}")
+        assert (place / "index.html").read_bytes() == whole
+
+
+def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
+    versions = place.with_name(".www.versions")
+    letters = [written_by_the_user(versions / name) for name in ("mine", "0123456789abcdef")]
+    (versions / "new-12ab").mkdir()
+    (versions / "link-12ab").symlink_to("nowhere")
+    for slip_mm in (5.0, 4.0, 3.0):
+        change(toy, slip_mm)
+        publish(toy.project.site, f"dir:{place}")
+    assert all(letter.is_file() for letter in letters)
+    assert len(list(versions.iterdir())) == 4, "two of the user's, this version and the one before"
+
+
+@pytest.mark.parametrize("inside", ["www", "data/www", ".", "../site"])
+def test_nothing_is_published_into_the_site_itself(toy, inside):
+    before = sorted(toy.project.site.rglob("*"))
+    with pytest.raises(UsageError, match="outside of it"):
+        publish(toy.project.site, f"dir:{toy.project.site}/{inside}")
+    assert sorted(toy.project.site.rglob("*")) == before
+
+
+def test_what_is_published_can_be_read_by_all(toy, tmp_path):
+    before = os.umask(0o077)
+    try:
+        change(toy)
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    finally:
+        os.umask(before)
+    modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").resolve().rglob("*")}
+    assert modes == {True: 0o755, False: 0o644}
+    assert (tmp_path / "www").stat().st_mode & 0o777 == 0o755
+
+
+@pytest.fixture
+def remote(toy, tmp_path) -> Path:
+    """A bare repository, which is the origin of the one that the project is in."""
+    bare = tmp_path / "bare.git"
+    bare.mkdir()
+    git(bare, "init", "--quiet", "--bare")
+    root = toy.project.root
+    (root / ".gitignore").write_text("/site/*\n/.cache/\n")
+    for words in ("init --quiet", "add .", "commit --quiet -m a", f"remote add origin {bare}"):
+        git(root, *words.split())
+    return bare
+
+
+def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remote, tmp_path):
+    root = toy.project.root
+    before = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    assert publish(toy.project.site, "") == "origin, branch gh-pages"
+    first = git(remote, "rev-parse", "gh-pages")
+    assert publish(toy.project.site, "").endswith("as before")
+    assert git(remote, "rev-parse", "gh-pages") == first
+    change(toy)
+    publish(toy.project.site, "")
+    assert git(remote, "rev-parse", "gh-pages") != first
+    assert git(remote, "rev-list", "--count", "gh-pages") == "1"
+    git(root, "checkout", "--quiet", "--", "results")
+    after = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    assert before == after
+    there = tmp_path / "there"
+    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), str(there))
+    assert (there / "evidence.html").read_text() == toy.page and check_site(there) == []
+
+
+def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
+    git(toy.project.root, "push", "--quiet", "origin", "HEAD:refs/heads/gh-pages", "HEAD:refs/heads/main")
+    before = git(remote, "for-each-ref")
+    for target in ("", "git:origin", "git:origin#main"):
+        with pytest.raises(UsageError, match="it was left alone"):
+            publish(toy.project.site, target)
+    assert git(remote, "for-each-ref") == before
+
+
+@pytest.mark.parametrize(
+    "target", ["nowhere", "--upload-pack=touch x", "ext::sh -c id", "origin#a..b", "origin#-x", "/nowhere"]
+)
+def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
+    with pytest.raises(UsageError) as error:
+        publish(toy.project.site, f"git:{target}")
+    assert "\n" not in str(error.value)
+
+
+def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(toy.project.root.parent))
+    with pytest.raises(UsageError, match="not a git repository"):
+        publish(toy.project.site, "")
+    monkeypatch.setenv("PATH", "/nowhere")
+    with pytest.raises(UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"):
+        publish(toy.project.site, "")
+
+
+@pytest.mark.skipif(not shutil.which("rsync"), reason="there is no rsync")
+def test_rsync_replaces_what_was_published_and_nothing_else(toy, tmp_path):
+    place = tmp_path / "www"
+    publish(toy.project.site, f"rsync:{place}")
+    assert check_site(place) == [] and (place / MARK).is_file()
+    (place / "old.html").write_text("old")
+    change(toy)
+    publish(toy.project.site, f"rsync:{place}")
+    assert (place / "evidence.html").read_text() == toy.page and not (place / "old.html").exists()
+    letter = written_by_the_user(tmp_path / "mine")
+    with pytest.raises(UsageError, match="left alone"):
+        publish(toy.project.site, f"rsync:{tmp_path}/mine")
+    assert letter.read_text() == "dear"
+
+
+@pytest.mark.skipif(not shutil.which("rsync"), reason="there is no rsync")
+def test_rsync_publishes_to_the_module_of_a_daemon(toy, tmp_path):
+    (tmp_path / "www").mkdir()
+    settings = tmp_path / "rsyncd.conf"
+    who = f"uid = {os.getuid()}\ngid = {os.getgid()}"
+    settings.write_text(f"use chroot = no\n{who}\n[www]\npath = {tmp_path}/www\nread only = no\n")
+    port = free_port()
+    daemon = subprocess.Popen(
+        ["rsync", "--daemon", "--no-detach", "--address=127.0.0.1", f"--port={port}", f"--config={settings}"]
+    )
+    try:
+        target = f"rsync:rsync://127.0.0.1:{port}/www"
+        while subprocess.run(["rsync", target.partition(":")[2]], capture_output=True, check=False).returncode:
+            assert daemon.poll() is None
+        publish(toy.project.site, target)
+        publish(toy.project.site, target)
+    finally:
+        daemon.terminate()
+        daemon.wait()
+    assert (tmp_path / "www/evidence.html").read_text() == toy.page and check_site(tmp_path / "www") == []
+
+
+def free_port() -> int:
+    with socket.socket() as there:
+        there.bind(("127.0.0.1", 0))
+        return there.getsockname()[1]

@@ -1,0 +1,231 @@
+"""The lint as a program: what it reads, prints, and ends with."""
+
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import newton
+import pytest
+
+from measured_report import ROOT
+from measured_report.claims.citations import tomllib
+from newton_lint.command import main
+
+SCENE = """
+<mujoco>
+  {rest}
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1"/>
+    <body name="ball"><freejoint/><geom name="skin" size="0.1" mass="2" {skin}/></body>
+  </worldbody>
+</mujoco>
+"""
+TETRAHEDRON = """
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+"""
+MESH = '<asset><mesh name="rock" file="rock.obj"/></asset><worldbody><geom type="mesh" mesh="rock"/></worldbody>'
+SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+URDF = f'<robot name="ball"><link name="skin">{SPHERE}</link></robot>'
+KINDS = {
+    "findings": {
+        **{"rule": str, "shape": str, "against": list, "parameter": str, "value": float, "used": float | None},
+        **{"unit": str, "message": str},
+    },
+    "creep": {
+        **{"pairs": list, "timeconst_s": float, "dmax": float, "response_s": float, "acceleration_m_s2": float},
+        **{"acceleration_mm_s": float, "load_n": float, "load_deep_mm_s": float, "load_shallow_mm_s": float},
+    },
+}
+
+
+@pytest.fixture
+def scene(tmp_path):
+    def write(skin: str = "", rest: str = "") -> str:
+        path = tmp_path / "scene.xml"
+        path.write_text(SCENE.format(skin=skin, rest=rest))
+        return str(path)
+
+    return write
+
+
+def built() -> newton.Model:
+    """A target of the lint."""
+    builder = newton.ModelBuilder()
+    builder.add_shape_sphere(builder.add_body(label="ball"))
+    builder.add_ground_plane()
+    return builder.finalize(device="cpu")
+
+
+def test_a_clean_scene(scene, capsys):
+    assert main([scene()]) == 0
+    out = capsys.readouterr().out
+    assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
+    assert "timeconst 0.02 s; 9.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2
+
+
+@pytest.mark.parametrize("skin", ['solimp="0 0.95 0.001"', 'solimp="0 0 0.001"', 'solimp="1 1 0.001"'])
+def test_an_impedance_that_the_engine_does_not_take_is_no_fault(skin, scene, capsys):
+    target = scene(f'{skin} priority="1"')
+    assert main([target, "--load", "1", "--json"]) == 0
+    [creep] = json.loads(capsys.readouterr().out)["creep"]
+    assert 0.0 < creep["dmax"] < 1.0 and creep["timeconst_s"] == pytest.approx(0.02)
+    assert 0.0 < creep["load_deep_mm_s"] <= creep["load_shallow_mm_s"] < math.inf
+
+
+def test_a_pair_without_damping_has_no_creep_that_could_be_told(scene, capsys):
+    main([scene('solref="-1000 0" priority="1"'), "--load", "1", "--json"])
+    assert json.loads(capsys.readouterr().out)["creep"] == []
+
+
+def test_findings_end_with_one(scene, capsys):
+    assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
+    assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
+
+
+def test_one_finding_is_one_finding(scene, capsys):
+    assert main([scene('solref="0.001 0.1"'), "--dt", "0.0001"]) == 0
+    assert main([scene('friction="1 0.2 0.0001"')]) == 1
+    assert capsys.readouterr().out.count(": 1 finding\n") == 1
+
+
+def test_the_time_step_is_the_scenes_unless_another_is_given(scene, capsys):
+    """The pair's timeconst is 12 ms."""
+    target = scene('solref="0.004 1"', '<option timestep="0.007"/>')
+    assert (main([target]), main([target, "--dt", "0.005"])) == (1, 0)
+    first, *_, other = [line for line in capsys.readouterr().out.splitlines() if target in line]
+    assert "dt 0.007 s: 1 finding" in first and "dt 0.005 s: nothing" in other
+
+
+@pytest.mark.parametrize(
+    ("skin", "rest", "said"),
+    [
+        ("", "<bad/>", "'bad'"),
+        ('solreff="0.05 1"', "", "'solreff'"),
+        ("", '<contact><pair geom1="floor" geom2="skim"/></contact>', "'skim'"),
+        ("", MESH, "rock.obj"),
+    ],
+)
+def test_what_mujoco_refuses_is_refused_with_its_words(skin, rest, said, scene, capsys):
+    assert main([scene(skin, rest)]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1) and "MuJoCo refuses" in err and said in err
+
+
+def test_textures_and_sensors_that_are_amiss_are_not_missed(scene):
+    texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
+    assert main([scene('material="b"', f'{texture}<sensor><touch site="nowhere"/></sensor>')]) == 0
+
+
+def test_what_meshes_take_is_said(scene, tmp_path, monkeypatch, capsys):
+    (tmp_path / "rock.obj").write_text(TETRAHEDRON)
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    assert main([scene(rest=MESH)]) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1 and "pip install trimesh scipy" in err
+
+
+def test_a_reader_may_stop_before_the_end(scene):
+    call = [sys.executable, "-m", "experiments.lint", scene('friction="1 0.2 0.0001"'), "--json"]
+    process = subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.close()
+    assert (process.stderr.read(), process.wait()) == ("", 1)
+
+
+def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
+    """With the files of the wheel and nothing else of the project."""
+    package = ROOT / "packages/newton-lint"
+    project = tomllib.loads((package / "pyproject.toml").read_text(encoding="utf-8"))
+    for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]:
+        shutil.copytree(package / name, tmp_path / "site" / name)
+    module, _, function = project["project"]["scripts"]["newton-lint"].partition(":")
+    program = tmp_path / "newton-lint"
+    program.write_text(f"import sys\nfrom {module} import {function}\nsys.exit({function}())\n")
+    environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
+    call = [sys.executable, program, scene(), "--dt", "soon"]
+    refused = subprocess.run(call, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert (refused.returncode, refused.stderr.count("\n")) == (2, 1) and "newton-lint --help" in refused.stderr
+    found = subprocess.run(call[:3], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert (found.returncode, found.stderr) == (0, "") and "nothing found" in found.stdout
+
+
+def half_made() -> newton.Model:
+    """A model that says it has a shape, and has none."""
+    model = newton.Model(device="cpu")
+    model.shape_count = 1
+    return model
+
+
+def test_a_fault_of_the_lint_is_no_finding(capsys):
+    assert main([f"{__name__}:half_made"]) == 3
+    out, err = capsys.readouterr()
+    assert out == "" and "Traceback" in err
+
+
+def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
+    (tmp_path / "robot.urdf").write_text(URDF)
+    (tmp_path / "beside.py").write_text(f"from {__name__} import built\n")
+    (tmp_path / "model.py").write_text("from beside import built\n\ndef mine():\n    return built()\n")
+    assert main([f"{__name__}:built"]) == 0
+    assert main([f"{tmp_path / 'model.py'}:mine"]) == 0
+    assert main([str(tmp_path / "robot.urdf")]) == 0  # one shape alone touches nothing
+    assert "creep" not in capsys.readouterr().out.split("robot.urdf")[1]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    "nowhere.xml,scene.txt,no.such.module:function,tests.newton_lint.test_command:nothing,nowhere.py:function,os:getcwd,"
+    "broken,good --dt 0,good --dt nan,good --load -1,good --cone round,".split(","),
+)
+def test_what_cannot_be_linted_is_said_in_one_line(arguments, scene, tmp_path, capsys):
+    (tmp_path / "broken.xml").write_text("<mujoco><worldbody>")
+    places = {"good": scene(), "broken": str(tmp_path / "broken.xml")}
+    try:
+        status = main([places.get(argument, argument) for argument in arguments.split()])
+    except SystemExit as end:
+        status = end.code
+    out, err = capsys.readouterr()
+    assert (status, out, len(err.strip().splitlines())) == (2, "", 1)
+
+
+def test_json_is_as_documented(scene, capsys):
+    target = scene('solref="0.001 1" friction="1 0.2 0.0001"')
+    assert main([target, "--json", "--load", "3", "--acceleration", "0.5"]) == 1
+    said = json.loads(capsys.readouterr().out)
+    assert (said["schema"], said["target"], said["newton"], said["dt_s"]) == (1, target, newton.__version__, 0.002)
+    assert (said["shape_count"], said["pair_count"]) == (2, 1)
+    assert list(said) == ["schema", "target", "newton", "dt_s", "shape_count", "pair_count", "findings", "creep"]
+    for name, kinds in KINDS.items():
+        assert said[name]
+        for entry in said[name]:
+            assert list(entry) == list(kinds)
+            assert all(isinstance(entry[key], kind) for key, kind in kinds.items())
+    documented = (ROOT / "docs" / "lint.md").read_text(encoding="utf-8")
+    for name in [*said, *KINDS["findings"], *KINDS["creep"]]:
+        assert f"`{name}`" in documented
+    [creep] = said["creep"]
+    assert [sorted(pair) for pair in creep["pairs"]] == [["ball/skin", "floor"]]
+    # The mean of 1 and 20 ms; the ball weighs 2 kg, and a pyramidal cone with μ 1 doubles R.
+    response_s = 0.5 * 0.95 * 0.0105
+    assert creep["response_s"] == pytest.approx(response_s)
+    assert creep["acceleration_mm_s"] == pytest.approx(1e3 * response_s * 0.5)
+    assert creep["load_deep_mm_s"] == pytest.approx(1e3 * response_s * (0.05 / 0.95) * 0.5 * 2.0 * 3.0, rel=1e-4)
+    assert creep["load_shallow_mm_s"] == pytest.approx(1e3 * response_s * (0.1 / 0.9) * 0.5 * 2.0 * 3.0, rel=1e-4)
+
+
+def test_every_rule_is_documented():
+    text = (ROOT / "docs" / "lint.md").read_text(encoding="utf-8")
+    source = (ROOT / "packages/newton-lint/newton_lint/rules.py").read_text(encoding="utf-8")
+    rules = set(re.findall(r'yield (?:_hits|Hits|Finding)\(\s*"([a-z-]+)"', source))
+    assert rules == {"priority", "default-gap", "timeconst", "ke-without-kd", "dampratio", "kf", "unused", "buffer"}
+    assert all(f"| `{rule}` |" in text for rule in rules)

@@ -1,0 +1,147 @@
+"""The tracked results: what is measured is shown, and whatever comes out next time can be said."""
+
+import random
+import re
+import shutil
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from markupsafe import escape
+
+from measured_report import ROOT
+from measured_report.changes.compare import flips
+from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
+from measured_report.deriving.derived import derive_section, outline_of
+from measured_report.deriving.editions import derive_edition
+from measured_report.deriving.keeping import READ_BY_NAME, files_of
+from measured_report.editions.project import Project, own_release
+from measured_report.pages.page import Templates
+from measured_report.parts.parts import Figure
+from measured_report.records.record import write_record
+from report.story.front import front_of
+from report.story.story import story_of
+
+NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
+"""A number with a unit."""
+TWICE = ROOT / "tests" / "sentences" / "twice.txt"
+OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
+
+
+@pytest.fixture(scope="module")
+def editions(editions):
+    return editions.values()
+
+
+def test_only_what_was_not_measured_is_left_out(editions):
+    assert [state for edition in editions for state in edition.left_out if state.kind != "missing"] == []
+
+
+def test_every_claim_table_and_figure_is_on_the_page(editions):
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            printed, section = chapter.prose.printed, chapter.section
+            said = "".join(str(thing) for thing in printed if not isinstance(thing, Figure))
+            drawn = [thing for thing in printed if isinstance(thing, Figure)]
+            names = [claim.name for claim in section.claims]
+            assert [name for name in names if f'data-claim="{chapter.name}.{name}"' not in said] == []
+            assert [name for name, table in section.tables.items() if escape(table) not in said] == []
+            assert [name for name, figure in section.figures.items() if figure not in drawn] == []
+
+
+def test_every_outcome_of_every_claim_can_be_said(editions):
+    """A wording that names a number it does not have would fail only when the claim flips."""
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            for claim in chapter.section.claims:
+                said = [
+                    replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "as a test"))
+                ]
+                assert all(text.endswith((".", ":")) for text in said), said
+                assert len(set(said)) == 3
+
+
+def test_no_sentence_says_an_equal_number_twice(editions):
+    """It says *the same* instead; the list has those that have to, with a reason each."""
+    found = set()
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            for claim in chapter.section.claims:
+                for sentence in re.split(r"(?<=\.) (?=[A-Z])", str(claim.sentence)):
+                    numbers = [number for number in NUMBER.findall(sentence) if number[0] not in ("n/a", "the same")]
+                    if len(numbers) > len(set(numbers)):
+                        found.add(f"{edition.project.release} {chapter.name}.{claim.name}")
+    lines = TWICE.read_text(encoding="utf-8").splitlines()
+    assert found == {line.partition("#")[0].strip() for line in lines}
+
+
+def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
+    """The row as another measurement of the same might have it: runs differ by up to the noise."""
+    if row.get("backend") == "mujoco" or row.get("device") == "cpu" or row["case"].startswith("double-"):
+        return row  # these repeat to the last bit
+    found = {name: row[name] for name in floors if row.get(name) is not None}
+    return row | {name: value + (chance.random() - 0.5) * floors[name] for name, value in found.items()}
+
+
+@pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
+def test_no_claim_flips_by_noise_alone(release, tmp_path):
+    for name in ("report", "experiments", "templates", "assets", "pyproject.toml"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    shutil.copytree(ROOT / "results" / f"newton-{release}", tmp_path / "results" / f"newton-{release}")
+    project = Project(release, root=tmp_path, own_release=own_release())
+    before = derive_edition(project, Templates(project.templates)).chapters
+    values = before["noise"].results.derived
+    floors = {"slip_mm": values["slip_floor"].value, "drift_mm_s": values["drift_floor"].value}
+    chance = random.Random(0)
+    for section, chapter in before.items():
+        if section != "noise":
+            record = chapter.results.record
+            write_record(
+                project.record_path(section), replace(record, rows=[shaken(row, floors, chance) for row in record.rows])
+            )
+    after = derive_edition(project, Templates(project.templates)).chapters
+    first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
+    assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
+    assert [flip.text for flip in flips(before, after)] == []
+
+
+def test_what_is_derived_has_read_no_words(editions, monkeypatch):
+    """Else it would have to be derived again whenever a word changes."""
+
+    def said(claim: Claim, part: str = "") -> None:
+        raise AssertionError(f"the words of {claim.name} are read")
+
+    monkeypatch.setattr(Claim, "said", said)
+    monkeypatch.setattr(Claim, "sentence", property(said))  # those as well that were said before
+    releases = {edition.project.release: edition.chapters for edition in editions}
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            derive_section(replace(chapter.results, derived={}), releases)
+        front_of(edition.chapters)
+        story_of(edition.chapters)
+
+
+def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
+    """What a section reads besides its own record and traces, those of others, and modules."""
+    opened: set[Path] = set()
+    read: set[str] = set()
+    is_watching = True
+
+    def watch(event: str, arguments: tuple) -> None:
+        if is_watching and event == "open" and isinstance(arguments[0], str | Path):
+            opened.add(Path(arguments[0]).absolute())
+
+    sys.addaudithook(watch)
+    releases = {edition.project.release: edition.chapters for edition in editions}
+    for edition in editions:
+        for chapter in edition.chapters.values():
+            opened.clear()
+            derive_section(replace(chapter.results, derived={}), releases)
+            inside = {path.relative_to(ROOT).as_posix() for path in opened if path.is_relative_to(ROOT)}
+            known = {*files_of(outline_of(chapter.name).file), *READ_BY_NAME}
+            others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}
+            assert others <= known, f"{chapter.name} reads {sorted(others - known)}"
+            read |= others
+    assert "assets/fix/contact_bias.py" in read
+    is_watching = False
