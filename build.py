@@ -17,9 +17,9 @@ from collections.abc import Mapping
 
 from measured_report import ReportError, UsageError
 from measured_report.commands.building import clips, page, publish, report, rerun, serve, status
-from measured_report.commands.editions import bisect, history, judge, newest, retire, upgrade
+from measured_report.commands.editions import bisect, history, newest, retire, upgrade
+from measured_report.commands.findings import check, diff, trace, verify
 from measured_report.commands.options import OPTIONS, flag
-from measured_report.commands.saying import check, diff, trace, verify
 from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
@@ -119,7 +119,6 @@ COMMANDS = {
     clips: ("newton", "with", "device", "profile"),
     upgrade: ("newton", "with", "since", "device", "profile", "format"),
     bisect: ("claim", "value", "a", "b", "device"),
-    judge: ("claim", "value", "newton", "first", "last", "device", "profile"),
     history: ("claim", "value", "profile"),
     newest: (),
     retire: ("newton", "with", "address"),

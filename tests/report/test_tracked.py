@@ -11,7 +11,7 @@ import pytest
 from markupsafe import escape
 
 from measured_report import ROOT
-from measured_report.changes.compare import flips
+from measured_report.changes.flips import flips_between
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
 from measured_report.deriving.derived import derive_section, outline_of
 from measured_report.deriving.editions import derive_edition
@@ -102,7 +102,7 @@ def test_no_claim_flips_by_noise_alone(release, tmp_path):
     after = derive_edition(project, Templates(project.templates)).chapters
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
-    assert [flip.text for flip in flips(before, after)] == []
+    assert [flip.text for flip in flips_between(before, after)] == []
 
 
 def test_what_is_derived_has_read_no_words(editions, monkeypatch):

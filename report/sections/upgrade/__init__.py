@@ -3,19 +3,8 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from measured_report.changes.releases import (
-    Ends,
-    Headline,
-    Turn,
-    TurnList,
-    cell,
-    change,
-    floor,
-    machines_differ,
-    turns,
-    unchanged,
-    up_to,
-)
+from measured_report.changes.flips import Flip, FlipList, flips
+from measured_report.changes.query import Query
 from measured_report.claims.claims import FAILS, Claim, Outcome, decided
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.parts import Section
@@ -24,6 +13,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.upgrade import tables
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
+from report.sections.upgrade.ends import Ends, cell, change, floor, machines_differ, unchanged, up_to
 
 order = 200
 page = "releases"
@@ -34,14 +24,14 @@ def derive(results: Results, releases: Releases) -> Section:
     floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
     shown = results.edition
     seen = up_to(releases, shown)
-    turned = turns(seen, shown)
+    flipped = sorted(flips(seen, shown), key=lambda flip: not flip.is_decided)
     ends, newest = Ends(seen), Ends(releases)
     same_slip = _slip_is_the_same(results, ends, floors["mm"])
     between = shown not in (newest.old, newest.new)
     return Section(
         tables={
             "headlines": tables.headline_table(results, releases, floors),
-            "turns": TurnList(turned, list(results.others)),
+            "turns": FlipList(flipped, list(results.others)),
             "live": tables.live_table(releases),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(results, releases),
@@ -51,7 +41,7 @@ def derive(results: Results, releases: Releases) -> Section:
         claims=[
             same_slip,
             _in_one_step(results, seen, floors["mm"], same_slip.outcome),
-            _claims_stand(results, turned, list(seen)),
+            _claims_stand(results, flipped, list(seen)),
             *cause_claims(results, ends, same_slip.outcome),
             _same_speed(results, ends, "same_speed", "frame", tables.ONE_WORLD),
             _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", tables.ON_CPU),
@@ -98,18 +88,20 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
 
 
-def _claims_stand(results: Results, turned: Sequence[Turn], releases: Sequence[str]) -> Claim:
-    flips = [turn for turn in turned if turn.is_decided]
-    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: len(flips))
-    formula = "other claims that one release can tell and another can't"
-    open_count = results.value("undecided_count", formula, lambda: len(turned) - len(flips))
-    outcome = decided(not flips)
+def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
+    decided_count = sum(flip.is_decided for flip in flipped)
+    open_count = len(flipped) - decided_count
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: decided_count)
+    others = results.value(
+        "undecided_count", "other claims that one release can tell and another can't", lambda: open_count
+    )
+    outcome = decided(not decided_count)
     if len(releases) < 2:
         outcome = Outcome("unknown", f"only Newton {releases[0]} has results")
-    return Claim("claims_stand", outcome, {"count": count, "open": open_count})
+    return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 
-def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Headline) -> Claim:
+def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
     """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
     edges = [

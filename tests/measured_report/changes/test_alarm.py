@@ -14,7 +14,7 @@ from damage import damage
 
 import build
 from measured_report import ROOT
-from measured_report.changes.alarm import check, check_said, diff_said
+from measured_report.changes.alarm import check, check_text, diff_text
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
@@ -95,9 +95,9 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
     found = compared(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
-    said = diff_said(found, "text", all_values=False).splitlines()
+    said = diff_text(found, "text", all_values=False).splitlines()
     assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
-    assert json.loads(diff_said(found, "json", all_values=False))["status"] == 1
+    assert json.loads(diff_text(found, "json", all_values=False))["status"] == 1
 
 
 @pytest.mark.parametrize("section", SECTIONS)
@@ -112,7 +112,7 @@ def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
     project = measured("1.9.0", rows_changed("all", (), 1))
     edition = derive_edition(project, Templates(project.templates))
     assert check(edition).is_alarm
-    assert check_said(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
+    assert check_text(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
     assert compared(project, before="1.9.0").is_alarm, "broken alike is no agreement"
     assert compared(project.of("1.8.0"), before="1.9.0").is_alarm
     assert not compared(project.of("1.8.0")).is_alarm
@@ -155,7 +155,7 @@ def on_a_cpu(record: Record) -> Record:
 
 def test_a_cost_flips_on_one_machine_alone(measured):
     same = compared(measured("1.9.0", change_of("all", dearer)))
-    assert [flip.before.name for flip in same.flips] == ["batch_is_cheap"]
+    assert [flip.name for flip in same.flips] == ["batch_is_cheap"]
     other = compared(measured("1.10.0", on_a_cpu))
     assert not other.is_alarm and other.flips == []
     assert any(note.startswith("speed and cost in ") for note in other.notes)
@@ -174,7 +174,7 @@ def test_the_noise_is_the_machines(measured):
     def still_on_the_same(record: Record) -> Record:
         return replace(record, rows=still(record).rows) if record.section == "noise" else record
 
-    assert "noise_is_small" in {flip.before.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
+    assert "noise_is_small" in {flip.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
     assert compared(measured("1.10.0", still)).flips == []
 
 
@@ -218,9 +218,9 @@ def test_a_verdict_says_which_other_packages_differ(measured):
 def test_the_documentation_names_what_the_json_has(measured):
     text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
     project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
-    said = diff_said(compared(project), "json", all_values=False)
+    said = diff_text(compared(project), "json", all_values=False)
     edition = derive_edition(project, Templates(project.templates))
-    for each in (said, check_said(check(edition), "json")):
+    for each in (said, check_text(check(edition), "json")):
         names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
         assert {name for name in names if f"`{name}`" not in text} == set()
 
@@ -228,7 +228,7 @@ def test_the_documentation_names_what_the_json_has(measured):
 def test_markdown_is_not_made_of_what_a_record_says(toy):
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
-    said = diff_said(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
+    said = diff_text(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
     assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said
 
 

@@ -79,8 +79,6 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "b": {"type": partial(_edition, "B"), "help": "edition to compare with it"},
     "since": {"type": partial(_edition, "SINCE"), "help": "edition to compare with; default: the one before"},
     "claim": {"type": str, "default": "", "help": "claim, as reproduction.slips"},
-    "first": {"type": str, "default": "", "help": "what the first end answers"},
-    "last": {"type": str, "default": "", "help": "what the last end answers"},
     "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
     "cluster": {
         "type": read_cluster,

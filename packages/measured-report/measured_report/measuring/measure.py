@@ -87,11 +87,11 @@ def seconds_each(project: Project, device: str) -> Mapping[str, float]:
     return found
 
 
-def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
-    """Measure the headline and keep nothing of it; what its program writes: machine, rows and seconds."""
+def measure_headline(project: Project, stack: Stack, device: str, program: str) -> Mapping[str, Any]:
+    """Measure the headline and keep nothing of it; return what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, stack, "experiments.simulation.headline", device, "--json", str(path))
+        _run(project, stack, program, device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
 
 
