@@ -84,6 +84,7 @@ def test_status_does_not_import_the_simulator():
     assert "reproduction" in done.stdout
 
 
+@pytest.mark.words
 def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
     assert check_site(tracked_site) == []
     assert [path for path in tracked_site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []

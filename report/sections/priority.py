@@ -11,7 +11,7 @@ from measured_report.parts.parts import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.shared.arithmetic import SETTLES, by_case, departure, noise_floor, ratio, share, size_difference, spread
+from report.shared.arithmetic import by_case, departure, noise_floor, ratio, settles, share, size_difference, spread
 from report.shared.variants import is_small
 
 order = 100
@@ -76,7 +76,7 @@ def _pads_count(results: Results, shipped: Row) -> Claim:
     stiff = results.row["pad-ke-2.5e5"]
     gain = ratio(results, "pad_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
     numbers = {"ke": stiff.pad_ke, "kd": stiff.pad_kd, "slip": stiff.slip_mm, "gain": gain}
-    return Claim("pads_count", at_least(gain, results.chosen("pad_gain_bound", *SETTLES)), numbers)
+    return Claim("pads_count", settles(gain), numbers)
 
 
 def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:

@@ -4,7 +4,7 @@ from measured_report.claims.claims import Claim, within
 from measured_report.parts.parts import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import largest_size
-from report.shared.variants import Variants, not_the_cause, variant_figure, variant_table, variants_of, within_noise
+from report.shared.variants import Variants, variant_section, variants_of
 
 order = 50
 label = "solver and time step"
@@ -25,11 +25,7 @@ def derive(results: Results) -> Section:
         _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
         _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
     ]
-    return Section(
-        tables={"cases": variant_table(variants, LABELS)},
-        figures={"cases": variant_figure(variants)},
-        claims=[not_the_cause(results, variants), within_noise(variants), *claims],
-    )
+    return variant_section(results, variants, LABELS, *claims)
 
 
 def _converged(results: Results, variants: Variants) -> Claim:

@@ -5,35 +5,36 @@ from collections.abc import Sequence
 import pandas as pd
 from markupsafe import Markup
 
-from measured_report.changes.history import Point, flips, points
-from measured_report.changes.question import Question
-from measured_report.changes.releases import Headline, TurnList, cell
+from measured_report.changes.flips import FlipList, decided_flips
+from measured_report.changes.history import Point, points
+from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.parts import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import Quantity, absent
+from report.sections.upgrade.ends import cell, with_mark
 from report.sections.upgrade.tables import FLOORS, HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0
 """Of the line beside a number's name [px], and how far its marks keep from the edges."""
-LINE = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
+DRAWING = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
 BAND = Markup('<path d="M{}Z" style="fill: var(--series-2); fill-opacity: 0.35"/>')
-WAY = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-width: 1.5"/>')
+LINE = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-width: 1.5"/>')
 DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-1)"/>')
 
 
 def history_of(releases: Releases, shown: str) -> Section:
-    """The tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
-    turns = [flip.turn for flip in flips(releases, shown)]
-    return Section(tables={"numbers": _numbers(releases), "flips": TurnList(turns, list(releases[shown]), level=3)})
+    """Return the tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
+    flips = FlipList(decided_flips(releases, shown), list(releases[shown]), level=3)
+    return Section(tables={"numbers": _numbers(releases), "flips": flips})
 
 
 def _numbers(releases: Releases) -> Table:
     labels: list[Markup] = []
     columns: dict[str, list[Markup]] = {name: [] for name in ("line", *releases, "noise")}
     for headline in HEADLINES:
-        found = points(releases, Question(headline.place, is_claim=False))
+        found = points(releases, headline)
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             cells = [
@@ -46,13 +47,9 @@ def _numbers(releases: Releases) -> Table:
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
 
 
-def _cells(releases: Releases, headline: Headline, found: Sequence[Point]) -> list[Markup]:
+def _cells(releases: Releases, headline: Query, found: Sequence[Point]) -> list[Markup]:
     marks = {point.release: point.mark for point in found}
-    return [_marked(cell(releases, release, headline), marks.get(release, "")) for release in releases]
-
-
-def _marked(number: Quantity, mark: str) -> Markup:
-    return Markup('{} <span class="moved {}">{}</span>').format(number.bare, mark, mark) if mark else number.bare
+    return [with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases]
 
 
 def _floor(releases: Releases, unit: str) -> Quantity:
@@ -63,7 +60,7 @@ def _floor(releases: Releases, unit: str) -> Quantity:
 
 
 def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:
-    """The way of a number over the editions, from zero up, with the noise around it as a band."""
+    """Draw a number over the editions, from zero up, with the noise around it as a band."""
     across = (WIDTH - 2 * EDGE) / max(1, len(releases) - 1)
     lowest, highest = min(0.0, *(point.ends[0] for point in found)), max(0.0, *(point.ends[1] for point in found))
 
@@ -72,9 +69,9 @@ def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:
         return EDGE + across * releases.index(point.release), HEIGHT - EDGE - height * (HEIGHT - 2 * EDGE)
 
     band = [place(point, point.ends[1]) for point in found] + [place(point, point.ends[0]) for point in reversed(found)]
-    way = [place(point, float(point.answer)) for point in found]
-    dots = Markup("").join(DOT.format(*spot) for spot in way)
-    return LINE.format(WIDTH, HEIGHT, BAND.format(_path(band)) + WAY.format(_path(way)) + dots)
+    line = [place(point, float(point.answer)) for point in found]
+    dots = Markup("").join(DOT.format(*spot) for spot in line)
+    return DRAWING.format(WIDTH, HEIGHT, BAND.format(_path(band)) + LINE.format(_path(line)) + dots)
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:

@@ -11,7 +11,7 @@ import pytest
 from markupsafe import escape
 
 from measured_report import ROOT
-from measured_report.changes.compare import flips
+from measured_report.changes.flips import flips_between
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
 from measured_report.deriving.derived import derive_section, outline_of
 from measured_report.deriving.editions import derive_edition
@@ -23,6 +23,7 @@ from measured_report.records.record import write_record
 from report.story.front import front_of
 from report.story.story import story_of
 
+pytestmark = pytest.mark.words
 NUMBER = re.compile(r"<data[^>]*>([^<]*)</data>&nbsp;([^ .,;:)<]+)")
 """A number with a unit."""
 TWICE = ROOT / "tests" / "sentences" / "twice.txt"
@@ -55,9 +56,7 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
     for edition in editions:
         for chapter in edition.chapters.values():
             for claim in chapter.section.claims:
-                said = [
-                    replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "as a test"))
-                ]
+                said = [replace(claim, outcome=outcome).text for outcome in OUTCOMES]
                 assert all(text.endswith((".", ":")) for text in said), said
                 assert len(set(said)) == 3
 
@@ -103,7 +102,7 @@ def test_no_claim_flips_by_noise_alone(release, tmp_path):
     after = derive_edition(project, Templates(project.templates)).chapters
     first, again = (side["gap"].results.rows[0].slip_mm.value for side in (before, after))
     assert 0.0 < abs(first - again) <= floors["slip_mm"] / 2
-    assert [flip.text for flip in flips(before, after)] == []
+    assert [flip.text for flip in flips_between(before, after)] == []
 
 
 def test_what_is_derived_has_read_no_words(editions, monkeypatch):

@@ -3,39 +3,17 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from measured_report.changes.releases import (
-    Ends,
-    Headline,
-    Turn,
-    TurnList,
-    cell,
-    change,
-    floor,
-    machines_differ,
-    turns,
-    unchanged,
-    up_to,
-)
+from measured_report.changes.flips import Flip, FlipList, flips
+from measured_report.changes.query import Query
 from measured_report.claims.claims import FAILS, Claim, Outcome, decided
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.parts import Section
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
+from report.sections.upgrade import tables
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
-from report.sections.upgrade.tables import (
-    FLOORS,
-    ON_CPU,
-    ONE_WORLD,
-    SLIP,
-    edge,
-    headline_table,
-    live_table,
-    option_table,
-    slip_figure,
-    speed_table,
-    tried_table,
-)
+from report.sections.upgrade.ends import Ends, cell, change, floor, machines_differ, unchanged, up_to
 
 order = 200
 page = "releases"
@@ -43,30 +21,30 @@ label = "other releases"
 
 
 def derive(results: Results, releases: Releases) -> Section:
-    floors = {unit: floor(results, releases, name, unit) for unit, name in FLOORS.items()}
+    floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
     shown = results.edition
     seen = up_to(releases, shown)
-    turned = turns(seen, shown)
+    flipped = sorted(flips(seen, shown), key=lambda flip: not flip.is_decided)
     ends, newest = Ends(seen), Ends(releases)
     same_slip = _slip_is_the_same(results, ends, floors["mm"])
     between = shown not in (newest.old, newest.new)
     return Section(
         tables={
-            "headlines": headline_table(results, releases, floors),
-            "turns": TurnList(turned, list(results.others)),
-            "live": live_table(releases),
-            "tried": tried_table(releases),
-            "speed": speed_table(results, releases),
-            "options": option_table(releases),
+            "headlines": tables.headline_table(results, releases, floors),
+            "turns": FlipList(flipped, list(results.others)),
+            "live": tables.live_table(releases),
+            "tried": tables.tried_table(releases),
+            "speed": tables.speed_table(results, releases),
+            "options": tables.option_table(releases),
         },
-        figures={"slips": slip_figure(releases)},
+        figures={"slips": tables.slip_figure(releases)},
         claims=[
             same_slip,
             _in_one_step(results, seen, floors["mm"], same_slip.outcome),
-            _claims_stand(results, turned, list(seen)),
+            _claims_stand(results, flipped, list(seen)),
             *cause_claims(results, ends, same_slip.outcome),
-            _same_speed(results, ends, "same_speed", "frame", ONE_WORLD),
-            _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", ON_CPU),
+            _same_speed(results, ends, "same_speed", "frame", tables.ONE_WORLD),
+            _same_speed(results, ends, "same_speed_on_cpu", "cpu_frame", tables.ON_CPU),
             *([_same_as_newest(results, newest, floors["mm"])] if between else []),
         ],
         unmeasured=() if between else ("same_as_newest",),
@@ -74,7 +52,7 @@ def derive(results: Results, releases: Releases) -> Section:
 
 
 def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
-    old, new = ends.cells(SLIP)
+    old, new = ends.cells(tables.SLIP)
     moved = change(results, "slip_change", old, new)
     numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)}
     return Claim("slip_is_the_same", ends.one or unchanged(old, new, moved, noise), numbers)
@@ -83,7 +61,7 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
     """The release of the page, which is neither the oldest nor the newest, against the newest."""
     own = results.edition
-    before, after = cell(ends.releases, own, SLIP), cell(ends.releases, ends.new, SLIP)
+    before, after = cell(ends.releases, own, tables.SLIP), cell(ends.releases, ends.new, tables.SLIP)
     moved = change(results, "slip_change_from_here", before, after)
     numbers = {"a": own, "b": ends.new, "before": before, "after": after}
     return Claim("same_as_newest", unchanged(before, after, moved, noise), numbers)
@@ -95,7 +73,7 @@ def _grows(moved: Value) -> bool:
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
     """Between which neighbours the slip changes, of the releases that say."""
-    cells = {release: cell(releases, release, SLIP) for release in releases}
+    cells = {release: cell(releases, release, tables.SLIP) for release in releases}
     there = [release for release in releases if cells[release].value is not None]
     found = {}
     for before, after in pairwise(there):
@@ -110,22 +88,25 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
     return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
 
 
-def _claims_stand(results: Results, turned: Sequence[Turn], releases: Sequence[str]) -> Claim:
-    flips = [turn for turn in turned if turn.is_decided]
-    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: len(flips))
-    open_count = results.value(
-        "undecided_count", "other claims that one release can tell and another can't", lambda: len(turned) - len(flips)
+def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
+    decided_count = sum(flip.is_decided for flip in flipped)
+    open_count = len(flipped) - decided_count
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: decided_count)
+    others = results.value(
+        "undecided_count", "other claims that one release can tell and another can't", lambda: open_count
     )
-    outcome = decided(not flips)
+    outcome = decided(not decided_count)
     if len(releases) < 2:
         outcome = Outcome("unknown", f"only Newton {releases[0]} has results")
-    return Claim("claims_stand", outcome, {"count": count, "open": open_count})
+    return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 
-def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Headline) -> Claim:
+def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
     """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
-    edges = [cell(ends.releases, release, edge(headline, end)) for release in (ends.old, ends.new) for end in EDGES]
+    edges = [
+        cell(ends.releases, release, tables.edge(headline, end)) for release in (ends.old, ends.new) for end in EDGES
+    ]
     spread = results.value(
         f"{name}_spread",
         "larger of the ranges from the 5th to the 95th percentile of a frame's time",

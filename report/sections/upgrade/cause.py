@@ -1,9 +1,9 @@
 """What is new in the live contacts of a release, and whether the old number comes back without it."""
 
-from measured_report.changes.releases import Ends
 from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
+from report.sections.upgrade.ends import Ends
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
 SAME = 2.0
@@ -19,11 +19,11 @@ def nothing_to_explain(same: Outcome) -> Outcome | None:
 
 def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     """What is new in the live contacts, and whether the old number comes back without it."""
-    was, own = ends.live(SHIPPED, "friction_timeconst_s", "s")
+    was, own = ends.live(SHIPPED, "friction_timeconst_s")
     is_new = ends.one or _is_new(was, own)
-    old, new = ends.live(SHIPPED, "slip_mm", "mm")
-    taken, given = ends.live(TAKEN, "slip_mm", "mm")[1], ends.live(GIVEN, "slip_mm", "mm")[0]
-    off = ends.live(SWITCHED, "slip_mm", "mm")[1]
+    old, new = ends.live(SHIPPED, "slip_mm")
+    taken, given = ends.live(TAKEN, "slip_mm")[1], ends.live(GIVEN, "slip_mm")[0]
+    off = ends.live(SWITCHED, "slip_mm")[1]
     bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, unit="%")
     tolerance = results.value("recovery_tolerance", "what that leaves, either way", lambda a: 100 - a, bound, unit="%")
     brings_back, ends_it, switches = (

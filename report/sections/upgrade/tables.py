@@ -6,58 +6,47 @@ from dataclasses import replace
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.changes.releases import Headline, cell, change, machines_differ, marked
+from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
+from measured_report.files.config import config
 from measured_report.parts.figures import new_figure, say_value, write
 from measured_report.parts.parts import Figure, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
+from report.sections.upgrade.ends import cell, change, machines_differ, marked
 from report.shared.arithmetic import table_of
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
 TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
-SLIP = Headline("slip with shipped pads", "upgrade", SHIPPED, "slip_mm", "mm")
-MUJOCO_CONTACTS = Headline(
-    "slip with contacts found by MuJoCo", "upgrade", "as-shipped-mujoco-contacts", "slip_mm", "mm"
-)
-PYRAMID = Headline("slip with a pyramidal cone", "solver", "cone-pyramidal", "slip_mm", "mm")
-MUJOCO_C = Headline("slip in MuJoCo's C engine", "reproduction", "as-shipped-mujoco-c", "slip_mm", "mm")
-HEADLINES = (
-    SLIP,
-    Headline("drift with shipped pads", "upgrade", SHIPPED, "drift_mm_s", "mm/s"),
-    Headline("slip with stiff pads", "upgrade", "stiff-pads", "slip_mm", "mm"),
-    Headline("slip with the arm held still", "upgrade", "hold", "slip_mm", "mm"),
-    MUJOCO_CONTACTS,
-    MUJOCO_C,
-    PYRAMID,
-    Headline("slip with ke raised alone", "stiffness", "pad-ke-2.5e5-kd-100", "slip_mm", "mm"),
-    Headline("slip with equal priorities", "priority", "priority-0", "slip_mm", "mm"),
-    Headline("slip with no contact gap", "gap", "all-gaps-zero", "slip_mm", "mm"),
-    Headline("slip of the fixed scene", "fix", "fixed", "slip_mm", "mm"),
-)
+HEADLINES = tuple(Query(value, label=label) for label, value in config().changes.headlines.items())
+_BY_VALUE = {headline.text: headline for headline in HEADLINES}
+SLIP = _BY_VALUE[f"upgrade.{SHIPPED}.slip_mm"]
+MUJOCO_CONTACTS = _BY_VALUE["upgrade.as-shipped-mujoco-contacts.slip_mm"]
+MUJOCO_C = _BY_VALUE["reproduction.as-shipped-mujoco-c.slip_mm"]
+PYRAMID = _BY_VALUE["solver.cone-pyramidal.slip_mm"]
 SPEEDS = (
-    Headline("a frame with shipped pads", "speed", SHIPPED, "frame_ms", "ms"),
-    Headline("a frame of the fixed scene", "speed", "fixed", "frame_ms", "ms"),
-    Headline("a frame of the most worlds", "scaling", "worlds-16384", "frame_ms", "ms"),
-    Headline("on the CPU, a frame exactly as shipped", "leave_out", "untrimmed", "frame_ms", "ms", "cpu"),
-    Headline("on the CPU, a frame without all that is unneeded", "leave_out", "without-all", "frame_ms", "ms", "cpu"),
+    Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads"),
+    Query("speed.fixed.frame_ms", label="a frame of the fixed scene"),
+    Query("scaling.worlds-16384.frame_ms", label="a frame of the most worlds"),
+    Query("leave_out.untrimmed.frame_ms", label="on the CPU, a frame exactly as shipped", device="cpu"),
+    Query("leave_out.without-all.frame_ms", label="on the CPU, a frame without all that is unneeded", device="cpu"),
 )
 ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
 FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
 LIVE = {
-    "timeconst_s": ("time constant", "s"),
-    "dampratio": ("damping ratio", "1"),
-    "friction_timeconst_s": ("friction rows' own time constant", "s"),
-    "friction_dampratio": ("friction rows' own damping ratio", "1"),
-    "friction_damping_per_s": ("friction rows' damping, measured", "1/s"),
-    "friction": ("friction", "1"),
-    "dmin": ("dmin", "1"),
-    "dmax": ("dmax", "1"),
-    "dim": ("rows a contact", "1"),
-    "peak_contact_count": ("most contacts", "1"),
+    "timeconst_s": "time constant",
+    "dampratio": "damping ratio",
+    "friction_timeconst_s": "friction rows' own time constant",
+    "friction_dampratio": "friction rows' own damping ratio",
+    "friction_damping_per_s": "friction rows' damping, measured",
+    "friction": "friction",
+    "dmin": "dmin",
+    "dmax": "dmax",
+    "dim": "rows a contact",
+    "peak_contact_count": "most contacts",
 }
 """Columns that say what a live contact of the scene as shipped has."""
 TRIED = {
@@ -94,12 +83,12 @@ def headline_table(results: Results, releases: Releases, floors: Mapping[str, Va
     return _table(HEADLINES, columns | {"noise": [floors[headline.unit].bare for headline in HEADLINES]})
 
 
-def _table(headlines: Sequence[Headline], columns: Mapping[str, Sequence]) -> Table:
+def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table:
     """Make a table with a line for each headline, with its unit, which the cells of a line share."""
     return table_of("", [f"{headline.label} [{unit_label(headline.unit)}]" for headline in headlines], columns)
 
 
-def _name(headline: Headline) -> str:
+def _name(headline: Query) -> str:
     place = f"_{headline.device}_{headline.worlds}" if headline.device else ""
     return f"{headline.section}_{headline.case}_{headline.column}{place}"
 
@@ -118,23 +107,22 @@ def speed_table(results: Results, releases: Releases) -> Table:
     return _table(SPEEDS, columns)
 
 
-def edge(headline: Headline, end: str) -> Headline:
-    return replace(headline, column=headline.column + end)
+def edge(headline: Query, end: str) -> Query:
+    return replace(headline, text=headline.text + end)
 
 
 def live_table(releases: Releases) -> Table:
-    found = {column: Headline("", "upgrade", SHIPPED, column, unit) for column, (_, unit) in LIVE.items()}
+    found = [Query(f"upgrade.{SHIPPED}.{column}") for column in LIVE]
     columns = {
-        f"Newton {release}": [cell(releases, release, headline).bare for headline in found.values()]
-        for release in releases
+        f"Newton {release}": [cell(releases, release, headline).bare for headline in found] for release in releases
     }
-    units = [unit_label(unit) for _, unit in LIVE.values()]
-    labels = [label + (f" [{unit}]" if unit else "") for (label, _), unit in zip(LIVE.values(), units, strict=True)]
+    units = [unit_label(headline.unit) for headline in found]
+    labels = [label + (f" [{unit}]" if unit else "") for label, unit in zip(LIVE.values(), units, strict=True)]
     return table_of("", labels, columns)
 
 
 def tried_table(releases: Releases) -> Table:
-    tried = [Headline("", "upgrade", case, "slip_mm", "mm") for case in TRIED]
+    tried = [Query(f"upgrade.{case}.slip_mm") for case in TRIED]
     columns = {f"Newton {release}": [cell(releases, release, each) for each in tried] for release in releases}
     return table_of("", TRIED.values(), columns)
 

@@ -13,7 +13,7 @@ from conftest import MODULE, ROWS
 from damage import damage
 
 from measured_report import ROOT
-from measured_report.changes.alarm import check, check_said, diff_said
+from measured_report.changes.alarm import check, check_text, diff_text
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
@@ -71,12 +71,20 @@ def compared(project: Project, before: str = "1.8.0") -> Comparison:
     return compare(*(derive_edition(project.of(release), templates) for release in (before, project.release)))
 
 
-def rows_changed(section: str, cases: Iterable[str], frame: int) -> Callable[[Record], Record]:
+def change_of(section: str, *rows_of: Callable[[dict], dict]) -> Callable[[Record], Record]:
+    """Changes each row of a section, or of all, by these functions in turn."""
+
     def change(record: Record) -> Record:
-        rows = [broken(row, frame) if not cases or row["case"] in cases else row for row in record.rows]
-        return replace(record, rows=rows) if section in ("all", record.section) else record
+        rows = record.rows
+        for change_row in rows_of if section in ("all", record.section) else ():
+            rows = [change_row(row) for row in rows]
+        return replace(record, rows=rows)
 
     return change
+
+
+def rows_changed(section: str, cases: Iterable[str], frame: int) -> Callable[[Record], Record]:
+    return change_of(section, lambda row: broken(row, frame) if not cases or row["case"] in cases else row)
 
 
 @pytest.mark.parametrize(
@@ -87,9 +95,9 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
     found = compared(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
-    said = diff_said(found, "text", all_values=False).splitlines()
+    said = diff_text(found, "text", all_values=False).splitlines()
     assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
-    assert json.loads(diff_said(found, "json", all_values=False))["status"] == 1
+    assert json.loads(diff_text(found, "json", all_values=False))["status"] == 1
 
 
 @pytest.mark.parametrize("section", SECTIONS)
@@ -104,7 +112,7 @@ def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
     project = measured("1.9.0", rows_changed("all", (), 1))
     edition = derive_edition(project, Templates(project.templates))
     assert check(edition).is_alarm
-    assert check_said(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
+    assert check_text(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
     assert compared(project, before="1.9.0").is_alarm, "broken alike is no agreement"
     assert compared(project.of("1.8.0"), before="1.9.0").is_alarm
     assert not compared(project.of("1.8.0")).is_alarm
@@ -135,19 +143,19 @@ def test_what_cannot_be_shown_is_named_first(toy):
     assert [(fault.kind, fault.release) for fault in found.faults] == [("damaged", "1.8.0")]
 
 
+def dearer(row: dict, times: float = 3.5) -> dict:
+    return row | {"wall_s": times * row["wall_s"]} if row["case"] == "batch-64" else row
+
+
 def on_a_cpu(record: Record) -> Record:
     """As a CPU would have measured it: a batch costs three times as much there."""
     machine = {**record.machine, "device": "cpu", "gpu": None, "driver": None, "gpu_uuid": None}
-    rows = [row | {"wall_s": 3.5 * row["wall_s"]} if row["case"] == "batch-64" else row for row in record.rows]
-    return replace(record, machine=machine, rows=rows)
+    return replace(change_of("all", dearer)(record), machine=machine)
 
 
 def test_a_cost_flips_on_one_machine_alone(measured):
-    def dearer(record: Record) -> Record:
-        return replace(record, rows=on_a_cpu(record).rows)
-
-    same = compared(measured("1.9.0", dearer))
-    assert [flip.before.name for flip in same.flips] == ["batch_is_cheap"]
+    same = compared(measured("1.9.0", change_of("all", dearer)))
+    assert [flip.name for flip in same.flips] == ["batch_is_cheap"]
     other = compared(measured("1.10.0", on_a_cpu))
     assert not other.is_alarm and other.flips == []
     assert any(note.startswith("speed and cost in ") for note in other.notes)
@@ -166,17 +174,16 @@ def test_the_noise_is_the_machines(measured):
     def still_on_the_same(record: Record) -> Record:
         return replace(record, rows=still(record).rows) if record.section == "noise" else record
 
-    assert "noise_is_small" in {flip.before.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
+    assert "noise_is_small" in {flip.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
     assert compared(measured("1.10.0", still)).flips == []
 
 
 @pytest.mark.parametrize("column", ["frame_count", "world_count"])
 def test_a_cost_flips_for_as_many_frames_and_worlds_alone(measured, column):
-    def change(record: Record) -> Record:
-        rows = [row | {column: row[column] // 2} if row["case"].startswith("batch-64") else row for row in record.rows]
-        rows = [row | {"wall_s": 9 * row["wall_s"]} if row["case"] == "batch-64" else row for row in rows]
-        return replace(record, rows=rows) if record.section == "reproduction" else record
+    def half(row: dict) -> dict:
+        return row | {column: row[column] // 2} if row["case"].startswith("batch-64") else row
 
+    change = change_of("reproduction", half, partial(dearer, times=9.0))
     assert compared(measured("1.9.0", change)).flips == []
 
 
@@ -186,11 +193,10 @@ def test_what_is_a_cost():
 
 
 def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
-    def farther(record: Record) -> Record:
-        rows = [row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row for row in record.rows]
-        return replace(record, rows=rows) if record.section == "reproduction" else record
+    def farther(row: dict) -> dict:
+        return row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row
 
-    project = measured("1.9.0", farther)
+    project = measured("1.9.0", change_of("reproduction", farther))
     found, templates = compared(project), Templates(project.templates)
     assert not found.flips and [(move.section, move.column) for move in found.moves] == [("reproduction", "wander_mm")]
     first, *_, last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))
@@ -212,9 +218,9 @@ def test_a_verdict_says_which_other_packages_differ(measured):
 def test_the_documentation_names_what_the_json_has(measured):
     text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
     project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
-    said = diff_said(compared(project), "json", all_values=False)
+    said = diff_text(compared(project), "json", all_values=False)
     edition = derive_edition(project, Templates(project.templates))
-    for each in (said, check_said(check(edition), "json")):
+    for each in (said, check_text(check(edition), "json")):
         names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
         assert {name for name in names if f"`{name}`" not in text} == set()
 
@@ -222,7 +228,7 @@ def test_the_documentation_names_what_the_json_has(measured):
 def test_markdown_is_not_made_of_what_a_record_says(toy):
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
-    said = diff_said(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
+    said = diff_text(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
     assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said
 
 

@@ -9,7 +9,8 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
 from measured_report import ROOT
-from measured_report.changes.compare import Comparison, compare, is_flip
+from measured_report.changes.compare import Comparison, compare
+from measured_report.changes.flips import flips_between
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.commands import command_line as build
 from measured_report.deriving.editions import derive_edition, editions_of
@@ -18,6 +19,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.stack import stack_of
 from measured_report.editions.status import status_matrix
 from measured_report.pages.page import Templates
+from measured_report.parts.parts import Section
 from measured_report.records.provenance import MISSING
 from measured_report.records.reading import load_record
 from measured_report.records.record import Origin, write_record
@@ -134,14 +136,19 @@ def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
 def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, newer):
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
     moves = compared(toy, newer).moves
-    assert [(move.column, move.verdict) for move in moves] == [("dropped", "worse")]
+    assert [(move.column, move.direction) for move in moves] == [("dropped", "worse")]
 
 
-def test_what_is_near_the_noise_has_not_flipped():
-    near = Outcome("unknown", "near", is_near=True)
-    before, after = (Claim("same", outcome) for outcome in (HOLDS, near))
-    assert not is_flip(before, after, whole=True) and not is_flip(after, replace(before, outcome=FAILS), whole=True)
-    assert is_flip(before, replace(after, outcome=Outcome("unknown")), whole=True)
+def test_what_is_near_the_noise_has_not_flipped(toy):
+    (chapter,) = derive_edition(toy.project, Templates(toy.project.templates)).chapters.values()
+
+    def flip_count(*outcomes: Outcome) -> int:
+        sections = [Section(claims=[Claim("same", outcome)]) for outcome in outcomes]
+        return len(flips_between(*({"toy": replace(chapter, section=section)} for section in sections)))
+
+    near, unknown = Outcome("unknown", "near", is_near=True), Outcome("unknown")
+    assert flip_count(HOLDS, near) == flip_count(near, FAILS) == flip_count(HOLDS, HOLDS) == 0
+    assert flip_count(HOLDS, unknown) == flip_count(HOLDS, FAILS) == 1
 
 
 @pytest.mark.parametrize(

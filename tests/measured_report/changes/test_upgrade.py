@@ -5,10 +5,11 @@ import sys
 
 import pytest
 
-from measured_report.changes.upgrade import DECIDING, base_of, unmeasured
-from measured_report.commands.editions import aside
+from measured_report.changes.upgrade import base_of, unmeasured
+from measured_report.commands.editions import printing_to_stderr
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
+from measured_report.files.config import config
 from measured_report.measuring.reasons import is_expected, reason_of
 
 
@@ -31,7 +32,7 @@ def test_what_the_system_says_is_the_reason_and_names_a_file_only_where_it_has_o
 
 
 def test_progress_does_not_run_into_an_answer_for_a_program(capfd):
-    with aside():
+    with printing_to_stderr():
         print("measuring")
         subprocess.run([sys.executable, "-c", "print('compiling')"], check=True)
     print("{}")
@@ -42,7 +43,7 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     newer = toy.of("1.9.0")
     assert base_of(newer.project) is None
     for release, profile in (("1.4.0", "quick"), ("1.8.0", "full"), ("1.10.0", "full")):
-        for section in DECIDING:
+        for section in config().changes.deciding:
             path = Project(release, profile, root=toy.project.root).record_path(section)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("{}")
@@ -53,4 +54,4 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
         assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
-    assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(DECIDING)
+    assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(config().changes.deciding)

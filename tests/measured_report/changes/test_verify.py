@@ -5,13 +5,12 @@ from dataclasses import replace
 import pytest
 
 from measured_report import ReportError
-from measured_report.changes.verify import compared, text_of
 from measured_report.deriving.editions import Edition
-from measured_report.editions.project import own_release
+from measured_report.editions.project import Project, own_release
 from measured_report.records.reading import load_record
-from measured_report.records.record import record_path
+from report.verify import repeats_of, verify
 
-TRACKED = {row["case"]: row for row in load_record(record_path("reproduction", own_release(), "full")).rows}
+TRACKED = {row["case"]: row for row in load_record(Project(own_release()).record_path("reproduction")).rows}
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))
 """What is tracked [mm], from the GPU that the noise was measured on."""
 GPU = {"device": "cuda", "gpu": "NVIDIA H200", "cpu": "A processor"}
@@ -42,11 +41,12 @@ def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
     ],
 )
 def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(edition, machine, shipped, said, agrees):
-    comparisons = compared(edition, found(machine, shipped))
-    first = next(comparison for comparison in comparisons if comparison.place == "NVIDIA H200")
+    repeats = repeats_of(edition, found(machine, shipped))
+    first = next(repeat for repeat in repeats if repeat.processor == "NVIDIA H200")
     assert said.split() == first.text.split()[-len(said.split()) :]
     assert first.agrees is agrees
-    text = text_of(edition, found(machine, shipped), comparisons)
+    text, all_agree = verify(edition, found(machine, shipped))
+    assert all_agree is all(repeat.agrees for repeat in repeats)
     assert "devices: 0.02" in text, "the tracked run on another CPU has no noise of its own"
     assert ("by 72 runs on this processor" in text) == (machine == GPU)
     assert ("with stiff pads the slip is 20" in text) == (shipped is not None)
@@ -54,4 +54,4 @@ def test_the_bound_is_the_noise_on_its_processor_and_that_of_devices_elsewhere(e
 
 def test_a_release_that_was_not_measured_so_is_refused(edition):
     with pytest.raises(ReportError, match="no results of reproduction and noise"):
-        compared(replace(edition, chapters={}), found(CPU, SHIPPED))
+        verify(replace(edition, chapters={}), found(CPU, SHIPPED))

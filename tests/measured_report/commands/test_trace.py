@@ -1,9 +1,9 @@
-"""The way of a number, from the page back to rows, cases and command."""
+"""The provenance of a number, from the page back to rows, cases and command."""
 
 import pytest
 
 from measured_report import UsageError
-from measured_report.commands.trace import Ways
+from measured_report.commands.trace import Provenance
 from measured_report.deriving.editions import editions_of
 from measured_report.pages.page import Templates
 from measured_report.records.columns import changed_parameters
@@ -14,14 +14,14 @@ ROWS = (
 )
 
 
-def ways(toy) -> Ways:
+def provenance(toy) -> Provenance:
     templates = Templates(toy.project.templates)
-    return Ways(toy.project, editions_of(toy.project, templates), templates)
+    return Provenance(toy.project, editions_of(toy.project, templates), templates)
 
 
 def test_a_value_leads_to_page_rows_settings_and_command(toy):
     toy.measure(ROWS)
-    lines = [line.strip() for line in ways(toy).text("toy.gain").splitlines()]
+    lines = [line.strip() for line in provenance(toy).text("toy.gain").splitlines()]
     assert lines[0].startswith("toy.gain: 20") and lines[0].endswith("(20.0)")
     for line in (
         "is          soft over stiff",
@@ -41,23 +41,26 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
 
 
 def test_a_number_of_the_page_is_found_by_its_pointer(toy):
-    text = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    text = provenance(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
     assert "printed at  evidence.html#toy-way" in text, "in the caption of a figure"
     assert "row 1, case stiff" in text
-    assert ways(toy).text("values.json#/toy/gain").partition(": ")[2] == ways(toy).text("toy.gain").partition(": ")[2]
+    assert (
+        provenance(toy).text("values.json#/toy/gain").partition(": ")[2]
+        == provenance(toy).text("toy.gain").partition(": ")[2]
+    )
 
 
 @pytest.mark.parametrize("name", ["toy.gian", "toy", "toi.gain", "other.gain"])
 def test_an_unknown_value_names_those_near_it_in_one_line(toy, name):
     with pytest.raises(UsageError, match=r"near it: .*toy\.gain") as refused:
-        ways(toy).text(name)
+        provenance(toy).text(name)
     assert "\n" not in str(refused.value)
 
 
 def test_a_number_of_a_row_is_named_by_section_case_and_column(toy):
-    of_row = ways(toy).text("toy.stiff.slip_mm")
+    of_row = provenance(toy).text("toy.stiff.slip_mm")
     assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
-    pointed = ways(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
+    pointed = provenance(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
     assert of_row.splitlines()[1:] == pointed.splitlines()[1:]
 
 
@@ -66,7 +69,7 @@ def test_a_number_of_a_row_is_named_by_section_case_and_column(toy):
 )
 def test_an_unknown_number_of_a_row_names_those_near_it(toy, name):
     with pytest.raises(UsageError, match=r"near it: .*toy\.stiff\.slip_mm"):
-        ways(toy).text(name)
+        provenance(toy).text(name)
 
 
 @pytest.mark.parametrize(
@@ -74,7 +77,7 @@ def test_an_unknown_number_of_a_row_names_those_near_it(toy, name):
 )
 def test_what_is_no_number_has_no_way(toy, name):
     with pytest.raises(UsageError, match="is no value of newton"):
-        ways(toy).text(name)
+        provenance(toy).text(name)
 
 
 def test_what_differs_from_the_scene_as_shipped():

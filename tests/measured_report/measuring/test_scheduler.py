@@ -199,6 +199,7 @@ def test_hosts_are_read_with_their_folders(tmp_path):
     assert read_cluster("local:3").process_count == 3 and read_cluster("tcp://[::1]:8786").scheduler
 
 
+@pytest.mark.slow
 def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
     settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path)}
     command = [sys.executable, ROOT / "tests" / "kernels_at_once.py", tmp_path / "cuda"]

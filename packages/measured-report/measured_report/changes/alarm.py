@@ -9,10 +9,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from measured_report.changes.compare import Comparison, Flip, Move
+from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault, faults_of
+from measured_report.changes.flips import Flip
+from measured_report.changes.moves import Move
 from measured_report.claims.claims import Claim
 from measured_report.deriving.editions import Edition
+from measured_report.files.config import config
 from measured_report.values.quantities import Quantity
 
 SCHEMA = 1
@@ -38,70 +41,58 @@ class Check:
 
 
 def check(edition: Edition) -> Check:
-    """What an edition says, each claim once."""
+    """Return what an edition says, each claim once."""
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
     return Check(edition.project.release, faults_of(edition), claims, absent)
 
 
-def check_said(found: Check, form: str) -> str:
-    """The check as text, markdown or json."""
+def check_text(found: Check, form: str) -> str:
+    """Return the check as text, markdown or json."""
     if form == "json":
-        return _json("check", found.is_alarm, newton=found.release, **_check_parts(found))
+        release = {config().package: found.release}
+        claims = [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in found.claims]
+        absent = [{"section": section, "reason": reason} for section, reason in found.absent]
+        return _json("check", found, **release, faults=_fault_data(found.faults), claims=claims, absent=absent)
     if form == "markdown":
-        lines = [f"### Newton {found.release}: {_counted(Counter(claim.outcome.said for _, claim in found.claims))}"]
-        lines += _faults_in_markdown(found.faults)
-        told = [(f"{section}.{claim.name}", claim) for section, claim in found.claims if claim.outcome.name != "holds"]
-        lines += _table(("claim", "outcome", "says"), [(name, claim.outcome.said, claim.text) for name, claim in told])
-        return _cut("\n".join(lines))
+        counts = Counter(claim.outcome.said for _, claim in found.claims)
+        counted = ", ".join(f"{count} {name}" for name, count in counts.items())
+        told = [
+            (f"{section}.{claim.name}", claim.outcome.said, claim.text)
+            for section, claim in found.claims
+            if claim.outcome.name != "holds"
+        ]
+        lines = [f"### {config().edition_name} {found.release}: {counted}", *_fault_table(found.faults)]
+        return _cut("\n".join([*lines, *_table(("claim", "outcome", "says"), told)]))
     lines = [fault.text for fault in found.faults]
-    for section, claim in found.claims:
-        lines.append(f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}")
+    lines += [f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}" for section, claim in found.claims]
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in found.absent]
     return "\n".join(lines)
 
 
-def _check_parts(found: Check) -> dict[str, Any]:
-    claims = [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in found.claims]
-    absent = [{"section": section, "reason": reason} for section, reason in found.absent]
-    return {"faults": [vars(fault) for fault in found.faults], "claims": claims, "absent": absent}
-
-
-def diff_said(found: Comparison, form: str, *, all_values: bool) -> str:
-    """The comparison as text, markdown or json, every value that moved in it or only how many did."""
+def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
+    """Return the comparison as text, markdown or json, every value that moved in it or only how many did."""
     if form == "json":
-        return _json("diff", found.is_alarm, **_diff_parts(found))
-    return _diff_in_markdown(found) if form == "markdown" else _diff_in_text(found, all_values=all_values)
+        return _json("diff", found, **_diff_data(found))
+    return _cut("\n".join(_diff_in_markdown(found))) if form == "markdown" else _diff_in_text(found, all_values)
 
 
-def _diff_parts(found: Comparison) -> dict[str, Any]:
-    return {
-        "a": found.releases[0],
-        "b": found.releases[1],
-        "faults": [vars(fault) for fault in found.faults],
-        "flips": [_flip_data(flip) for flip in found.flips],
-        "moved": _sums(found.moves),
-        "moves": [_move_data(move) for move in found.moves],
-        "notes": found.notes,
-    }
-
-
-def upgrade_said(found: Comparison, verdict: Sequence[str], form: str) -> str:
-    """The verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
+    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
     if form == "json":
-        return _json("upgrade", found.is_alarm, verdict=list(verdict), **_diff_parts(found))
+        return _json("upgrade", found, verdict=list(verdict), **_diff_data(found))
     if form == "markdown":
-        return _cut("\n".join([*(f"- {_escaped(line)}" for line in verdict), "", _diff_in_markdown(found)]))
+        return _cut("\n".join([*(f"- {_escaped(line)}" for line in verdict), "", *_diff_in_markdown(found)]))
     return "\n".join(verdict)
 
 
-def _diff_in_text(found: Comparison, *, all_values: bool) -> str:
-    lines = [f"newton {found.releases[0]} → newton {found.releases[1]}", verdict_line(found)]
-    lines += [fault.text for fault in found.faults]
-    lines += [flip.text for flip in found.flips]
+def _diff_in_text(found: Comparison, all_values: bool) -> str:
+    a, b = (f"{config().package} {release}" for release in found.releases)
+    lines = [f"{a} → {b}", _summary(found)]
+    lines += [each.text for each in (*found.faults, *found.flips)]
     lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
     if all_values:
-        for section in dict.fromkeys(move.section for move in found.moves):
+        for section in _sums(found.moves):
             lines += ["", section, *(f"  {move.text}" for move in found.moves if move.section == section)]
     elif found.moves:
         lines += ["VALUES=all lists them"]
@@ -109,8 +100,8 @@ def _diff_in_text(found: Comparison, *, all_values: bool) -> str:
     return "\n".join(lines).rstrip()
 
 
-def verdict_line(found: Comparison) -> str:
-    """How many of what there are, in one line."""
+def _summary(found: Comparison) -> str:
+    """Count what differs, in one line."""
     near = sum(move.is_near for move in found.moves)
     return (
         f"can't be trusted: {len(found.faults)}; claims that flipped: {len(found.flips)}; "
@@ -118,35 +109,26 @@ def verdict_line(found: Comparison) -> str:
     )
 
 
-def _diff_in_markdown(found: Comparison) -> str:
-    lines = [f"### Newton {found.releases[0]} → {found.releases[1]}", "", verdict_line(found).capitalize() + "."]
-    lines += _faults_in_markdown(found.faults)
-    flipped = [
-        (
-            f"{flip.section}.{flip.before.name}",
-            f"{flip.before.outcome.said} → {flip.after.outcome.said}",
-            flip.after.text,
-        )
-        for flip in found.flips
-    ]
+def _diff_in_markdown(found: Comparison) -> list[str]:
+    lines = [f"### {config().edition_name} {' → '.join(found.releases)}", "", _summary(found).capitalize() + "."]
+    lines += _fault_table(found.faults)
+    flipped = [(flip.claim, flip.outcomes, flip.after.text) for flip in found.flips]
     lines += _table(("claim that flipped", "outcome", "now"), flipped)
     sums = [(section, *sums.values()) for section, sums in _sums(found.moves).items()]
     lines += _table(("section", "moved", "better", "worse", "near the noise"), sums)
     if found.notes:
         lines += ["", "<details><summary>Not compared</summary>", "", *(f"- {_escaped(note)}" for note in found.notes)]
         lines += ["", "</details>"]
-    return _cut("\n".join(lines))
+    return lines
 
 
-def _faults_in_markdown(faults: Iterable[Fault]) -> list[str]:
-    found = [
-        (fault.kind, fault.release, f"{fault.section}.{fault.claim}".rstrip("."), fault.reason) for fault in faults
-    ]
-    return _table(("can't be trusted", "newton", "where", "why"), found)
+def _fault_table(faults: Iterable[Fault]) -> list[str]:
+    rows = [(fault.kind, fault.release, f"{fault.section}.{fault.claim}".rstrip("."), fault.reason) for fault in faults]
+    return _table(("can't be trusted", config().package, "where", "why"), rows)
 
 
 def _table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> list[str]:
-    """Lines of a table, after an empty one; none without rows."""
+    """Return the lines of a table, after an empty one; none without rows."""
     if not rows:
         return []
     lines = [f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows]
@@ -154,7 +136,7 @@ def _table(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> list[str]:
 
 
 def _escaped(cell: Any) -> str:
-    """Text that no Markdown is made of: records may hold any."""
+    """Return text that no Markdown is made of: records may hold any."""
     text = " ".join(str(cell).split())
     for mark in "\\`*_[]<>|@#":
         text = text.replace(mark, f"\\{mark}" if mark != "@" else "@\u200b")
@@ -166,25 +148,37 @@ def _cut(text: str) -> str:
 
 
 def _sums(moves: Iterable[Move]) -> dict[str, dict[str, int]]:
-    """By section: how many values moved, how many of them for better and worse, and how many are near the noise."""
+    """Count by section how many values moved, how many of them for better and worse, and how many near the noise."""
     sums: dict[str, dict[str, int]] = {}
     for move in moves:
         found = sums.setdefault(move.section, {"moved": 0, "better": 0, "worse": 0, "near": 0})
         found["moved"] += 1
         found["near"] += move.is_near
-        if move.verdict and not move.is_near:
-            found[move.verdict] += 1
+        if move.direction and not move.is_near:
+            found[move.direction] += 1
     return sums
 
 
 def _sum_line(section: str, sums: Mapping[str, int]) -> str:
-    parts = [f"{sums[name]} {words}" for name, words in (("better", "better"), ("worse", "worse")) if sums[name]]
-    parts += [f"{sums['near']} near the noise"] if sums["near"] else []
+    words = {"better": "better", "worse": "worse", "near": "near the noise"}
+    parts = [f"{sums[name]} {said}" for name, said in words.items() if sums[name]]
     return f"{section}: {sums['moved']} values moved" + (f" ({', '.join(parts)})" if parts else "")
 
 
-def _counted(counts: Mapping[str, int]) -> str:
-    return ", ".join(f"{count} {name}" for name, count in counts.items())
+def _diff_data(found: Comparison) -> dict[str, Any]:
+    return {
+        "a": found.releases[0],
+        "b": found.releases[1],
+        "faults": _fault_data(found.faults),
+        "flips": [_flip_data(flip) for flip in found.flips],
+        "moved": _sums(found.moves),
+        "moves": [_move_data(move) for move in found.moves],
+        "notes": found.notes,
+    }
+
+
+def _fault_data(faults: Iterable[Fault]) -> list[dict[str, str]]:
+    return [dict(vars(fault)) for fault in faults]
 
 
 def _claim_data(claim: Claim) -> dict[str, str]:
@@ -193,11 +187,11 @@ def _claim_data(claim: Claim) -> dict[str, str]:
 
 def _flip_data(flip: Flip) -> dict[str, Any]:
     sides = {"before": _claim_data(flip.before), "after": _claim_data(flip.after)}
-    return {"section": flip.section, "claim": flip.before.name, **sides}
+    return {"section": flip.section, "claim": flip.name, **sides}
 
 
 def _move_data(move: Move) -> dict[str, Any]:
-    before, after = (cell.value if isinstance(cell, Quantity) else cell for cell in (move.before, move.after))
+    before, after = move.values
     return {
         "section": move.section,
         **move.place,
@@ -208,9 +202,10 @@ def _move_data(move: Move) -> dict[str, Any]:
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
         "is_near": move.is_near,
-        "verdict": move.verdict,
+        "verdict": move.direction,
     }
 
 
-def _json(kind: str, is_alarm: bool, **parts: Any) -> str:
-    return json.dumps({"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}, indent=1, ensure_ascii=False)
+def _json(kind: str, found: Check | Comparison, **parts: Any) -> str:
+    said = {"schema": SCHEMA, "kind": kind, "status": int(found.is_alarm), **parts}
+    return json.dumps(said, indent=1, ensure_ascii=False)

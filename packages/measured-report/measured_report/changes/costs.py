@@ -16,13 +16,15 @@ def is_cost(column: str) -> bool:
 
 
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
-    """What two costs must share to be compared: the machine, and how many frames and worlds."""
+    """Return what two costs must share to be compared: the machine, and how many frames and worlds."""
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
-    """What a claim turns on that is of the machine and not of the release: of costs, what they were measured on and
-    with; of the noise, the processor. Empty for a claim that has nothing of either."""
+    """Return what a claim turns on that is of the machine and not of the edition.
+
+    Of costs that is what they were measured on and with, of the noise the processor; other claims have nothing of it.
+    """
     if section == NOISE:
         return frozenset({(chapters[section].results.record.processor,)})
     costs = [pointer for pointer in claim.outcome.reads if is_cost(pointer.rpartition("/")[2])]
@@ -30,7 +32,7 @@ def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]
 
 
 def cells(pointers: Collection[str], chapters: Chapters) -> list[tuple[Record, Mapping[str, Any], str]]:
-    """Record, row and column of each of these that is a cell of the edition's own records."""
+    """Return record, row and column of each pointer to a cell of the edition's own records."""
     found = []
     for pointer in sorted(pointers):
         source, _, place = pointer.partition("#/rows/")

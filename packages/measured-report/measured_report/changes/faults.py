@@ -8,6 +8,7 @@ from measured_report.changes.costs import cells
 from measured_report.claims.claims import Claim
 from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
+from measured_report.files.config import config
 from measured_report.records.columns import REASON, UNBELIEVED
 
 
@@ -26,12 +27,12 @@ class Fault:
     @property
     def text(self) -> str:
         name = f"{self.section}.{self.claim}" if self.claim else self.section
-        return f"{self.kind}: newton {self.release}, {name}: {self.reason}"
+        return f"{self.kind}: {config().package} {self.release}, {name}: {self.reason}"
 
 
 def faults_of(edition: Edition) -> list[Fault]:
-    """What an edition's own results say against it: records that are damaged, gone or can't be shown, and claims that
-    can't be told because a run broke down."""
+    """Return what an edition's own results say against it: records that are damaged, gone or can't be shown, and claims
+    that can't be told because a run broke down."""
     release = edition.project.release
     found = [
         Fault(release, state.section, "damaged" if state.kind == "damaged" else "not shown", state.words)
@@ -49,12 +50,12 @@ def faults_of(edition: Edition) -> list[Fault]:
 
 
 def faults_between(before: Edition, after: Edition) -> list[Fault]:
-    """What speaks against one of two editions only because the other is sound there: sections that are gone, and runs
-    that break down in a section that has none such in the other."""
+    """Return what speaks against one of two editions only because the other is sound there: sections that are gone, and
+    runs that break down in a section that has none such in the other."""
     found = []
     for state in after.left_out:
         if state.kind == "missing" and state.section in before.chapters and noted_sections(after) is None:
-            reason = f"no results, which newton {before.project.release} has"
+            reason = f"no results, which {config().package} {before.project.release} has"
             found.append(Fault(after.project.release, state.section, "missing", reason))
     for section in before.chapters:
         if section in after.chapters:
@@ -63,13 +64,16 @@ def faults_between(before: Edition, after: Edition) -> list[Fault]:
 
 
 def noted_sections(edition: Edition) -> Sequence[str] | None:
-    """The sections that an edition says were measured; None where it says nothing, so that none may be missing."""
+    """Return the sections that an edition notes as measured; None where it notes nothing, so that none is missed."""
     manifest = edition.project.manifest
     return manifest.sections if manifest else None
 
 
 def _broken(before: Edition, after: Edition, section: str) -> Iterator[Fault]:
-    """Where runs break down in both, as where a section looks for the edge at which they do, its claims decide."""
+    """Yield the first broken run of a section in which the other edition has none.
+
+    Where runs break down in both, as where a section looks for the edge at which they do, its claims decide.
+    """
     sides = [(side, list(_broken_rows(side.chapters[section]))) for side in (before, after)]
     if sum(bool(rows) for _, rows in sides) == 1:
         for side, rows in sides:
@@ -83,13 +87,14 @@ def _broken_rows(chapter: Chapter) -> Iterable[Mapping[str, Any]]:
 
 
 def _breakdown(row: Mapping[str, Any], column: str = "") -> str:
-    """Why a run, or a number of it, is nothing to go by; empty where there is nothing against it."""
+    """Say why a run, or a number of it, can't be trusted; empty where nothing is against it."""
     reasons = [row.get(name) for name in row if name == column + REASON or (not column and name.endswith(REASON))]
     unbelieved = [reason for reason in reasons if str(reason).startswith(UNBELIEVED)]
     return row.get("failure") or next(iter(unbelieved), "")
 
 
 def _breakdown_behind(claim: Claim, edition: Edition) -> str:
+    """Name the broken run for which a claim can't be told; empty where there is none."""
     if claim.outcome.name != "unknown" or claim.outcome.is_near:
         return ""
     found = (

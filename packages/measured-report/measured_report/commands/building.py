@@ -80,7 +80,8 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     add_tests_cluster(python, project)
-    return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
+    chosen = ["-m", "words and not slow"] if arguments.fast else []
+    return subprocess.run([python, "-m", "pytest", *chosen], cwd=project.root, check=False).returncode
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:

@@ -9,15 +9,15 @@ from collections.abc import Mapping
 
 from measured_report import ReportError, UsageError
 from measured_report.commands.building import page, publish, report, rerun, serve, status, test
-from measured_report.commands.editions import bisect, history, judge, newest, retire, upgrade
+from measured_report.commands.editions import bisect, history, newest, retire, upgrade
+from measured_report.commands.findings import check, diff, trace, verify
 from measured_report.commands.options import EDITION, OPTIONS, flag
 from measured_report.commands.programs import programs
-from measured_report.commands.saying import check, diff, trace, verify
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
-from measured_report.files.files import settle
-from measured_report.files.near import near
-from measured_report.records.code import sources_kept
+from measured_report.files.files import recover
+from measured_report.files.suggestion import suggestion
+from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
 
 AGAIN_S = 0.01
@@ -28,7 +28,6 @@ COMMANDS = {
     status: (EDITION, "with", "profile"),
     upgrade: (EDITION, "with", "since", "device", "profile", "format"),
     bisect: ("claim", "value", "a", "b", "device"),
-    judge: ("claim", "value", EDITION, "first", "last", "device", "profile"),
     history: ("claim", "value", "profile"),
     newest: (),
     retire: (EDITION, "with", "address"),
@@ -38,7 +37,7 @@ COMMANDS = {
     verify: (EDITION, "device"),
     publish: ("target",),
     serve: ("port", EDITION, "profile"),
-    test: (EDITION, "with"),
+    test: (EDITION, "with", "fast"),
 }
 """What there is to run in every report, and the options that each has."""
 
@@ -56,8 +55,8 @@ def main() -> int:
         own = own_release()
         arguments.stack = stack_of(arguments.edition.asked if arguments.edition else own, arguments.pins)
         project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
-        settle(project.results.parent)
-        with sources_kept(project.root):
+        recover(project.results.parent)
+        with cached_sources(project.root):
             result = arguments.run(project, arguments)
         print(end="", flush=True)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
@@ -125,7 +124,7 @@ def _given_to_make() -> Mapping[str, str]:
     known, unknown = (os.environ.pop(f"MAKE_{names}", "").split() for names in ("KNOWN", "UNKNOWN"))
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
     for name in unknown:
-        raise UsageError(f"{name}= is no variable of make here{near(name.upper(), known)}; see make help")
+        raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
         OPTIONS[name].get("type", flag)(value)

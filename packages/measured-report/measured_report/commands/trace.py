@@ -1,4 +1,4 @@
-"""The way of a number: from the page back to the rows that it was read from, their cases, and what measures them."""
+"""Provenance of a number: from the page back to the rows that it was read from, their cases, and what measures them."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -7,11 +7,12 @@ from functools import cached_property
 from typing import Any
 
 from measured_report import UsageError
-from measured_report.changes.question import Question
-from measured_report.deriving.chapters import Chapter
+from measured_report.changes.query import Query
+from measured_report.deriving.chapters import Chapter, Chapters
 from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
-from measured_report.files.near import near
+from measured_report.files.config import config
+from measured_report.files.suggestion import suggestion
 from measured_report.pages.page import Templates
 from measured_report.records.columns import changed_parameters, is_setting
 from measured_report.records.record import Record
@@ -21,20 +22,25 @@ from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
-PLACE = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
+ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
+POINTER = re.compile(r"([^#]+)#/rows/(\d+)/(\w+)")
 
 
 @dataclass(frozen=True)
-class Ways:
-    """What is known of the numbers of all releases, as the pages of one of them show them."""
+class Provenance:
+    """Where the numbers of all editions come from, as the pages of one of them show them."""
 
     project: Project
     editions: Mapping[str, Edition]
     templates: Templates
 
     def text(self, name: str) -> str:
-        """The way of a value, ``section.name``, of a number of a row, ``section.case.column``, or of the pointer that a
-        page has for either; UsageError for an unknown one."""
+        """Return the provenance of a number, in lines.
+
+        Args:
+            name: A value, ``section.name``, a number of a row, ``section.case.column``, or the pointer that a page has
+                for either; UsageError for an unknown one.
+        """
         found = self._found(name)
         lines = [f"{name}: {_said(found)}", *self._of_value(found), *self._on_pages(found)]
         cells: dict[str, list[Cell]] = {}
@@ -45,47 +51,36 @@ class Ways:
         return "\n".join(lines)
 
     def _found(self, name: str) -> Quantity:
-        pointer = name if name.startswith("newton-") else f"newton-{self.project.release}/{name}"
-        known = self._named(name) or self._values.get(pointer) or self._cell(pointer)
-        if known:
+        release, package, query = self.project.release, config().package, Query(name)
+        found = query.quantity(self._chapters)
+        if isinstance(found, Quantity) and found.source:
+            return found
+        pointer = name if name.startswith(f"{package}-") else f"{package}-{release}/{name}"
+        if known := self._values.get(pointer) or self._cell(pointer):
             return known
-        hint = near(name, Question(name, is_claim=False).names(self._chapters))
-        fault = f"VALUE={name} is no value of newton {self.project.release}{hint}"
-        where = f"values are in site/data/{VALUES_FILE}, numbers of rows named as reproduction.as-shipped.slip_mm"
+        hint = suggestion(name, query.names(self._chapters))
+        fault = f"{query.given} is no value of {package} {release}{hint}"
+        example = config().changes.headline
+        where = f"values are in site/data/{VALUES_FILE}, numbers of rows named as {example}"
         raise UsageError(f"{fault}; all {where}")
 
-    def _named(self, name: str) -> Quantity | None:
-        """A value, or a number of a row, by its name."""
-        section, _, rest = name.partition(".")
-        if section not in self._chapters:
-            return None
-        results = self._chapters[section].results
-        if rest in results.derived:
-            return results.derived[rest]
-        case, _, column = rest.rpartition(".")
-        row = results.row[case]
-        return row[column] if column in row and isinstance(row[column], Quantity) else None
-
     @property
-    def _chapters(self) -> Mapping[str, Chapter]:
+    def _chapters(self) -> Chapters:
         return self.editions[self.project.release].chapters
 
     @cached_property
     def _records(self) -> Mapping[str, Chapter]:
         """Chapters by the file of their record."""
-        return {
-            chapter.results.source: chapter
-            for edition in self.editions.values()
-            for chapter in edition.chapters.values()
-        }
+        chapters = (chapter for edition in self.editions.values() for chapter in edition.chapters.values())
+        return {chapter.results.source: chapter for chapter in chapters}
 
     @cached_property
     def _values(self) -> Mapping[str, Value]:
         return {value.source: value for chapter in self._records.values() for value in chapter.results.derived.values()}
 
     def _cell(self, pointer: str) -> Quantity | None:
-        """A number of a record."""
-        match = re.fullmatch(r"([^#]+)#/rows/(\d+)/(\w+)", pointer)
+        """Return the number of a record that a pointer leads to."""
+        match = POINTER.fullmatch(pointer)
         if not match or match[1] not in self._records:
             return None
         cells = [row[match[3]] for row in self._records[match[1]].results.rows if match[3] in row]
@@ -94,10 +89,9 @@ class Ways:
     def _of_value(self, found: Quantity) -> Iterator[str]:
         if isinstance(found, Value):
             yield f"  is          {found.formula}"
-            for pointer in found.sources:
-                if pointer in self._values:
-                    value = self._values[pointer]
-                    yield f"  made of     {_name(value)}, {_said(value)}: {value.formula}"
+            for value in (self._values[pointer] for pointer in found.sources if pointer in self._values):
+                name = ".".join(value.source.split("/", 3)[2:])
+                yield f"  made of     {name}, {_said(value)}: {value.formula}"
         cells = [pointer for pointer in _leaves(found) if not is_setting(pointer)]
         yield f"  n           {len(cells)} measured numbers and traces"
         if cells:
@@ -106,7 +100,7 @@ class Ways:
             yield f"  noise       {known}{whence}"
 
     def _noise_of(self, cell: Cell) -> str:
-        """The noise of a number of a record, and whence it is known; empty where it is not."""
+        """Say the noise of a number of a record, and whence it is known; nothing where it is not."""
         found = self._cell(cell.pointer)
         if not (found and found.noise):
             return ""
@@ -119,20 +113,23 @@ class Ways:
         return f", noise {_in_unit(found.noise, found.unit)} ({whence})"
 
     def _on_pages(self, found: Quantity) -> Iterator[str]:
-        pages = undrawn(self.editions, self.templates, self.project.release)
+        """Say where the pages print a number, and which claims it decides."""
+        release = self.project.release
+        pages = undrawn(self.editions, self.templates, release)
         places = [
             f"{file}#{anchor}" for (file, part), html in pages.items() for anchor in _anchors(html, part, found.source)
         ]
         for place in dict.fromkeys(places):
             yield f"  printed at  {place}"
         if not places:
-            yield f"  printed     nowhere on the pages of newton {self.project.release}"
+            yield f"  printed     nowhere on the pages of {config().package} {release}"
         for section, chapter in self._chapters.items():
             for claim in chapter.section.claims:
                 if found.source in claim.outcome.reads:
                     yield f"  decides     {section}.{claim.name}: {claim.outcome.said}"
 
     def _of_record(self, file: str, cells: Sequence[Cell]) -> Iterator[str]:
+        """Describe the rows and traces of a file that a number comes from, and what measured them."""
         yield f"from {file}"
         chapter = self._records.get(file) or self._records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
         record = chapter.results.record
@@ -146,12 +143,12 @@ class Ways:
             yield f"    {_settings(rows[0])}" if rows else "    no row says its settings"
         if any(cell.pointer.endswith("/seconds") for cell in cells):
             yield f"  how long the measurement took, {record.measured['seconds']} s"
-        project = self.project.of(record.origin.release)
-        commit = f", commit {record.measured['commit']}" if record.measured["commit"] else ""
-        yield f"  measured on {record.machine_text}, {record.time_text}, newton {record.origin.release}{commit}"
+        release, commit = record.origin.release, record.measured["commit"]
+        measured = [record.machine_text, record.time_text, f"{config().package} {release}"]
+        yield f"  measured on {', '.join(measured + ([f'commit {commit}'] if commit else []))}"
         if chapter.state.notes:
             yield f"  stale:      {chapter.state.words}"
-        yield f"  again by    {project.rerun(record.section, record.machine['device'])}"
+        yield f"  again by    {self.project.of(release).rerun(record.section, record.machine['device'])}"
 
     def _of_row(self, record: Record, index: int, cells: Sequence[Cell]) -> Iterator[str]:
         row = record.rows[index]
@@ -164,7 +161,7 @@ class Ways:
 
 
 def _leaves(found: Quantity) -> list[str]:
-    """Pointers to the numbers of records, and to traces, that a number comes from; its own where it is one of them."""
+    """Return pointers to the numbers of records and traces that a number comes from; its own where it is one."""
     return sorted(pointer for pointer in found.reads if VALUES_FILE not in pointer)
 
 
@@ -173,13 +170,8 @@ def _place(pointer: str) -> tuple[str, int, str]:
     return (cell.file, *cell.place) if "/rows/" in pointer else (cell.file, -1, pointer)
 
 
-def _name(value: Value) -> str:
-    """Section and name."""
-    return ".".join(value.source.split("/", 3)[2:])
-
-
 def _said(found: Quantity) -> str:
-    """As the page prints it, and with all its digits."""
+    """Write a number as the page prints it, and with all its digits."""
     return f"not there, for {found.reason}" if found.value is None else f"{found} ({found.value!r})"
 
 
@@ -188,9 +180,9 @@ def _in_unit(noise: float, unit: str) -> str:
 
 
 def _settings(row: Mapping[str, Any]) -> str:
-    """In which settings a row's case differs from the scene as shipped."""
+    """Say in which settings a row's case differs from the baseline."""
     changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
-    return f"the scene as shipped, but for {changed}" if changed else "the scene as shipped"
+    return f"{config().baseline}, but for {changed}" if changed else config().baseline
 
 
 def _runs(row: Mapping[str, Any]) -> str:
@@ -200,9 +192,9 @@ def _runs(row: Mapping[str, Any]) -> str:
 
 
 def _anchors(html: str, part: str, source: str) -> Iterator[str]:
-    """The ids below which the words of a part print a number."""
+    """Yield the ids below which the words of a part print a number."""
     anchor = part
-    for match in PLACE.finditer(html):
+    for match in ANCHOR.finditer(html):
         if match[1]:
             anchor = match[1]
         elif match[2] == source:

@@ -34,6 +34,39 @@ class Declared:
 
 
 @dataclass(frozen=True)
+class Changes:
+    """The table ``changes``: what comparing editions takes to know of this report's sections and rows."""
+
+    deciding: tuple[str, ...] = ()
+    """Sections that tell most in least time, the longest first, which ends soonest with several at once."""
+    deciding_seconds: Mapping[str, float] = field(default_factory=dict)
+    """How long they take on two cores of a CPU [s], by profile, where no record says."""
+    headline: str = ""
+    """The value that says most, as ``section.case.column``; messages give it as an example."""
+    headline_label: str = ""
+    headlines: Mapping[str, str] = field(default_factory=dict)
+    """Values that the history shows, by what they are called."""
+    example_claim: str = ""
+    example_value: str = ""
+    """A claim and a derived value that messages give as examples."""
+    cause: str = ""
+    """The claim that says why editions differ, where it holds."""
+    same_runs: tuple[str, ...] = ()
+    """Sections that have runs alike, so that a number of a case can be taken from any of them."""
+    together: tuple[tuple[str, ...], ...] = ()
+    """The other packages, those that come out together side by side: these are changed together in a search."""
+    keys: tuple[str, ...] = ("case",)
+    """Columns that tell the rows of one section apart, where they are there."""
+    untold_keys: tuple[str, ...] = ()
+    """More of them, which text leaves out."""
+    classes: str = ""
+    """The column that lists how the repeats of a run ended; where they differ, the row is not compared."""
+    verify: str = ""
+    """The module that verifies the headline: ``PROGRAM``, a module that measures it with ``--device`` and writes what
+    it found as ``--json FILE``, and ``verify(edition, found)``, the text and whether that agrees."""
+
+
+@dataclass(frozen=True)
 class Config:
     """The fields of ``report.toml``, as they are without it."""
 
@@ -47,8 +80,6 @@ class Config:
     """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
     """The module that says how this report measures on a host; the one named here says what it may have."""
-    verify: str = ""
-    """The module that measures the headline again, ``--device D --json FILE``."""
     commands: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """Programs that the command line offers besides, by name; ``commands.programs.Program`` has their fields."""
     case: str = ""
@@ -60,6 +91,9 @@ class Config:
     cost_terms: tuple[str, ...] = ()
     """Columns that two rows must share for their costs to be compared."""
     columns: tuple[Declared, ...] = ()
+    baseline: str = "the baseline"
+    """What people call the case that all others are changed from."""
+    changes: Changes = field(default_factory=Changes)
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -107,9 +141,14 @@ def config(root: Path = ROOT) -> Config:
     try:
         found = read_toml(path) if path.is_file() else {}
         found["columns"] = [Declared(**table) for table in found.get("columns", ())]
-        fields: dict[str, Any] = {
-            key: tuple(value) if isinstance(value, list) else value for key, value in found.items()
-        }
-        return Config(**fields)
+        found["changes"] = Changes(**_frozen(found.get("changes", {})))
+        return Config(**_frozen(found))
     except (OSError, ValueError, TypeError) as error:
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}") from None
+
+
+def _frozen(value: Any) -> Any:
+    """Return the same with tuples in place of lists."""
+    if isinstance(value, dict):
+        return {name: _frozen(part) for name, part in value.items()}
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value

@@ -66,7 +66,12 @@ def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
     count = cluster.process_count or there
     if device == "cuda" and count > there:
         raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
-    options: dict[str, Any] = {"threads_per_worker": count, "memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET}
+    options: dict[str, Any] = {
+        "threads_per_worker": count,
+        "memory_limit": 0,
+        "dashboard_address": None,
+        "silence_logs": QUIET,
+    }
     if device == "cuda":
         gpus = [uuid for uuid, _ in worker.gpus()[:count]]
         options["env"] = {"CUDA_VISIBLE_DEVICES": ",".join(gpus)}

@@ -61,11 +61,11 @@ def measure(
     return kept
 
 
-def measure_headline(project: Project, stack: Stack, device: str) -> Mapping[str, Any]:
-    """Measure the headline and keep nothing of it; return what the report's program writes: machine, rows, seconds."""
+def measure_headline(project: Project, stack: Stack, device: str, program: str) -> Mapping[str, Any]:
+    """Measure the headline and keep nothing of it; return what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, stack, config(project.root).verify, device, "--json", str(path))
+        _run(project, stack, program, device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from measured_report import ROOT
-from measured_report.changes.compare import flips
+from measured_report.changes.flips import flips_between
 from measured_report.deriving.editions import Edition
 from measured_report.deriving.keeping import Keeper
 from measured_report.files.staging import Draft
@@ -92,12 +92,11 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> list
         text = claims[0].text if claims else ""
         place = places[release]
         found.append(Entry(release, f"Newton {release}", text, f"{place}index.html", max(dates.values())))
-        for flip in flips(before.chapters, edition.chapters) if before else ():
+        for flip in flips_between(before.chapters, edition.chapters) if before else ():
             chapter = edition.chapters[flip.section]
-            name = f"{flip.section}.{flip.before.name}"
-            title = f"Newton {release}: {name}, {flip.before.outcome.said} → {flip.after.outcome.said}"
+            title = f"Newton {release}: {flip.claim}, {flip.outcomes}"
             where = f"{place}{chapter.page.file}#{flip.section}"
-            found.append(Entry(f"{release}/{name}", title, flip.after.text, where, dates[flip.section]))
+            found.append(Entry(f"{release}/{flip.claim}", title, flip.after.text, where, dates[flip.section]))
         before = edition
     return found
 

@@ -1,4 +1,4 @@
-"""Noise: when two values differ at all, and which way is better."""
+"""Noise: when two values differ at all."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -26,14 +26,6 @@ CONFIDENCE = 0.95
 """Chosen: how sure that is, for a spread that was measured with as many runs."""
 LEAST_RUNS = 4
 """With fewer their spread says too little."""
-
-
-def verdict(column: str, before: Any, after: Any) -> str:
-    """Whether going from one value to the other is better or worse; empty where the column does not say."""
-    better = column_of(column).better
-    if None in (before, after) or not better:
-        return ""
-    return "better" if (abs(after) > abs(before)) == (better == "more") else "worse"
 
 
 def is_beyond(noise: float, before: float, after: float) -> bool:

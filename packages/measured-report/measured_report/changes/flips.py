@@ -1,0 +1,145 @@
+"""Flips: claims that editions answer differently, and what each of them says."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from markupsafe import Markup, escape
+
+from measured_report.changes.costs import terms_of
+from measured_report.claims.claims import Claim
+from measured_report.deriving.chapters import Chapters, Releases
+from measured_report.pages.pages import PAGES, Page
+
+
+@dataclass(frozen=True)
+class Flip:
+    """A claim that editions answer differently."""
+
+    section: str
+    name: str
+    label: str
+    """What the section is called."""
+    page: Page
+    said: Sequence[tuple[Sequence[str], Claim]]
+    """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
+
+    @property
+    def claim(self) -> str:
+        """As CLAIM= says it."""
+        return f"{self.section}.{self.name}"
+
+    @property
+    def before(self) -> Claim:
+        return self.said[0][1]
+
+    @property
+    def after(self) -> Claim:
+        return self.said[-1][1]
+
+    @property
+    def outcomes(self) -> str:
+        return f"{self.before.outcome.said} → {self.after.outcome.said}"
+
+    @property
+    def text(self) -> str:
+        return f"{self.claim}: {self.outcomes}\n  {self.before.text}\n  {self.after.text}"
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether one edition upholds it and another doesn't; or else one of them can't tell."""
+        return len({claim.outcome.name for _, claim in self.said} - {"unknown"}) > 1
+
+    @property
+    def is_near(self) -> bool:
+        """Whether one of them can't tell for being near the noise, as another measurement of the same may."""
+        return any(claim.outcome.is_near for _, claim in self.said)
+
+
+def flips(releases: Releases, shown: str) -> Iterator[Flip]:
+    """Yield the claims that editions answer differently.
+
+    Of editions that agree the one of the page, ``shown``, has the word, or else the newest. That one can't tell says
+    nothing where it lacks a section that another one has, unless it is for being near the noise; nor does what turns
+    on a cost, or on the noise, of another machine than the page's.
+    """
+    sections = set().union(*releases.values())
+    claims = {release: _claims(chapters) for release, chapters in releases.items()}
+    for section, name in dict.fromkeys(pair for those in claims.values() for pair in those):
+        answers = {
+            release: claim
+            for release, those in claims.items()
+            if (claim := those.get((section, name))) and (_is_told(claim) or len(releases[release]) == len(sections))
+        }
+        terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers.items()}
+        here = terms.get(shown, next(iter(terms.values()), None))
+        outcomes = {release: claim.outcome.name for release, claim in answers.items() if terms[release] == here}
+        groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
+        if len(groups) > 1:
+            said = [(group, answers[shown if shown in group else group[-1]]) for group in groups]
+            chapter = next(chapters[section] for chapters in releases.values() if section in chapters)
+            yield Flip(section, name, chapter.results.label, chapter.page, said)
+
+
+def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
+    return {(name, claim.name): claim for name, chapter in chapters.items() for claim in chapter.section.claims}
+
+
+def _is_told(claim: Claim) -> bool:
+    return claim.outcome.name != "unknown" or claim.outcome.is_near
+
+
+def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
+    """Return the claims that one of two editions upholds and the other doesn't.
+
+    One that can't be told any more, or can be told now, is among them unless that may be for want of a section, or is
+    for being near the noise.
+    """
+    is_whole = set(before) == set(after)
+    found = flips({"before": before, "after": after}, "after")
+    return [flip for flip in found if not flip.is_near and (flip.is_decided or is_whole)]
+
+
+def decided_flips(releases: Releases, shown: str) -> list[Flip]:
+    """Return the claims that one edition upholds and another doesn't, as the edition ``shown`` words them."""
+    return [flip for flip in flips(releases, shown) if flip.is_decided]
+
+
+@dataclass(frozen=True)
+class FlipList:
+    """Flips in words, by the pages that their sections are on; printed, each is a question with all answers."""
+
+    flips: Sequence[Flip]
+    shown: Sequence[str]
+    """Sections of the page's edition, to link to."""
+    level: int = 4
+    """Of the headings."""
+
+    def __html__(self) -> Markup:
+        by_page = {page: [flip for flip in self.flips if flip.page == page] for page in PAGES}
+        groups = Markup("\n").join(self._group(page, found) for page, found in by_page.items() if found)
+        return Markup('<figure class="turns">\n{}\n</figure>').format(groups or Markup("<p>None.</p>"))
+
+    def _group(self, page: Page, flips: Sequence[Flip]) -> Markup:
+        # One link to a section is enough for whoever goes from link to link.
+        first: Mapping[str, Flip] = {flip.section: flip for flip in reversed(self.flips)}
+        parts = Markup("\n").join(
+            Markup("<dt>{}: {}</dt>\n{}").format(
+                self._place(flip, is_linked=flip is first[flip.section] and flip.section in self.shown),
+                flip.before.said("asks").rstrip(","),
+                Markup("\n").join(_answer(names, claim) for names, claim in flip.said),
+            )
+            for flip in flips
+        )
+        return Markup("<h{0}>{1}</h{0}>\n<dl>\n{2}\n</dl>").format(self.level, page.label, parts)
+
+    def _place(self, flip: Flip, *, is_linked: bool) -> Markup:
+        return Markup('<a href="#{}">{}</a>').format(flip.section, flip.label) if is_linked else escape(flip.label)
+
+
+def _answer(names: Sequence[str], claim: Claim) -> Markup:
+    """Return what editions say to the question; the sentence says whether that is a yes or a no."""
+    if claim.outcome.name != "unknown":
+        return Markup("<dd><b>In {}:</b> {}</dd>").format(", ".join(names), claim.sentence)
+    reason = claim.outcome.reason or "no reason"
+    return Markup("<dd><b>Cannot be told in {}:</b> {}</dd>").format(", ".join(names), reason)

@@ -1,0 +1,102 @@
+"""What releases have side by side: changes between them, marks, and the two between which changes are told."""
+
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from measured_report.changes.costs import is_cost
+from measured_report.changes.moves import Move
+from measured_report.changes.query import Query
+from measured_report.claims.claims import HOLDS, Outcome, beyond
+from measured_report.deriving.chapters import Releases
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results
+
+
+def cell(releases: Releases, release: str, asked: Query) -> Quantity:
+    """Return the number of a row that a release has; none, and a reason, when it has nothing."""
+    return asked.cell(releases[release], release)
+
+
+def up_to(releases: Releases, shown: str) -> Releases:
+    """Return what the page of an edition compares: those before it and itself; the oldest is held against all."""
+    names = list(releases)
+    if shown not in names[1:]:
+        return releases
+    return {release: releases[release] for release in names[: names.index(shown) + 1]}
+
+
+def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
+    """Derive the largest noise floor of that name that a release has."""
+    floors = [release["noise"].results.derived[name] for release in releases.values() if "noise" in release]
+    formula = "largest of the releases' noise floors"
+    return results.value(name, formula, lambda *found: max(found), *floors, unit=unit, across=True, is_noise=True)
+
+
+def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
+    return results.value(
+        name, "later release less earlier one", lambda a, b: b - a, before, after, unit=before.unit, across=True
+    )
+
+
+def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
+    """Write a number without its unit, and whether it is better or worse than the earlier one.
+
+    Nothing is said of a cost that was not measured on the same processor.
+    """
+    told = difference is not None and None not in (difference.value, noise.value)
+    mark = Move(column, before, after, noise.value).mark if told else ""
+    if not mark:
+        return after.bare
+    if is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
+        return Markup('{} <span class="moved">other machine</span>').format(after.bare)
+    return with_mark(after, mark)
+
+
+def with_mark(number: Quantity, mark: str) -> Markup:
+    return Markup('{} <span class="moved {}">{}</span>').format(number.bare, mark, mark) if mark else number.bare
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The oldest and the newest release that has results, between which changes are told."""
+
+    releases: Releases
+
+    @property
+    def old(self) -> str:
+        return next(iter(self.releases))
+
+    @property
+    def new(self) -> str:
+        return next(reversed(list(self.releases)))
+
+    @property
+    def one(self) -> Outcome | None:
+        """Why nothing can be told, when both are the same."""
+        return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
+
+    def cells(self, headline: Query) -> tuple[Quantity, Quantity]:
+        return cell(self.releases, self.old, headline), cell(self.releases, self.new, headline)
+
+    def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
+        """Return what this section measured in the two."""
+        return self.cells(Query(f"upgrade.{case}.{column}"))
+
+
+def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
+    """Whether a change is no more than noise and rounding; clearly more is the opposite."""
+    lacking = [quantity.reason for quantity in (moved, noise) if quantity.value is None]
+    if lacking:
+        found = Outcome("unknown", lacking[0])
+    else:
+        found = beyond(moved, noise) if Move("", before, after, noise.value).is_real else HOLDS
+    return found.having_read(before, after, moved, noise)
+
+
+def machines_differ(releases: Releases, section: str) -> Outcome | None:
+    """Unknown, when the oldest and the newest release were not measured on one and the same machine."""
+    records = [release[section].results.record for release in releases.values() if section in release]
+    if records and records[0].machine_for_speed != records[-1].machine_for_speed:
+        return Outcome("unknown", f"measured on {records[0].machine_in_full} and on {records[-1].machine_in_full}")
+    return None
