@@ -1,94 +1,27 @@
-"""What sections found, for pages that retell it; what a release lacks is said and not left out."""
+"""Found: what the sections found, and what the story asks of them first."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Any
-
-from markupsafe import Markup
+from dataclasses import replace
 
 from measured_report.claims.claims import FAILS, HOLDS, Claim
-from measured_report.deriving.chapters import Chapters
-from measured_report.values.quantities import Quantity, absent
-from measured_report.values.results import Series
+from measured_report.deriving.findings import Findings
 
 
-@dataclass(frozen=True)
-class Found:
-    """The chapters of one release."""
-
-    chapters: Chapters
+class Found(Findings):
+    """The findings of one release."""
 
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        return self._holds("reproduction", "slips")
+        return self.holds("reproduction", "slips")
 
     @property
     def does_hold(self) -> bool:
         """Whether stiff pads hold it better."""
-        return self._holds("reproduction", "stiff_pads_hold")
-
-    def _holds(self, section: str, name: str) -> bool:
-        told = self.claim(section, name)
-        return told is not None and told.outcome == HOLDS
-
-    def claim(self, section: str, name: str) -> Claim | None:
-        """A claim of a section; None where there is none."""
-        chapter = self.chapters.get(section)
-        claims = chapter.section.claims if chapter else ()
-        return next((claim for claim in claims if claim.name == name), None)
-
-    def value(self, section: str, name: str, unit: str = "1") -> Quantity:
-        """A value that a section derived."""
-        chapter = self.chapters.get(section)
-        derived = chapter.results.derived if chapter else {}
-        return derived.get(name) or self._absent(section, unit)
-
-    def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
-        """What a section measured."""
-        chapter = self.chapters.get(section)
-        row = chapter.results.row.get(case) if chapter else None
-        return row[column] if row and column in row else self._absent(section, unit)
+        return self.holds("reproduction", "stiff_pads_hold")
 
     def titled(self, name: str) -> Claim:
-        """Whether the cube slips, and stiff pads hold it better."""
+        """Return whether the cube slips, and stiff pads hold it better."""
         slips, held = self.claim("reproduction", "slips").outcome, self.claim("reproduction", "stiff_pads_hold").outcome
         both = HOLDS if held == HOLDS else FAILS
         outcome = both if slips == HOLDS else slips
         return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
-
-    def trace(self, section: str, case: str) -> Series:
-        chapter = self.chapters.get(section)
-        return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
-
-    def retold(self, name: str, section: str, claim: str, numbers: Mapping[str, Any] | None = None) -> Claim:
-        """A section's claim in other words: its outcome and what its wording can name, and ``numbers`` besides.
-
-        It has to be there.
-        """
-        told = self.claim(section, claim)
-        assert told, f"there is no claim {section}.{claim}"
-        return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
-
-    def stale_mark(self, reads: frozenset[str]) -> Markup:
-        """A link to the section that was measured before its code changed, where pointers lead into one.
-
-        It is no stop of the keyboard, which the section's own mark and the contents lead to as well.
-        """
-        stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
-        for chapter in stale:
-            place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
-            if any(pointer.startswith(place) for pointer in reads):
-                return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
-        return Markup("")
-
-    def marked(self, claim: Claim, page: str) -> Markup:
-        """A retold claim, with a mark where it rests on a stale section; a title has none."""
-        mark = Markup("") if claim.name == "title" else self.stale_mark(claim.outcome.reads)
-        return claim.html(page) + mark
-
-    def _absent(self, section: str, unit: str) -> Quantity:
-        return absent(unit, self._reason(section))
-
-    def _reason(self, section: str) -> str:
-        return f"section {section} {'does not say' if section in self.chapters else 'has no results here'}"

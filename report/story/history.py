@@ -23,8 +23,8 @@ WAY = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-w
 DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-1)"/>')
 
 
-def history_of(releases: Releases, shown: str) -> Section:
-    """The tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
+def derive(releases: Releases, shown: str) -> Section:
+    """Derive the tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
     turns = [flip.turn for flip in flips(releases, shown)]
     return Section(tables={"numbers": _numbers(releases), "flips": TurnList(turns, list(releases[shown]), level=3)})
 

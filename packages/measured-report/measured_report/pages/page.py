@@ -12,8 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import (
+    ChoiceLoader,
     Environment,
     FileSystemLoader,
+    PrefixLoader,
     StrictUndefined,
     Template,
     TemplateError,
@@ -30,9 +32,13 @@ from measured_report.claims import citations, words
 from measured_report.claims.citations import StatedTag, references
 from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
 from measured_report.files.cache import Cache
+from measured_report.files.config import config
 from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter
 from measured_report.parts.parts import Figure
 
+LAYOUT = Path(__file__).resolve().parents[1] / "layout"
+"""Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
+may extend ``layout/NAME``."""
 TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
 """In a text that was converted; alone in its paragraph it may be a block."""
 BLOCK = ("<figure", "<p")
@@ -90,8 +96,9 @@ class Templates:
 
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
+        own, base = FileSystemLoader(folder), FileSystemLoader(LAYOUT)
         self._layout = Environment(
-            loader=FileSystemLoader(folder),
+            loader=ChoiceLoader([own, base, PrefixLoader({"layout": base})]),
             undefined=StrictUndefined,
             autoescape=True,
             trim_blocks=True,
@@ -100,7 +107,7 @@ class Templates:
         )
         self._prose = self._layout.overlay(finalize=_as_token, bytecode_cache=None)
         self._references = references(folder)
-        self._layout.globals["references"] = self._references
+        self._layout.globals |= {"references": self._references, "config": config()}
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
