@@ -53,8 +53,11 @@ class Extras(extras.Extras):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
+        found = Found(self.edition.chapters)
         return {
-            "does_slip": Found(self.edition.chapters).does_slip,
+            "does_slip": found.does_slip,
+            "value": found.value,
+            "cell": found.cell,
             "overview": "overview" in section.figures,
             "cards": cards_of(self.edition.chapters),
             "clips": self.clips,

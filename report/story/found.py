@@ -1,23 +1,52 @@
-"""Found: what the sections found, and what the story asks of them first."""
+"""What sections found, for pages that retell it; what a release lacks is said and not left out."""
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
 
 from measured_report.claims.claims import FAILS, HOLDS, Claim
-from measured_report.deriving.findings import Findings
+from measured_report.deriving.chapters import Chapters
+from measured_report.values.quantities import Quantity, absent
+from measured_report.values.results import Series
 
 
-class Found(Findings):
-    """The findings of one release."""
+@dataclass(frozen=True)
+class Found:
+    """The chapters of one release."""
+
+    chapters: Chapters
 
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        return self.holds("reproduction", "slips")
+        return self._holds("reproduction", "slips")
 
     @property
     def does_hold(self) -> bool:
         """Whether stiff pads hold it better."""
-        return self.holds("reproduction", "stiff_pads_hold")
+        return self._holds("reproduction", "stiff_pads_hold")
+
+    def _holds(self, section: str, name: str) -> bool:
+        told = self.claim(section, name)
+        return told is not None and told.outcome == HOLDS
+
+    def claim(self, section: str, name: str) -> Claim | None:
+        """Return a claim of a section; None where there is none."""
+        chapter = self.chapters.get(section)
+        claims = chapter.section.claims if chapter else ()
+        return next((claim for claim in claims if claim.name == name), None)
+
+    def value(self, section: str, name: str, unit: str = "1") -> Quantity:
+        """Return a value that a section derived."""
+        chapter = self.chapters.get(section)
+        derived = chapter.results.derived if chapter else {}
+        return derived.get(name) or self._absent(section, unit)
+
+    def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
+        """Return what a section measured."""
+        chapter = self.chapters.get(section)
+        row = chapter.results.row.get(case) if chapter else None
+        return row[column] if row and column in row else self._absent(section, unit)
 
     def titled(self, name: str) -> Claim:
         """Return whether the cube slips, and stiff pads hold it better."""
@@ -25,3 +54,24 @@ class Found(Findings):
         both = HOLDS if held == HOLDS else FAILS
         outcome = both if slips == HOLDS else slips
         return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
+
+    def trace(self, section: str, case: str) -> Series:
+        """Return a trace of a section."""
+        chapter = self.chapters.get(section)
+        return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
+
+    def retold(self, name: str, section: str, claim: str, numbers: Mapping[str, Any] | None = None) -> Claim:
+        """Return a section's claim, which has to be there, for other words: its outcome, and what these can name.
+
+        Args:
+            numbers: What they can name besides.
+        """
+        told = self.claim(section, claim)
+        assert told, f"there is no claim {section}.{claim}"
+        return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
+
+    def _absent(self, section: str, unit: str) -> Quantity:
+        return absent(unit, self._reason(section))
+
+    def _reason(self, section: str) -> str:
+        return f"section {section} {'does not say' if section in self.chapters else 'has no results here'}"

@@ -8,13 +8,14 @@ from importlib import import_module
 from itertools import takewhile
 from typing import Any
 
+from markupsafe import Markup
+
 from measured_report import ReportError
-from measured_report.claims.claims import HOLDS
+from measured_report.claims.claims import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
-from measured_report.deriving.chapters import Chapter, Chapters, Releases, values_text
+from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.deriving.dependencies import Dependencies, Tracked
 from measured_report.deriving.extras import Extras, extras
-from measured_report.deriving.findings import Findings
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
 from measured_report.editions.project import Project
@@ -91,17 +92,19 @@ class Edition:
         section = section.worded(
             anchor, text.name, text.words, Making(f"{config().story.replace('.', '/')}/", "make page")
         )
-        found = Findings(self.chapters)
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
             "is_told": bool(section.claims),
-            "value": found.value,
-            "cell": found.cell,
             **_things(anchor, section, self.chapters),
-            "claim": _finder(anchor, "claim", {claim.name: found.html(claim, anchor) for claim in section.claims}),
+            "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
         return text.prose(anchor, {**known, **self.extras.names(section), **names}, level)
+
+    def _html(self, claim: Claim, text: str) -> Markup:
+        """A claim of a text, with a mark where it rests on a stale section; the one called ``title`` has none."""
+        mark = "" if claim.name == "title" else stale_mark(self.chapters.values(), claim.outcome.reads)
+        return claim.html(text) + mark
 
     def _told(self, name: str, names: Mapping[str, Any]) -> Section:
         """What the module ``name`` of the report's story derives of the chapters; of all editions where it takes them.

@@ -23,7 +23,6 @@ from jinja2 import (
     TemplateSyntaxError,
     pass_context,
 )
-from jinja2.bccache import Bucket, BytecodeCache
 from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
@@ -103,9 +102,8 @@ class Templates:
             autoescape=True,
             trim_blocks=True,
             lstrip_blocks=True,
-            bytecode_cache=_KeptCode(cache) if cache else None,
         )
-        self._prose = self._layout.overlay(finalize=_as_token, bytecode_cache=None)
+        self._prose = self._layout.overlay(finalize=_as_token)
         self._references = references(folder)
         self._layout.globals |= {"references": self._references, "config": config()}
         self._prose.add_extension(WordTags)
@@ -153,24 +151,6 @@ class Templates:
     def keep(self) -> None:
         """Keep what was made of texts, for the next time."""
         self._converter.keep()
-
-
-class _KeptCode(BytecodeCache):
-    """Compiled templates of HTML, in the cache of the project."""
-
-    def __init__(self, cache: Cache):
-        self._cache = cache
-
-    def load_bytecode(self, bucket: Bucket) -> None:
-        if found := self._cache.get(*self._entry(bucket)):
-            bucket.bytecode_from_string(found)
-
-    def dump_bytecode(self, bucket: Bucket) -> None:
-        self._cache.put(*self._entry(bucket), bucket.bytecode_to_string())
-
-    def _entry(self, bucket: Bucket) -> tuple[str, Any]:
-        """What it is kept as, and what it was made from."""
-        return f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)
 
 
 @once

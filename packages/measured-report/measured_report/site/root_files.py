@@ -25,17 +25,13 @@ CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
 class Entry:
     """One entry of the feed."""
 
-    key: str
+    id: str
+    """The same for the same news, wherever the site lies."""
     title: str
     text: str
     address: str
     """Below the site."""
     updated: str
-
-    @property
-    def id(self) -> str:
-        """The same for the same news, wherever the site lies."""
-        return _id(self.key)
 
 
 def citation() -> dict[str, str]:
@@ -88,12 +84,12 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
         text = claims[0].text if claims else ""
-        yield Entry(release, name, text, f"{place}index.html", max(dates.values()))
+        yield Entry(_id(release), name, text, f"{place}index.html", max(dates.values()))
         for flip in flips(before.chapters, edition.chapters) if before else ():
             claim = f"{flip.section}.{flip.before.name}"
             title = f"{name}: {claim}, {flip.before.outcome.said} → {flip.after.outcome.said}"
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
-            yield Entry(f"{release}/{claim}", title, flip.after.text, where, dates[flip.section])
+            yield Entry(_id(f"{release}/{claim}"), title, flip.after.text, where, dates[flip.section])
         before = edition
 
 
