@@ -5,16 +5,17 @@ import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from measured_report import ROOT
 from measured_report.changes.compare import flips
-from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition
 from measured_report.deriving.extras import extras
 from measured_report.files.config import config
-from measured_report.files.staging import Draft
-from measured_report.pages.page import Templates
 from measured_report.site.archive import ARCHIVE, archived
+
+if TYPE_CHECKING:
+    from measured_report.site.site import Site
 
 CARD = "card.png"
 TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")
@@ -40,39 +41,18 @@ def citation() -> dict[str, str]:
     return dict(reversed(found))
 
 
-def write_root_files(
-    site: Draft,
-    editions: Mapping[str, Edition],
-    places: Mapping[str, str],
-    tables: Mapping[str, bytes],
-    templates: Templates,
-    address: str,
-    cache: DerivedCache,
-) -> None:
-    """Write all that the site has once.
-
-    Args:
-        site: The site.
-        editions: Every release by its name, oldest first.
-        places: Where the pages of each lie in the site.
-        tables: Rows of each record, by its file.
-        templates: Those of the project.
-        address: Where the site will lie; empty where that is not known.
-        cache: What was made before.
-    """
-    names = {
-        "address": address,
-        "pages": sorted(f"{places[name]}{page.file}" for name, edition in editions.items() for page in edition.pages),
-        "citation": citation(),
-        "id": _id(""),
-        "entries": sorted(_entries(editions, places), key=lambda entry: entry.updated, reverse=True),
-    }
+def write_root_files(site: "Site", places: Mapping[str, str], tables: Mapping[str, bytes]) -> None:
+    """Write all that the site has once; ``places`` of the editions' pages in it, and rows of records by their files."""
+    pages = (f"{places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages)
+    entries = sorted(_entries(site.editions, places), key=lambda entry: entry.updated, reverse=True)
+    names = {"address": site.address, "pages": sorted(pages), "citation": citation(), "id": _id(""), "entries": entries}
     for file in TEMPLATES:
-        site.write(file, templates.layout(f"{file}.j2", names))
-    site.copy("license.txt", ROOT / "LICENSE")
-    if card := extras().card(editions, cache):
-        site.write(CARD, card)
-    site.write(ARCHIVE, archived(editions, tables, templates))
+        site.draft.write(file, site.templates.layout(f"{file}.j2", names))
+    site.draft.copy("license.txt", ROOT / "LICENSE")
+    if card := extras().card(site.editions, site.cache):
+        site.draft.write(CARD, card)
+    site.draft.write(ARCHIVE, archived(site.editions, tables, site.templates))
+    site.draft.write(".gitkeep", "")
 
 
 def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[Entry]:

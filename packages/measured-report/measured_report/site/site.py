@@ -118,15 +118,15 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         digest, there = _digest(project, address), digests_below(project.site)
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        site = Draft(fresh, project.site, there)
+        draft = Draft(fresh, project.site, there)
         with sources_kept(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, derived)
-            _write_site(site, project, editions, templates, address, derived)
+            Site(draft, project.release, editions, templates, address, derived).write()
             templates.keep()
         replace(project.site, fresh)
         built = {release: _built(edition) for release, edition in editions.items()}
-        cache.put(BUILT, (digest, site.digests), built)
+        cache.put(BUILT, (digest, draft.digests), built)
     return built
 
 
@@ -134,60 +134,83 @@ def _built(edition: Edition) -> Built:
     return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
 
 
-def _write_site(
-    site: Draft,
-    project: Project,
-    editions: Mapping[str, Edition],
-    templates: Templates,
-    address: str,
-    cache: DerivedCache,
-) -> None:
-    places = {
-        release: "" if release == project.release else f"{edition.project.results.name}/"
-        for release, edition in editions.items()
-    }
-    links = {release: _links(editions, places, release) for release in editions}
-    contents = {release: _contents(editions[release], templates, links[release]) for release in editions}
-    records = [chapter.results for edition in editions.values() for chapter in edition.chapters.values()]
-    tables = {results.source: rows_csv(results.record.rows) for results in records}
+@dataclass(frozen=True)
+class Site:
+    """A site that is being written."""
 
-    def write_data() -> None:
-        for release, edition in editions.items():
-            _write_data(site, f"{places[release]}data/", release, editions, tables)
-            edition.extras.write(site, places[release], templates)
-        write_root_files(site, editions, places, tables, templates, address, cache)
-        site.write(".gitkeep", "")
+    draft: Draft
+    shown: str
+    """The release whose pages are the first."""
+    editions: Mapping[str, Edition]
+    """Every release by its name, oldest first."""
+    templates: Templates
+    address: str
+    """Where it will lie; empty where that is not known."""
+    cache: DerivedCache
 
-    icon = project.root / "assets" / ICON
-    beside = [*(LAYOUT / name for name in BESIDE), *([icon] if icon.is_file() else [])]
-    drawn = _draw(contents, cache, write_data)
-    origins = json.dumps({results.source: _origin(results) for results in records}, ensure_ascii=False)
-    for release, edition in editions.items():
-        place = places[release]
-        names = {
+    def write(self) -> None:
+        """Draw all figures, and write data and pages of all releases."""
+        folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
+        places = {**folders, self.shown: ""}
+        links = {release: _links(self.editions, places, release) for release in places}
+        contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
+        records = [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
+        tables = {results.source: rows_csv(results.record.rows) for results in records}
+
+        def write_data() -> None:
+            for release, place in places.items():
+                self._write_data(f"{place}data/", release, tables)
+                self.editions[release].extras.write(self.draft, place, self.templates)
+            write_root_files(self, places, tables)
+
+        drawn = _draw(contents, self.cache, write_data)
+        origins = json.dumps({results.source: _origin(results) for results in records}, ensure_ascii=False)
+        for release, place in places.items():
+            names = {
+                "contents": contents[release],
+                "links": links[release],
+                "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
+                "origins": origins,
+            }
+            self._write_pages(place, self.editions[release], names)
+
+    def _write_pages(self, place: str, edition: Edition, names: Mapping[str, Any]) -> None:
+        icon = edition.project.root / "assets" / ICON
+        known = {
             "edition": edition,
-            "contents": contents[release],
-            "links": links[release],
-            "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
-            "site_address": address,
-            "address": address and f"{address}{place}",
+            "site_address": self.address,
+            "address": self.address and f"{self.address}{place}",
             "root": "../" if place else "",
-            "card": CARD if CARD in site.digests else "",
-            "icon": ICON if icon in beside else "",
+            "card": CARD if CARD in self.draft.digests else "",
+            "icon": ICON if icon.is_file() else "",
             "citation": citation(),
-            "origins": origins,
             "floors": json.dumps(_floors(edition)),
+            **names,
         }
-        pages = {
-            each.page.file: templates.layout("base.html.j2", {**names, "content": each}) for each in contents[release]
-        }
+        layout = partial(self.templates.layout, "base.html.j2")
+        pages = {content.page.file: layout({**known, "content": content}) for content in names["contents"]}
         for file, html in _connected(pages, edition.chapters).items():
-            site.write(f"{place}{file}", local(html, release))
-        for path in beside:
-            site.copy(f"{place}{path.name}", path)
+            self.draft.write(f"{place}{file}", local(html, edition.project.release))
+        for path in (*(LAYOUT / name for name in BESIDE), *([icon] if icon.is_file() else [])):
+            self.draft.copy(f"{place}{path.name}", path)
         for chapter in edition.chapters.values():
             for download in chapter.section.downloads:
-                site.write(f"{place}download/{download.name}", download.text)
+                self.draft.write(f"{place}download/{download.name}", download.text)
+
+    def _write_data(self, folder: str, shown: str, tables: Mapping[str, bytes]) -> None:
+        """All that the pages of the release ``shown`` name: its own results and values, and those of the others.
+
+        ``tables`` are the rows of each record, by its file.
+        """
+        for release, edition in self.editions.items():
+            own, name = release == shown, edition.project.results.name
+            for chapter in edition.chapters.values():
+                path = chapter.results.path
+                for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
+                    self.draft.copy(f"{folder}{name}/{file.name}", file)
+                self.draft.write(f"{folder}{name}/{path.stem}.csv", tables[chapter.results.source])
+            values = edition.values_text if own else edition.uncompared_text
+            self.draft.write(f"{folder}{'' if own else f'{name}/'}{VALUES_FILE}", local(values, shown))
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -262,24 +285,6 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
     floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
     return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}
-
-
-def _write_data(
-    site: Draft, folder: str, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]
-) -> None:
-    """All that the page of the release ``shown`` names: its own results and values, and those of the others.
-
-    ``tables`` are the rows of each record, by its file.
-    """
-    for release, edition in editions.items():
-        own, name = release == shown, edition.project.results.name
-        for chapter in edition.chapters.values():
-            path = chapter.results.path
-            for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
-                site.copy(f"{folder}{name}/{file.name}", file)
-            site.write(f"{folder}{name}/{path.stem}.csv", tables[chapter.results.source])
-        values = edition.values_text if own else edition.uncompared_text
-        site.write(f"{folder}{'' if own else f'{name}/'}{VALUES_FILE}", local(values, shown))
 
 
 def _digest(project: Project, address: str) -> str:
