@@ -250,7 +250,6 @@ def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
         "templates/pages/results.md.j2": "# Results\n",
         "CITATION.cff": "title: A toy\nlicense: MIT\nauthors:\n  - name: Somebody\n",
         "LICENSE": "MIT",
-        "experiments/facts/case.py": "class Case:\n    pass\n",
     }
     for name, text in files.items():
         toy.write(name, text)

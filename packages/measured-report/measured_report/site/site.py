@@ -293,7 +293,8 @@ def _digest(project: Project, address: str) -> str:
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
-    checkouts = [package_version(project.of(release)) for release in project.releases]  # may be edited, and lie elsewhere
+    # A checkout may be edited, and lie elsewhere.
+    checkouts = [package_version(project.of(release)) for release in project.releases]
     made_from = (place, address, package_versions(), installed(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
