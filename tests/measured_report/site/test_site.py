@@ -244,7 +244,7 @@ print(*check_site(Path("site")), sep="\\n", end="")
 
 def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     files = {
-        "report.toml": 'packages = ["newton"]\n',
+        "report.toml": f"packages = {json.dumps([*toy.packages])}\n",
         "report/__init__.py": "",
         "report/sections/__init__.py": "",
         "templates/pages/results.md.j2": "# Results\n",
