@@ -1,6 +1,9 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
+import os
+import subprocess
+import sys
 from contextlib import nullcontext
 from dataclasses import replace
 
@@ -8,7 +11,7 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE
 from matplotlib.axis import Axis
 
-from measured_report import ReportError
+from measured_report import ROOT, ReportError
 from measured_report.parts.figures import SERIES, draw_svg, narrow_screen, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
@@ -198,3 +201,34 @@ def test_quick_results_are_shown_as_such(toy):
     assert "quick profile" in quick.page
     assert "make rerun SECTION=toy PROFILE=quick" in quick.page
     assert check_site(quick.project.site) == []
+
+
+BARE = """
+from pathlib import Path
+from measured_report.editions.project import Project
+from measured_report.site.check import check_site
+from measured_report.site.site import build
+
+build(Project("1.4.0", root=Path.cwd()))
+print(*check_site(Path("site")), sep="\\n", end="")
+"""
+
+
+def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
+    files = {
+        "report.toml": f"packages = {json.dumps([*toy.packages])}\n",
+        "report/__init__.py": "",
+        "report/sections/__init__.py": "",
+        "templates/pages/results.md.j2": "# Results\n",
+        "CITATION.cff": "title: A toy\nlicense: MIT\nauthors:\n  - name: Somebody\n",
+        "LICENSE": "MIT",
+    }
+    for name, text in files.items():
+        toy.write(name, text)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "packages/measured-report")}
+    command = [sys.executable, "-c", BARE]
+    done = subprocess.run(command, cwd=toy.project.root, env=environment, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ("", "")
+    page = (toy.project.site / "results.html").read_text()
+    assert 'data-claim="toy.helps"' in page and "Measured with 1.4.0." in page
+    assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()

@@ -90,6 +90,8 @@ class Claim:
     """What the section's template says of it, once that is known."""
     says_missing: bool = False
     """Whether its words say what is missing, so that they can stand with a number that is not there."""
+    mark: Markup = field(default=Markup(""), compare=False)
+    """What is shown before its sentence."""
 
     @cached_property
     def sentence(self) -> Markup:
@@ -120,10 +122,10 @@ class Claim:
         return " ".join(NUMBER.sub("#", str(self.sentence)).split())
 
     def html(self, section: str) -> Markup:
-        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
+        claim = Markup('{}<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
         opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
         bounds = Markup(' title="Chosen: {}"').format("; ".join(self.outcome.bounds)) if self.outcome.bounds else ""
-        html = claim.format(section, self.name, self.outcome.name, opposite, bounds, self.sentence)
+        html = claim.format(self.mark, section, self.name, self.outcome.name, opposite, bounds, self.sentence)
         because = self.said("because") if self.outcome == HOLDS else ""
         return html + Markup(" {}").format(because) if because else html
 
