@@ -3,8 +3,8 @@
 # What is given on the command line reaches the programs through the environment, as it was typed: no make and no shell
 # reads it. Variables that were exported for something else do not count.
 # The Makefile's own variables are none of them, whence override.
-override GIVEN := SECTION NEWTON WITH SINCE DEVICE CLUSTER PROFILE A B FORMAT CLAIM VALUE VALUES STRICT TARGET PORT \
-        ADDRESS PYTHON
+override GIVEN := SECTION NEWTON WITH SINCE DEVICE CLUSTER PROFILE A B FORMAT CLAIM VALUE VALUES STRICT FAST TARGET \
+        PORT ADDRESS PYTHON
 override name :=
 # The names of all others go along, to be refused as misspelt; not those of a make above, nor make's own.
 override MAKE_KNOWN := $(GIVEN)
@@ -81,7 +81,7 @@ publish: $(READY) ## Check site/ and put it at TARGET, or on the branch gh-pages
 serve: $(READY) ## Serve site/ at http://127.0.0.1:8000, and build it again on every change [PORT NEWTON PROFILE]
 	$(RUN) serve
 
-test: $(READY) ## Run the tests, which need no GPU [NEWTON]
+test: $(READY) ## Run the tests, which need no GPU [NEWTON FAST]
 	$(RUN) test
 
 worlds: $(READY) ## Build the site as it would be if something else had been measured, and check it
@@ -114,6 +114,7 @@ help: ## Print this
 	@echo 'FORMAT=json|markdown    what diff and check print, for a program or a pull request'
 	@echo 'VALUES=all              let diff list every value that moved'
 	@echo 'STRICT=1                let check fail when anything cannot be trusted'
+	@echo 'FAST=1                  only those tests that a change of words or figures needs, in 90 s'
 	@echo 'TARGET=dir:PATH         where to publish: also rsync:HOST:PATH and git:REMOTE'
 	@echo 'PORT=8000               where to serve'
 	@echo 'PYTHON=PATH             a Python that has everything already, on a host without network'

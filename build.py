@@ -24,9 +24,9 @@ from measured_report.editions.environment import add_cluster, python_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
 from measured_report.editions.status import expected_packages
-from measured_report.files.files import settle
-from measured_report.files.near import near
-from measured_report.records.code import sources_kept
+from measured_report.files.files import recover
+from measured_report.files.suggestion import suggestion
+from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
 
 AGAIN_S = 0.01
@@ -46,8 +46,8 @@ def main() -> int:
         own = own_release()
         arguments.stack = stack_of(arguments.newton.asked if arguments.newton else own, arguments.pins)
         project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
-        settle(project.results.parent)
-        with sources_kept(project.root):
+        recover(project.results.parent)
+        with cached_sources(project.root):
             result = arguments.run(project, arguments)
         print(end="", flush=True)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
@@ -90,7 +90,8 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     _add_cluster(python, project)
-    return subprocess.run([python, "-m", "pytest"], cwd=project.root, check=False).returncode
+    chosen = ["-m", "words and not slow"] if arguments.fast else []
+    return subprocess.run([python, "-m", "pytest", *chosen], cwd=project.root, check=False).returncode
 
 
 def worlds(project: Project, arguments: argparse.Namespace) -> int:
@@ -128,7 +129,7 @@ COMMANDS = {
     verify: ("newton", "device"),
     publish: ("target",),
     serve: ("port", "newton", "profile"),
-    test: ("newton", "with"),
+    test: ("newton", "with", "fast"),
     worlds: (),
     torture: (),
 }
@@ -162,7 +163,7 @@ def _given_to_make() -> Mapping[str, str]:
     known, unknown = (os.environ.pop(f"MAKE_{names}", "").split() for names in ("KNOWN", "UNKNOWN"))
     given = {name: os.environ.pop(f"MAKE_{name.upper()}", "") for name in OPTIONS}
     for name in unknown:
-        raise UsageError(f"{name}= is no variable of make here{near(name.upper(), known)}; see make help")
+        raise UsageError(f"{name}= is no variable of make here{suggestion(name.upper(), known)}; see make help")
     given = {name: value for name, value in given.items() if value}
     for name, value in given.items():
         OPTIONS[name].get("type", flag)(value)

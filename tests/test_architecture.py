@@ -52,11 +52,9 @@ def test_no_import_leads_in_a_circle():
 
 
 def test_the_generator_has_few_rooms_on_few_floors():
-    inside = {room: found for room, found in rooms.rooms().items() if room.startswith("measured_report.")}
-    inside = {room: {each for each in found if each in inside} for room, found in inside.items()}
-    assert len(inside) <= MOST_ROOMS
-    assert sum(map(len, inside.values())) <= MOST_ARROWS
-    assert max(rooms.floors(inside).values()) <= MOST_FLOORS
+    inside = rooms.inside(rooms.arrows())
+    floors = rooms.floors(inside)
+    assert len(floors) <= MOST_ROOMS and len(inside) <= MOST_ARROWS and max(floors.values()) <= MOST_FLOORS
 
 
 def test_words_are_in_templates():

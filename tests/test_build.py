@@ -27,7 +27,6 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["rerun", "--section", ""], "reproduction"),
         (["rerun", "--section", "frction"], "SECTION=frction is no section; near it: friction, "),
         (["bisect", "--claim", "gup.x", "--a", "1.4.0", "--b", "1.8.0"], "CLAIM=gup.x is in no section; near it: gap"),
-        (["rerun", "--section", "scene"], "there is no report/sections/scene.py; use one of"),
         (["rerun", "--section", "reproduction"], "DEVICE=cpu"),
         (["rerun", "--section", "reproduction", "--device", "cuda"], "no CUDA device"),
         (["check", "--section", "nothing"], "--section nothing"),
@@ -76,6 +75,7 @@ def test_status_does_not_import_the_simulator():
     assert "reproduction" in done.stdout
 
 
+@pytest.mark.words
 def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
     assert check_site(tracked_site) == []
     assert [path for path in tracked_site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []

@@ -1,6 +1,9 @@
 """The README: what it says to type exists, and the section that it shows how to add works."""
 
 import re
+import shutil
+import subprocess
+import sys
 import textwrap
 
 import pytest
@@ -13,6 +16,7 @@ from measured_report.site.check import check_site
 from report.names import name_of
 from tests.report.test_names import unfit
 
+pytestmark = pytest.mark.words
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n(?: {3}\S.*\n)*\n((?: {7}.*\n|\n)+)", re.MULTILINE)
 
@@ -21,6 +25,11 @@ FILE = re.compile(r"^[0-9]\. `([^`]+)`.*\n(?: {3}\S.*\n)*\n((?: {7}.*\n|\n)+)", 
 def files() -> dict[str, str]:
     """The files of the section that is added, by their folder."""
     return {path.partition("/")[0]: textwrap.dedent(text).strip() + "\n" for path, text in FILE.findall(README)}
+
+
+def text_of(section: str) -> str:
+    path = ROOT / "report/sections" / f"{section}.py"
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def test_every_make_target_is_there():
@@ -51,7 +60,26 @@ def test_the_section_that_is_added_works(toy, files):
     toy.measure([{"case": case.name, "slip_mm": 1.0 + index} for index, case in enumerate(cases)])
     toy.build()
     assert check_site(toy.project.site) == []
-    labels = [outline_of(section).label for section in {*sections(), *sections(toy.project.root)}]
+    left = {section for section in sections() if text_of(section) == files["report"]}
+    labels = [outline_of(section).label for section in {*sections(), *sections(toy.project.root)} - left]
     assert "weight" in labels and unfit(labels) == [], "a section is named nowhere but in its own files"
     assert unfit(name_of(case.name) for case in cases) == []
     assert 'data-claim="toy.heavier_slips_more" data-outcome="unknown"' in toy.page, "there is no section on noise"
+
+
+@pytest.mark.slow
+def test_left_in_the_tree_it_passes_the_tests(tmp_path, files):
+    """As it lies there before anything of it is measured, whether it was left in this tree as well or not."""
+    for path in ROOT.glob("[!.]*"):
+        if path.name in files or path.name in ("tests", "docs"):
+            shutil.copytree(path, tmp_path / path.name, ignore=shutil.ignore_patterns("__pycache__"))
+        elif path.name != "site":
+            (tmp_path / path.name).symlink_to(path)
+    if not any(text_of(section) == files["report"] for section in sections()):
+        for name in ("experiments/heavy.py", "report/sections/heavy.py", "templates/sections/heavy.md.j2"):
+            (tmp_path / name).write_text(files[name.partition("/")[0]], encoding="utf-8")
+    tests = ["tests/report/test_names.py", "tests/test_architecture.py", "tests/test_readme.py"]
+    command = [sys.executable, "-m", "pytest", "-n0", "-p", "no:cacheprovider", *tests]
+    chosen = ["-k", "not left_in_the_tree and not picture"]
+    done = subprocess.run([*command, *chosen], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-2000:]

@@ -14,9 +14,10 @@ axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
-pytestmark = pytest.mark.skipif(
-    not BROWSER, reason=f"there is no browser ({', '.join(BROWSERS)}) to look at the site with"
-)
+pytestmark = [
+    pytest.mark.words,
+    pytest.mark.skipif(not BROWSER, reason=f"there is no browser ({', '.join(BROWSERS)}) to look at the site with"),
+]
 
 SCREENS = {"desk": (1280, 900), "phone": (390, 844)}
 LEAST_TEXT_PX = 9.0

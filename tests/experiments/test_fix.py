@@ -43,6 +43,7 @@ def runs(tmp_path_factory) -> dict[str, tuple[subprocess.CompletedProcess, dict,
         return {name: (*said, trace) for name, said, trace in zip(CASES, scripts, traces, strict=True)}
 
 
+@pytest.mark.slow
 @needs_boxes_in_c
 def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(runs):
     fixed, shipped = runs["fixed_scene.py"][0], runs["scene_as_shipped.py"][0]
@@ -51,6 +52,7 @@ def test_the_fixed_scene_passes_its_own_test_and_the_shipped_one_fails(runs):
     assert "the cube slipped" in shipped.stderr.splitlines()[-1]
 
 
+@pytest.mark.slow
 @needs_boxes_in_c
 @pytest.mark.parametrize("name", CASES)
 def test_a_script_is_the_scene_of_this_report(runs, name):

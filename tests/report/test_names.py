@@ -12,6 +12,7 @@ from measured_report.records.identity import sections
 from measured_report.records.reading import load_record
 from report.names import case_html, cases_html, name_of, number_of
 
+pytestmark = pytest.mark.words
 CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
 """What gives away a name that was made for programs."""
 NO_CASES = re.compile(r"(option|default|sum|audit|as-shipped|fixed)-\w+|.*-batch-\d+|map")

@@ -40,6 +40,7 @@ class Solver:
         return self.mjw_data.qpos.numpy()[:, :3].astype(float) - 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("integrator", ["implicitfast", "RK4"])
 def test_a_position_creeps_in_the_world_that_compensates_and_stands_in_the_other(integrator):
     with wp.ScopedDevice("cpu"):

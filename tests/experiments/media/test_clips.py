@@ -25,6 +25,7 @@ def clip(poses_path) -> Clip:
     return Clip((left, right), RUNS[FIRST])
 
 
+@pytest.mark.slow
 def test_the_readout_is_the_kept_displacement(clip, poses_path):
     readout = clip.readout()
     rows = {row["case"]: row for row in load_record(poses_path).rows}
@@ -43,6 +44,7 @@ def test_a_cube_out_of_the_grasp_is_not_read_out():
     assert reading(np.nan) == "fell out"
 
 
+@pytest.mark.slow
 def test_a_picture_has_each_cube_where_it_is(clip):
     stage = Stage([(0.9, 0.1, 0.1), (0.1, 0.1, 0.9)], clip.runs[0].cube_edge_m, "cpu")
     frame = clip.frames[-1]
@@ -55,6 +57,7 @@ def test_a_picture_has_each_cube_where_it_is(clip):
     assert np.ptp(display(stage.picture(away, 33, 25))[0, 12, 16]) < 0.2
 
 
+@pytest.mark.slow
 def test_the_long_exposure_has_more_of_the_run_that_moves(clip):
     picture = long_exposure(clip, 1.0, "cpu")
     assert picture.shape == (630, 1200, 3) and picture.dtype == np.uint8

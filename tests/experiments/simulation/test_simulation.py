@@ -29,6 +29,7 @@ def slip_mm(trace) -> float:
     return metrics.slip_mm(metrics.displacement(trace))
 
 
+@pytest.mark.slow
 @needs_boxes_in_c
 @pytest.mark.parametrize("case", [AS_SHIPPED, STIFF_PADS], ids=lambda case: case.name)
 def test_calibration_through_mujoco_c(case):
@@ -56,6 +57,7 @@ def test_calibration_on_the_cpu_device(batch, name):
     assert slip_mm(batch[name][1]) == pytest.approx(expected, abs=tolerance)
 
 
+@pytest.mark.slow
 def test_what_is_left_out_changes_no_more_than_the_noise(batch):
     """Measured on a CPU it is 0.9 µm of slip in 1.4.0, 1.1 in 1.8.0 and 2.006 in 1.7.0, where it is all by when IK is
     solved; two runs of one case on a GPU come out up to seven apart, and the page tells no smaller difference."""

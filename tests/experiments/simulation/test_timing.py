@@ -48,6 +48,7 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(pilot):
     assert found["small"]["frame_ms_reason"] == OVERFLOW
 
 
+@pytest.mark.slow
 def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch):
     pilot = in_the_shake(FIXED, wp.get_device("cpu"))
     assert scaling.time_worlds(pilot, 1, pilot.device)["frame_ms"] > 0.0
@@ -70,6 +71,7 @@ def test_a_cell_of_the_map_that_overflows_has_no_time():
     assert envelope.measure_alone(QUICK, cell)["wall_s_reason"] == f"{OVERFLOW} in frame 0"
 
 
+@pytest.mark.slow
 def test_halves_of_a_batch_are_not_timed_as_the_batch(monkeypatch):
     """Whatever more than one world is asked for, the device says what Warp says when it has no more memory."""
     monkeypatch.setattr(simulation, "Simulation", refusing(NO_MEMORY, most=1))

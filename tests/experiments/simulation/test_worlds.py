@@ -48,6 +48,7 @@ def test_a_model_that_is_worked_out_is_the_one_that_is_built(name, monkeypatch):
     assert set(pairs[0]) == set(pairs[1])
 
 
+@pytest.mark.slow
 def test_worlds_that_are_worked_out_run_as_those_that_are_built(monkeypatch):
     cases = [replace(LEAN, name=str(index), pad_ke=2e3 * (index + 1), frame_count=130) for index in range(5)]
     extended = simulate(cases, device="cpu")

@@ -7,11 +7,10 @@ import pytest
 from measured_report import ReportError
 from measured_report.changes.verify import compared, text_of
 from measured_report.deriving.editions import Edition
-from measured_report.editions.project import own_release
+from measured_report.editions.project import Project, own_release
 from measured_report.records.reading import load_record
-from measured_report.records.record import record_path
 
-TRACKED = {row["case"]: row for row in load_record(record_path("reproduction", own_release(), "full")).rows}
+TRACKED = {row["case"]: row for row in load_record(Project(own_release()).record_path("reproduction")).rows}
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))
 """What is tracked [mm], from the GPU that the noise was measured on."""
 GPU = {"device": "cuda", "gpu": "NVIDIA H200", "cpu": "A processor"}

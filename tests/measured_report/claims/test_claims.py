@@ -8,8 +8,8 @@ from markupsafe import Markup
 
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond, greater, within
 from measured_report.claims.words import Wording
+from measured_report.editions.project import Project
 from measured_report.records.reading import load_record
-from measured_report.records.record import record_path
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
 from report.sections import fix
@@ -201,7 +201,7 @@ def test_only_what_is_clearly_beyond_the_noise_is_named():
 
 def test_a_script_is_not_compared_with_what_was_not_measured():
     def results_of(section: str, **others: Results) -> Results:
-        path = record_path(section, "1.4.0", "full")
+        path = Project("1.4.0").record_path(section)
         return Results(load_record(path), path, others)
 
     measured = results_of("reproduction")
@@ -213,7 +213,7 @@ def test_a_script_is_not_compared_with_what_was_not_measured():
 
 
 def test_what_gets_through_no_cycle_of_its_shake_keeps_no_cube():
-    path = record_path("stiffness", "1.4.0", "full")
+    path = Project("1.4.0").record_path("stiffness")
     record = load_record(path)
     index = next(index for index, row in enumerate(record.rows) if row["case"] == "pad-ke-2.5e5")
 

@@ -7,6 +7,7 @@ from measured_report import ReportError
 from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome
 from measured_report.pages.page import Templates
 
+pytestmark = pytest.mark.words
 ASKS = "{% asks %} whether it helps\n"
 
 

@@ -18,8 +18,8 @@ from measured_report.deriving.editions import editions_of
 from measured_report.deriving.keeping import surroundings
 from measured_report.files.cache import FOLDER, Cache
 from measured_report.pages.page import Templates
-from measured_report.records import identity
-from measured_report.records.code import sources_kept
+from measured_report.records import code
+from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
 from measured_report.records.traces import packed
 
@@ -336,19 +336,19 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(tmp_path):
 
 
 def test_what_sources_say_is_kept_by_their_texts(tmp_path, monkeypatch):
-    monkeypatch.setattr(identity, "_known", {})
+    monkeypatch.setattr(code, "_known", {})
     module = tmp_path / "experiments" / "one.py"
     module.parent.mkdir()
 
     def says(text: str) -> dict:
         module.write_text(text)
-        identity._known.clear()
-        with sources_kept(tmp_path):
-            return identity.read_source(module, "experiments/one.py").top
+        code._known.clear()
+        with cached_sources(tmp_path):
+            return code.read_source(module, "experiments/one.py").top
 
     assert says("order = 1\n") == {"order": 1}
     assert says("order = 2\n") == {"order": 2}
-    monkeypatch.setattr(identity, "canonical", None)
+    monkeypatch.setattr(code, "Reader", None)
     assert says("order = 1\n") == {"order": 1}
     (tmp_path / FOLDER / "sources").write_bytes(b"damaged")
     with pytest.raises(TypeError):

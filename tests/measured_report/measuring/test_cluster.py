@@ -71,6 +71,7 @@ def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, l
     assert not running(log)
 
 
+@pytest.mark.slow
 def test_a_worker_of_this_host_comes_back_however_often_it_is_killed():
     with clusters.connected(read_cluster("local:1"), "cpu") as client:
         end = time.monotonic() + 17.0  # by itself Dask looks 15 s after a loss whether there is a worker, and gives up

@@ -13,13 +13,11 @@ from batches import begun, course, rows_of
 
 from measured_report import ROOT, UsageError
 from measured_report.files.processes import workers
-from measured_report.measuring import on_paper
 from measured_report.measuring import worker as slots
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.course import Task
 from measured_report.measuring.forks import Forks
 from measured_report.measuring.machine import machine
-from measured_report.measuring.on_paper import hosts_of, makespan
 from measured_report.measuring.scheduler import Here, Host, Study, next_start
 from measured_report.measuring.where import read_cluster
 from measured_report.records.reading import load_record
@@ -177,25 +175,6 @@ def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
             del busy[chance.choice(list(busy))]
 
 
-def test_a_study_on_paper_is_as_by_hand():
-    tasks = [task("a", 3.0), task("b", 2.0), task("c", 2.0), task("d", 4.0, alone=True)]
-    assert [makespan(tasks, hosts_of(count)) for count in (1, 2, 9)] == [11.0, 8.0, 4.0]
-    assert [len(host.slots) for host in hosts_of(17)] == [8, 8, 1]
-
-
-def test_on_paper_the_longest_batch_is_what_no_number_of_gpus_goes_below(monkeypatch, capsys):
-    tasks = [task("a", 6.0), task("b", 2.0), task("c", 1.0)]
-    monkeypatch.setattr(on_paper, "records_of", lambda project: [None])
-    monkeypatch.setattr(on_paper, "tasks_of", lambda record: tasks)
-    monkeypatch.setattr(sys, "argv", ["on_paper", "1", "64"])
-    assert on_paper.main() == 0
-    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [
-        "1 GPU 9 s 1.0 times as fast".split(),
-        "64 GPUs 6 s 1.5 times as fast".split(),
-        "never less than 6 s, which toy/a takes by itself".split(),
-    ]
-
-
 HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}
 
 
@@ -219,6 +198,7 @@ def test_hosts_are_read_with_their_folders(tmp_path):
     assert read_cluster("local:3").process_count == 3 and read_cluster("tcp://[::1]:8786").scheduler
 
 
+@pytest.mark.slow
 def test_processes_that_compile_into_one_cache_at_once_do_not_spoil_it(tmp_path):
     settings = {**os.environ, "WARP_CACHE_PATH": str(tmp_path)}
     command = [sys.executable, ROOT / "tests" / "kernels_at_once.py", tmp_path / "cuda"]

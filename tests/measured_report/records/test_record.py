@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from damage import damage
 
+from measured_report.editions.project import Project
 from measured_report.files.files import RecordError
 from measured_report.measuring.course import believable
 from measured_report.records.columns import column_of, number_problem, units_of
 from measured_report.records.reading import load_record
-from measured_report.records.record import record_path, write_record
+from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
 
 
@@ -85,8 +86,9 @@ def test_only_numbers_have_units():
 
 
 def test_quick_results_lie_apart(tmp_path):
-    assert record_path("toy", "1.4.0", "full", tmp_path) == tmp_path / "results/newton-1.4.0/toy.json"
-    assert record_path("toy", "1.4.0", "quick", tmp_path) == tmp_path / "results/quick/newton-1.4.0/toy.json"
+    full, quick = (Project("1.4.0", profile, tmp_path).record_path("toy") for profile in ("full", "quick"))
+    assert full == tmp_path / "results/newton-1.4.0/toy.json"
+    assert quick == tmp_path / "results/quick/newton-1.4.0/toy.json"
 
 
 def test_traces_are_the_same_bytes_for_the_same_numbers(toy):

@@ -21,6 +21,7 @@ from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
 
+pytestmark = pytest.mark.words
 WORK = ROOT / "tests" / "sentences"
 """What is still to be mended; these lists may only get shorter."""
 NO_NUMBER = re.compile(r"\b(nan|inf)\b")
@@ -44,6 +45,7 @@ def test_no_words_name_what_their_test_has_not_read(world):
     assert {str(named) for survey in surveys(world) for named in survey.unread()} == listed("unread.txt")
 
 
+@pytest.mark.slow
 def test_no_number_in_a_claim_could_be_anything(world):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
     assert {str(named) for survey in surveys(world) for named in survey.inert()} == listed("inert.txt")
@@ -80,6 +82,7 @@ def lost_pointers(results: Results, record: Record) -> set[str]:
     }
 
 
+@pytest.mark.slow
 def test_a_damaged_record_takes_nothing_down(world):
     chance = random.Random(0)
     pairs = [(release, name) for release, chapters in world.releases.items() for name in chapters]

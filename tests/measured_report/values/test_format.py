@@ -9,8 +9,6 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svg, fold, new_figure, write
-from measured_report.site.check import check_site
-from measured_report.site.check_numbers import TYPED
 from measured_report.values.format import MINUS, THIN_SPACE, format_number, format_short, spellings
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import Quantity
@@ -196,33 +194,6 @@ def test_a_drawing_says_where_its_numbers_are_from():
     svg = draw_svg(draw, name="toy-way")
     linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg))
     assert linked == {places[0]: "slips 6.36 mm", " ".join(places[1:]): "8.00 of 8.00"}, "the tick is a place"
-
-
-def test_the_check_reads_drawings_and_their_words(toy):
-    toy.build()
-    assert check_site(toy.project.site) == []
-    page, label, source = toy.page, 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
-    for old, new, problem in (
-        (label, 'aria-label="It moves 0.32 mm."', "is not said by"),
-        (label, 'aria-label="It moves 0.3 mm."', "is not said by"),
-        (label, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
-        ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
-        ("</svg>", f'<text data-src="{source}/0/slip_mm">7 mm</text></svg>', "is not said by"),
-        ("</svg>", f'<text data-src="{source}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
-        ("</svg>", f'<text data-src="{source}/0/slip_mm">6.4 mm</text></svg>', ""),
-        ("</svg>", f'<text data-src="{source}/0/slip_mm">6 mm</text></svg>', "is not said by"),
-        ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
-        ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
-    ):
-        assert old in page
-        toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
-        found = check_site(toy.project.site)
-        assert any(problem in line for line in found) if problem else found == [], new
-
-
-@pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
-def test_the_label_of_an_edition_is_no_number(label):
-    assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"
 
 
 def test_the_slope_of_a_power_law_is_its_exponent():

@@ -21,42 +21,100 @@ def made(toy) -> Made:
     def rows(cells: Sequence[dict]) -> list[Row]:
         whole = []
         for index, row in enumerate(cells):
-            reasons = {f"{name}_reason": "it does not exist" for name, value in row.items() if value is None}
+            lost = [name for name, value in row.items() if value is None and name != "failure"]
+            reasons = {f"{name}_reason": "it does not exist" for name in lost}
             whole.append({"case": str(index), "failure": None} | row | reasons)
         return Results(toy.record(whole), toy.record_path).rows
 
     return rows
 
 
-@pytest.fixture
-def verdicts(made) -> Callable[..., list[bool | None]]:
-    def judge(family: str, *cells: dict) -> list[bool | None]:
-        return passing(made([{"family": family, "finite": cell["class"] != "non-finite"} | cell for cell in cells]))
+STEPS = "class pads substeps drift_mm_s"
+CLAMPED = "class clamped substeps penetration_mm"
+FREED = "class freed freed_speed_first_mm_s freed_speed_last_mm_s"
+GROWTH = "class increment_first_mm_per_cycle increment_last_mm_per_cycle"
+SAID = "the contact buffer overflowed in frame 0"
+JUDGED = {
+    "steps pass near the drift of the smallest": (
+        *("steps", STEPS, [("creeping", "stiff", n, d) for n, d in ((1, 2.1), (2, 2.0), (4, 0.5))]),
+        [("creeping", "stiff", 8, 0.49), ("creeping", "stiff", 128, 1.0), ("dropped", "stiff", 16, None)],
+        [False, True, True, False, True, False],
+    ),
+    "and of the same pads": (
+        *("steps", STEPS, [("creeping", "stiff", 16, 1.0), ("creeping", "stiff", 32, 1.0)]),
+        [("creeping", "as-shipped", 16, 9.0), ("dropped", "as-shipped", 32, None)],
+        [True, True, False, False],
+    ),
+    "those of opposite drift or none do not pass": (
+        *("steps", STEPS, [("creeping", "stiff", 1, -1.0), ("creeping", "stiff", 2, 0.0)]),
+        *([("creeping", "stiff", 4, 0.0)], [False, False, False]),
+    ),
+    "clamped cells pass near the plateau of their step": (
+        *("ke-critical", CLAMPED, [("creeping", True, 16, depth) for depth in (1.0, 1.0, 2.1, 0.4)]),
+        [("dropped", False, 16, 1.0), ("non-finite", False, 16, 1.0)]
+        + [("creeping", True, 32, 9.0), ("dropped", True, 32, None)],
+        [True, True, False, False, True, False, True, False],
+    ),
+    "the default kd passes as the explicit bound says": (
+        *("ke-kd-100", "class pad_ke pad_kd step_ms"),
+        [(kind, ke, 100.0, 1e3 / 960) for ke, kind in ((1e6, "creeping"), (1.1e6, "dropped"), (3e6, "dropped"))],
+        [(kind, ke, 100.0, 1e3 / 960) for ke, kind in ((9e6, "exploded"), (8e6, "creeping"), (1e1, "dropped"))]
+        + [("creeping", 1.1e6, 100.0, 1e3 / 7680)],
+        [True, False, None, True, False, None, True],
+    ),
+    "without the clamp failure has to be found": (
+        *("clamp", "class clamp", [("creeping", "off"), ("exploded", "off"), ("creeping", "direct")]),
+        *([("holding", "direct")], [True, True, False, False]),
+    ),
+    **{
+        f"loads pass as friction says ({family})": (
+            *(family, "class load", [("creeping", 0.89), ("dropped", 0.89), ("dropped", 1.0), ("dropped", 1.11)]),
+            *([("creeping", 1.11), ("exploded", None)], [True, False, None, True, False, False]),
+        )
+        for family in ("shake", "grip")
+    },
+    "without friction the cube has to fall": (
+        *("friction", "class pad_mu", [("dropped", 0.0), ("holding", 0.0), ("dropped", 1.0), ("non-finite", 1.0)]),
+        *([], [True, False, True, False]),
+    ),
+    "any mass passes that stays finite": ("mass", "class", [("dropped",), ("non-finite",)], [], [True, False]),
+    "sizes pass up to a hundredth of the edge": (
+        *("size", "class cube_edge_mm penetration_mm", [("creeping", 40.0, 0.39), ("creeping", 40.0, 0.4)]),
+        *([("dropped", 40.0, None)], [True, False, False]),
+    ),
+    "a stable run that lacks its number is not judged": (
+        *("size", "class cube_edge_mm penetration_mm", [("creeping", 400.0, None), ("creeping", 400.0, 1.0)]),
+        *([("creeping", 400.0, 2.0)], [None, True, True]),
+    ),
+    "what starts too deep passes up to the speed of a spring": (
+        *("overlap", "class exit_speed_mm_s exit_bound_mm_s", [("creeping", 5.0, 5.0), ("creeping", 5.1, 5.0)]),
+        *([("dropped", 1.0, 5.0)], [True, False, False]),
+    ),
+    "a freed cube must not gain energy": (  # 10² grows by a hundredth at 10.0499
+        *("gravity", FREED, [("creeping", False, 1.0, 1.0), ("non-finite", True, 1.0, 1.0)]),
+        [("dropped", True, 10.0, 10.04), ("dropped", True, 10.0, 10.06), ("dropped", True, 0.0, 0.0)]
+        + [("dropped", True, 0.0, 0.1)],
+        [True, False, True, False, True, False],
+    ),
+    "an overflow must name its buffer": (
+        *("buffers", "class case failure", [("creeping", "buffers-ample", None)]),
+        [("overflow", "buffers-contact-8", SAID), ("overflow", "buffers-constraint-12", SAID)]
+        + [("creeping", "buffers-contact-4", None)],
+        [True, True, False, False],
+    ),
+    "a long run must not speed up": ("long", GROWTH, [("creeping", 1.0, 1.1)], [], [True]),
+    "this one does": ("long", GROWTH, [("creeping", 1.0, 1.2)], [], [False]),
+    "nor must it drop the cube": ("long", GROWTH, [("dropped", None, None)], [], [False]),
+}
+"""Family, columns, cells, further cells, and which of them pass."""
 
-    return judge
 
-
-def test_steps_pass_near_the_drift_of_the_smallest(verdicts):
-    drifts = {1: 2.1, 2: 2.0, 4: 0.5, 8: 0.49, 128: 1.0}
-    cells = [{"class": "creeping", "pads": "stiff", "substeps": n, "drift_mm_s": drift} for n, drift in drifts.items()]
-    cells.append({"class": "dropped", "pads": "stiff", "substeps": 16, "drift_mm_s": None})
-    assert verdicts("steps", *cells) == [False, True, True, False, True, False]
-
-
-def test_steps_are_judged_by_the_smallest_of_the_same_pads(verdicts):
-    cells = [("stiff", 16, 1.0), ("stiff", 32, 1.0), ("as-shipped", 16, 9.0), ("as-shipped", 32, None)]
-    columns = ("pads", "substeps", "drift_mm_s")
-    kinds = ("creeping", "creeping", "creeping", "dropped")
-    rows = [{"class": kind} | dict(zip(columns, cell, strict=True)) for kind, cell in zip(kinds, cells, strict=True)]
-    assert verdicts("steps", *rows) == [True, True, False, False]
-
-
-def test_clamped_cells_pass_near_the_plateau_of_their_step(verdicts):
-    cells = [{"class": "creeping", "clamped": True, "substeps": 16, "penetration_mm": d} for d in (1.0, 1.0, 2.1, 0.4)]
-    cells += [{"class": kind, "clamped": False, "substeps": 16} for kind in ("dropped", "non-finite")]
-    cells += [{"class": "creeping", "clamped": True, "substeps": 32, "penetration_mm": 9.0}]
-    cells += [{"class": "dropped", "clamped": True, "substeps": 32, "penetration_mm": None}]
-    assert verdicts("ke-critical", *cells) == [True, True, False, False, True, False, True, False]
+@pytest.mark.parametrize("name", JUDGED)
+def test_what_passes(made, name):
+    family, columns, first, further, expected = JUDGED[name]
+    rows = [dict(zip(columns.split(), cells, strict=True)) for cells in [*first, *further]]
+    rows = [{"family": family, "finite": row["class"] != "non-finite"} | row for row in rows]
+    assert passing(made(rows)) == expected
 
 
 def test_the_explicit_bound():
@@ -67,88 +125,8 @@ def test_the_explicit_bound():
     assert explicit_margin(4 * 960.0**2 - 2 * 960.0 * 100.0, 100.0, 1 / 960) == pytest.approx(1.0)
 
 
-def test_the_default_kd_passes_as_the_explicit_bound_says(verdicts):
-    cells = [(1e6, "creeping"), (1.1e6, "dropped"), (3e6, "dropped"), (9e6, "exploded"), (8e6, "creeping")]
-    cells += [(1e1, "dropped")]
-    rows = [{"class": kind, "pad_ke": ke, "pad_kd": 100.0, "step_ms": 1e3 / 960} for ke, kind in cells]
-    rows.append({"class": "creeping", "pad_ke": 1.1e6, "pad_kd": 100.0, "step_ms": 1e3 / 7680})
-    assert verdicts("ke-kd-100", *rows) == [True, False, None, True, False, None, True]
-
-
-def test_without_the_clamp_failure_has_to_be_found(verdicts):
-    kinds = {"off": ("creeping", "exploded"), "direct": ("creeping", "holding")}
-    cells = [{"class": kind, "clamp": clamp} for clamp, both in kinds.items() for kind in both]
-    assert verdicts("clamp", *cells) == [True, True, False, False]
-
-
-@pytest.mark.parametrize("family", ["shake", "grip"])
-def test_loads_pass_as_friction_says(verdicts, family):
-    cells = [(0.89, "creeping"), (0.89, "dropped"), (1.0, "dropped"), (1.11, "dropped"), (1.11, "creeping")]
-    cells.append((None, "exploded"))
-    expected = [True, False, None, True, False, False]
-    assert verdicts(family, *({"class": kind, "load": load} for load, kind in cells)) == expected
-
-
-def test_without_friction_the_cube_has_to_fall(verdicts):
-    cells = [(0.0, "dropped"), (0.0, "holding"), (1.0, "dropped"), (1.0, "non-finite")]
-    assert verdicts("friction", *({"class": kind, "pad_mu": mu} for mu, kind in cells)) == [True, False, True, False]
-
-
-def test_any_mass_passes_that_stays_finite(verdicts):
-    assert verdicts("mass", {"class": "dropped"}, {"class": "non-finite"}) == [True, False]
-
-
-def test_sizes_pass_up_to_a_hundredth_of_the_edge(verdicts):
-    depths = [("creeping", 0.39), ("creeping", 0.4), ("dropped", None)]
-    cells = [{"class": kind, "cube_edge_mm": 40.0, "penetration_mm": depth} for kind, depth in depths]
-    assert verdicts("size", *cells) == [True, False, False]
-
-
-def test_what_starts_too_deep_passes_up_to_the_speed_of_a_spring(verdicts):
-    cells = [("creeping", 5.0), ("creeping", 5.1), ("dropped", 1.0)]
-    rows = [{"class": kind, "exit_speed_mm_s": speed, "exit_bound_mm_s": 5.0} for kind, speed in cells]
-    assert verdicts("overlap", *rows) == [True, False, False]
-
-
-def test_a_freed_cube_must_not_gain_energy(verdicts):
-    cells = [{"class": "creeping", "freed": False}, {"class": "non-finite", "freed": True}]
-    speeds = [(10.0, 10.04), (10.0, 10.06), (0.0, 0.0), (0.0, 0.1)]  # 10² grows by a hundredth at 10.0499
-    names = ("freed_speed_first_mm_s", "freed_speed_last_mm_s")
-    cells += [{"class": "dropped", "freed": True} | dict(zip(names, pair, strict=True)) for pair in speeds]
-    assert verdicts("gravity", *cells) == [True, False, True, False, True, False]
-
-
-def test_an_overflow_must_name_its_buffer(verdicts):
-    said = "the contact buffer overflowed in frame 0"
-    cells = [
-        {"class": "creeping", "case": "buffers-ample"},
-        {"class": "overflow", "case": "buffers-contact-8", "failure": said},
-        {"class": "overflow", "case": "buffers-constraint-12", "failure": said},
-        {"class": "creeping", "case": "buffers-contact-4"},
-    ]
-    assert verdicts("buffers", *cells) == [True, True, False, False]
-
-
-def test_a_long_run_must_not_speed_up(verdicts):
-    cells = [("creeping", 1.0, 1.1), ("creeping", 1.0, 1.2), ("dropped", None, None)]
-    names = ("class", "increment_first_mm_per_cycle", "increment_last_mm_per_cycle")
-    for cell, expected in zip(cells, (True, False, False), strict=True):
-        assert verdicts("long", dict(zip(names, cell, strict=True))) == [expected]
-
-
 def test_what_was_not_measured_is_not_judged(made):
     assert passing([]) == passed([]) == []
-
-
-def test_a_stable_run_that_lacks_its_number_is_not_judged(verdicts):
-    cells = [("creeping", None), ("creeping", 1.0), ("creeping", 2.0)]
-    rows = [{"class": kind, "cube_edge_mm": 400.0, "penetration_mm": depth} for kind, depth in cells]
-    assert verdicts("size", *rows) == [None, True, True]
-
-
-def test_steps_of_opposite_drift_or_none_do_not_pass(verdicts):
-    cells = [{"class": "creeping", "pads": "stiff", "substeps": n, "drift_mm_s": d} for n, d in ((1, -1.0), (2, 0.0))]
-    assert verdicts("steps", *cells, cells[1] | {"substeps": 4}) == [False, False, False]
 
 
 def test_those_that_pass(made):

@@ -7,6 +7,7 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.shared.overview import _label, _mark, lines_of, overview
 
+pytestmark = pytest.mark.words
 WHOLE = {"drift_mm_s": 0.5, "failure": None}
 """What a run of the whole task says beside its slip."""
 SHAKE = {"shake_amplitude_m": 0.03, "shake_frequency_hz": 1.0, "shake_duration_s": 11.4, "dropped": False, **WHOLE}

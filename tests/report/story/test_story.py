@@ -19,6 +19,7 @@ from report.story.found import Found
 from report.story.front import front_of
 from report.story.story import TOLD, story_of
 
+pytestmark = pytest.mark.words
 WHOLE = ["1.4.0", "1.8.0"]
 """Releases that were measured whole."""
 MOST_WORDS = 2500
@@ -140,13 +141,17 @@ def test_words_that_depend_on_a_flag_do_so_when_retold(editions, templates):
     assert tried == {"is_opposed", "small_ones_fail"}
 
 
+def failing(chapter, *names):
+    """The chapter as if its claims of these names, or all, failed."""
+    claims = [replace(c, outcome=FAILS) if c.name in names or not names else c for c in chapter.section.claims]
+    return replace(chapter, section=replace(chapter.section, claims=claims))
+
+
 @pytest.mark.parametrize("name", ["mujoco_contacts_as_before", "pyramid_as_before"])
 def test_that_the_fix_is_needed_elsewhere_takes_other_contacts_and_the_other_cone(editions, name):
     chapters = editions["1.8.0"].chapters
     upgrade = chapters["upgrade"]
-    claims = [replace(claim, outcome=FAILS) if claim.name == name else claim for claim in upgrade.section.claims]
-    changed = replace(upgrade, section=replace(upgrade.section, claims=claims))
-    for each, outcome in ((upgrade, HOLDS), (changed, FAILS)):
+    for each, outcome in ((upgrade, HOLDS), (failing(upgrade, name), FAILS)):
         (elsewhere,) = [c for c in story_of({**chapters, "upgrade": each}).claims if c.name == "elsewhere"]
         assert elsewhere.outcome == outcome
 
@@ -168,9 +173,7 @@ def test_pads_that_gain_less_than_a_remedy_are_not_called_no_better(editions, te
 
 def test_what_the_lint_does_not_name_says_nothing_of_the_pads(editions, templates):
     edition = editions["1.4.0"]
-    lint = edition.chapters["lint"]
-    claims = [replace(claim, outcome=FAILS) for claim in lint.section.claims]
-    claim = mistuned(edition, templates, lint=replace(lint, section=replace(lint.section, claims=claims)))
+    claim = mistuned(edition, templates, lint=failing(edition.chapters["lint"]))
     assert claim.outcome == FAILS and claim.text.startswith("The lint does not say")
 
 
@@ -186,9 +189,7 @@ def test_front_and_story_agree_on_where_stiff_pads_help(editions, templates):
 
 def test_a_claim_that_flips_changes_the_front_page(editions, templates):
     edition = editions["1.5.0"]  # it has no clips
-    chapter = edition.chapters["reproduction"]
-    claims = [replace(claim, outcome=FAILS) if claim.name == "slips" else claim for claim in chapter.section.claims]
-    flipped = replace(chapter, section=replace(chapter.section, claims=claims))
+    flipped = failing(edition.chapters["reproduction"], "slips")
     front = front_text(replace(edition, chapters={**edition.chapters, "reproduction": flipped}), templates)
     assert front.title.striptags().startswith("The cube hardly creeps in the grasp")
     assert "Where the cube ends" in front.figures[0].wording("caption", front.figures[0].numbers)

@@ -18,7 +18,7 @@ from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.stack import Stack, stack_of
 from measured_report.editions.status import states_of
 from measured_report.files.files import locked
-from measured_report.files.near import near
+from measured_report.files.suggestion import suggestion
 from measured_report.measuring.measure import kept_by, measure
 from measured_report.records.identity import sections
 
@@ -198,7 +198,7 @@ def _question(arguments: argparse.Namespace) -> "Question":
     """What is asked, of a section that there is: whether that has it is known once it is measured."""
     question = _asked(arguments)
     if question.section not in sections() or question.section == question.text:
-        hint = near(question.section, sections())
+        hint = suggestion(question.section, sections())
         raise UsageError(f"{_given(question)} is in no section{hint}; {EXAMPLES[question.is_claim]} is")
     return question
 
@@ -215,7 +215,7 @@ def _refuse_unknown(question: "Question", releases: "Releases", shown: str) -> N
     """What no edition knows is taken for a mistake; names like it are those of the edition ``shown``."""
     known = (question.answer(each) is not None or question.text in question.names(each) for each in releases.values())
     if not any(known):
-        hint = near(question.text, question.names(releases[shown]))
+        hint = suggestion(question.text, question.names(releases[shown]))
         raise UsageError(f"no edition has {_given(question)}{hint}; {EXAMPLES[question.is_claim]} is one")
 
 

@@ -9,7 +9,7 @@ from measured_report import ROOT, UsageError
 from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, own_release
 from measured_report.editions.stack import Stack, stack_of
-from measured_report.files.near import near
+from measured_report.files.suggestion import suggestion
 from measured_report.measuring.where import read_cluster
 from measured_report.records.identity import sections
 
@@ -20,7 +20,7 @@ def _section(name: str) -> str:
         if name.isidentifier() and (ROOT / "experiments" / f"{name}.py").is_file():
             fault += f": there is no report/sections/{name}.py"
         else:
-            fault += near(name, sections())
+            fault += suggestion(name, sections())
         raise UsageError(f"{fault}; use one of: {', '.join(sections())}")
     return name
 
@@ -103,6 +103,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     },
     "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
     "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
+    "fast": {"action": "store_true", "help": "only those that a change of words or figures needs"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/shake/"},

@@ -11,7 +11,7 @@ from measured_report.changes.question import Question
 from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
-from measured_report.files.near import near
+from measured_report.files.suggestion import suggestion
 from measured_report.pages.page import Templates
 from measured_report.records.columns import changed_parameters, is_setting
 from measured_report.records.record import Record
@@ -49,7 +49,7 @@ class Ways:
         known = self._named(name) or self._values.get(pointer) or self._cell(pointer)
         if known:
             return known
-        hint = near(name, Question(name, is_claim=False).names(self._chapters))
+        hint = suggestion(name, Question(name, is_claim=False).names(self._chapters))
         fault = f"VALUE={name} is no value of newton {self.project.release}{hint}"
         where = f"values are in site/data/{VALUES_FILE}, numbers of rows named as reproduction.as-shipped.slip_mm"
         raise UsageError(f"{fault}; all {where}")

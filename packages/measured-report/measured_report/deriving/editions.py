@@ -15,7 +15,7 @@ from measured_report.deriving.keeping import Derivation, Keeper, Made
 from measured_report.deriving.short import marked
 from measured_report.editions.project import Project
 from measured_report.editions.status import State, states_of
-from measured_report.files.files import RecordError, place_of
+from measured_report.files.files import RecordError, short_path
 from measured_report.pages.page import Prose, Templates, Text
 from measured_report.pages.pages import FRONT, HISTORY, PAGES, REPLAY, Page
 from measured_report.parts.contradictions import refuse_contradictions
@@ -270,7 +270,7 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
-    place = "" if isinstance(error, RecordError) else f"{place_of(project.record_path(state.section))}: "
+    place = "" if isinstance(error, RecordError) else f"{short_path(project.record_path(state.section))}: "
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 

@@ -1,7 +1,6 @@
 """Devices: where it may be measured."""
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -15,10 +14,17 @@ NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
 
 def has_cuda() -> bool:
     """Whether this machine has an NVIDIA GPU that works."""
-    if not shutil.which("nvidia-smi"):
-        return False
-    listing = subprocess.run(["nvidia-smi", "-L"], capture_output=True, text=True, check=False)
-    return listing.returncode == 0 and "GPU" in listing.stdout
+    return bool(_gpus())
+
+
+def _gpus() -> list[str]:
+    """The names of this machine's GPUs; none where the driver does not answer."""
+    query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
+    try:
+        done = subprocess.run(query, capture_output=True, text=True, check=False)
+    except OSError:
+        return []
+    return done.stdout.splitlines() if done.returncode == 0 else []
 
 
 def needs_gpu(section: str, root: Path = ROOT) -> bool:
@@ -46,11 +52,7 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
 
 def machine_name(device: str) -> str:
     """What this machine is called in a label when it measures on ``device``: by its GPU, or ``cpu``."""
-    if device == "cpu":
-        return device
-    query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
-    said = subprocess.run(query, capture_output=True, text=True, check=False).stdout.strip()
-    return slug(said.partition("\n")[0])
+    return device if device == "cpu" else slug("".join(_gpus()[:1]))
 
 
 def machine_of(record: Record) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from measured_report.files.config import config, read_toml
-from measured_report.files.files import RecordError, atomic_file, place_of
+from measured_report.files.files import RecordError, atomic_file, short_path
 
 NAME = "edition.toml"
 
@@ -37,7 +37,7 @@ def read_manifest(results: Path) -> Manifest | None:
             raise TypeError("a field is no text, or unknown")
         return manifest
     except (KeyError, TypeError, ValueError, OSError) as error:
-        raise RecordError(f"{place_of(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
+        raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
 
 def write_manifest(results: Path, manifest: Manifest) -> None:

@@ -12,7 +12,6 @@ from measured_report.editions.label import Label, read_label
 from measured_report.editions.manifest import Manifest, read_manifest
 from measured_report.files.config import config
 from measured_report.files.files import RecordError
-from measured_report.records.record import record_path, results_folder
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
@@ -48,7 +47,10 @@ class Project:
 
     @property
     def results(self) -> Path:
-        return results_folder(self.release, self.profile, self.root)
+        """The folder of the edition's records; only those of the full profile are tracked."""
+        results = self.root / "results"
+        folder = results if self.profile == "full" else results / self.profile
+        return folder / config().edition_folder(self.release)
 
     @property
     def templates(self) -> Path:
@@ -88,7 +90,7 @@ class Project:
         return replace(self, release=release, own_release=self.own_release or self.release)
 
     def record_path(self, section: str) -> Path:
-        return record_path(section, self.release, self.profile, self.root)
+        return self.results / f"{section}.json"
 
     def rerun(self, section: str, device: str | None = None) -> str:
         """The command that measures a section, on ``device`` where one is named, or on a CPU where these are of one."""

@@ -44,18 +44,18 @@ class State:
 def states_of(project: Project) -> list[State]:
     """The state of every section of one release."""
     with unchanged_files():
-        states = [_kept(project, section) for section in sections(project.root)]
+        states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
-        return [_judged(project, state, packages) for state in states]
+        return [_compared(project, state, packages) for state in states]
 
 
 def state_of(project: Project, section: str) -> State:
     """The state of one section."""
-    return _judged(project, _kept(project, section), expected_packages(project))
+    return _compared(project, _read_state(project, section), expected_packages(project))
 
 
-def _kept(project: Project, section: str) -> State:
-    """What there is of a section, not yet judged."""
+def _read_state(project: Project, section: str) -> State:
+    """Read the record of a section, which is not yet compared with the code."""
     path = project.record_path(section)
     if not os.path.lexists(path):
         return State(section, "missing")
@@ -65,8 +65,8 @@ def _kept(project: Project, section: str) -> State:
         return State(section, "damaged", notes=(str(error),))
 
 
-def _judged(project: Project, state: State, packages: Mapping[str, str]) -> State:
-    """The same, stale where its record was not measured by what there is now, with ``packages``."""
+def _compared(project: Project, state: State, packages: Mapping[str, str]) -> State:
+    """Compare a section's record with the code that there is now: it is stale where that, or a package, differs."""
     if not state.record:
         return state
     changed = changes(state.record.identity, identity_of(state.section, project.profile, project.root, packages))
@@ -74,12 +74,15 @@ def _judged(project: Project, state: State, packages: Mapping[str, str]) -> Stat
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
-    """The package versions that the records of an edition should have been measured with; ``records`` are those that
-    were read already.
+    """Find the package versions that the records of an edition should have been measured with.
 
     Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
     its newest record says which versions of the other packages belong to it, so that a section measured with others
     before is stale. A checkout counts as it lies there now.
+
+    Args:
+        project: The edition.
+        records: Its records, where they were read already.
     """
     label, installed = project.label, package_versions()
     if label.is_installed_with(installed):

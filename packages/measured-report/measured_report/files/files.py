@@ -22,8 +22,8 @@ class RecordError(ReportError):
     """A record or trace that can't be trusted; the message is one line that names its release and file."""
 
 
-def place_of(path: Path) -> str:
-    """A record or a trace as messages name it: its release and its file."""
+def short_path(path: Path) -> str:
+    """The path of a record or a trace as messages have it: its edition's folder and its name."""
     return f"{path.parent.name}/{path.name}"
 
 
@@ -36,7 +36,7 @@ def is_own_file(path: Path) -> bool:
 
 def read_own_file(path: Path, byte_limit: int) -> bytes:
     """What the regular file at ``path`` holds; RecordError for a link, a pipe or a device, and for too much."""
-    place = place_of(path)
+    place = short_path(path)
     try:
         # A pipe that nobody writes to would keep us waiting.
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -82,12 +82,12 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     """Put a record and its traces, contents by file name, beside each other at ``record``: all of them, or none.
 
     They are written to a folder aside, and its new name says that they are whole. From then on a process that is
-    killed has lost nothing: ``settle`` does what is left to do.
+    killed has lost nothing: ``recover`` does what is left to do.
     """
     folder = record.parent
     folder.mkdir(parents=True, exist_ok=True)
     with locked(folder.parent):
-        _settle(folder)
+        _put_in_place(folder)
         new = folder / f".{record.stem}{NEW}"
         new.mkdir()
         try:
@@ -100,7 +100,7 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
             shutil.rmtree(new, ignore_errors=True)
             raise
         os.rename(new, folder / f".{record.stem}{WHOLE}")
-        _settle(folder)
+        _put_in_place(folder)
 
 
 @contextmanager
@@ -117,14 +117,14 @@ def atomic_file(path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def settle(results: Path) -> None:
+def recover(results: Path) -> None:
     """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest."""
     for folder in {path.parent for ending in (WHOLE, NEW) for path in results.glob(f"*/.*{ending}")}:
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
-            _settle(folder)
+            _put_in_place(folder)
 
 
-def _settle(folder: Path) -> None:
+def _put_in_place(folder: Path) -> None:
     for unfinished in folder.glob(f".*{NEW}"):
         shutil.rmtree(unfinished)
     for whole in folder.glob(f".*{WHOLE}"):

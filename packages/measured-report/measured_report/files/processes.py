@@ -36,8 +36,7 @@ def workers(count: int, method: str, begin: Callable[[], None] | None = None) ->
 
 
 def _begin(parent: int, begin: Callable[[], None] | None) -> None:
-    end_with(parent)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever started it is who answers Ctrl-C
+    obey(parent)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     if begin:
         begin()

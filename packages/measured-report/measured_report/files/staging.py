@@ -1,4 +1,4 @@
-"""Placing: a folder is made aside, by one process at a time, and takes the place of another in one step."""
+"""Staging: a folder is made beside another, by one process at a time, and takes its place in one step."""
 
 import ctypes
 import errno
@@ -18,8 +18,8 @@ AT_FDCWD, RENAME_EXCHANGE = -100, 2
 
 
 @contextmanager
-def aside(folder: Path) -> Iterator[Path]:
-    """A name beside ``folder`` for what is to take its place: whoever has it is alone with ``folder``.
+def staging_folder(folder: Path) -> Iterator[Path]:
+    """Name a staging folder for what is to take the place of ``folder``; whoever has it is alone with both.
 
     What is there afterwards is removed, as is what processes that were killed have left.
     """

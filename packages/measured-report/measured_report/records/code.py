@@ -28,7 +28,6 @@ as all does that is reached."""
 Node = tuple[str, str]
 """A file, and a name that it defines."""
 
-
 _known: dict[str, Source] = {}
 """By the digest of their names and texts: every section imports the same few modules."""
 SOURCES = "sources"
@@ -40,17 +39,14 @@ class Files:
 
     def __init__(self) -> None:
         self.versions: dict[str, str] = {}
-        self.graphs: dict[tuple[str, ...], Graph] = {}
-        self._sources: dict[str, Source] = {}
-        self._folders: dict[str, set[str]] = {}
+        for method in (self.source, self.graph, self._names_in):
+            setattr(self, method.__name__, cache(method))
 
     def source(self, path: str, name: str) -> Source:
-        if path not in self._sources:
-            self._sources[path] = read_source(Path(path), name)
-        return self._sources[path]
+        return read_source(Path(path), name)
 
     def graph(self, roots: tuple[str, ...]) -> "Graph":
-        return self.graphs.setdefault(roots, Graph(roots, self))
+        return Graph(roots, self)
 
     def module(self, root: str, parts: Sequence[str]) -> str:
         """The file below ``root`` of the module that is named so; empty where there is none."""
@@ -61,9 +57,7 @@ class Files:
         return f"{folder}/{last}.py" if f"{last}.py" in there else ""
 
     def _names_in(self, folder: str) -> set[str]:
-        if folder not in self._folders:
-            self._folders[folder] = {path.name for path in Path(folder).glob("*")}
-        return self._folders[folder]
+        return {path.name for path in Path(folder).glob("*")}
 
 
 _files: ContextVar[Files | None] = ContextVar("files", default=None)
@@ -71,8 +65,7 @@ _files: ContextVar[Files | None] = ContextVar("files", default=None)
 
 @contextmanager
 def unchanged_files() -> Iterator[None]:
-    """Within it no source changes and nothing is installed: of one that many sections import it is seen once what it
-    says."""
+    """Look at each source once: within this no source changes and nothing is installed."""
     token = _files.set(files())
     try:
         yield
@@ -85,8 +78,8 @@ def files() -> Files:
 
 
 @contextmanager
-def sources_kept(root: Path = ROOT) -> Iterator[None]:
-    """Within it, what sources say is known from the processes before, since parsing all of them takes a second."""
+def cached_sources(root: Path = ROOT) -> Iterator[None]:
+    """Know what sources say from the processes before, since parsing all of them takes a second."""
     kept = Cache(root)
     made_by = sys.version, hashlib.sha256(Path(syntax.__file__).read_bytes()).hexdigest()
     _known.update(kept.get(SOURCES, made_by) or {})

@@ -19,27 +19,10 @@ from typing import Any, TypeGuard
 
 from measured_report.files.config import Declared, config
 
-UNITS = {
-    "mm_per_cycle": "mm/cycle",
-    "kg_m3": "kg/m³",
-    "ms_per_s": "ms/s",
-    "mrad_s": "mrad/s",
-    "mm_s": "mm/s",
-    "n_m": "N/m",
-    "per_s": "1/s",
-    "m_s2": "m/s²",
-    "m_s": "m/s",
-    "bytes_per_world": "B",
-    "bytes": "B",
-    "mm": "mm",
-    "m": "m",
-    "n": "N",
-    "s": "s",
-    "ms": "ms",
-    "hz": "Hz",
-    "kg": "kg",
-    "count": "1",
-}
+_LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
+_TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
+_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
+UNITS = _LENGTHS | _TIMES | _OTHERS
 """Unit by the end of a column's name; the longest end that fits counts."""
 
 PLAIN_TYPES = bool, int, float, str, type(None)
@@ -50,6 +33,7 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 LARGEST_OF_OTHERS = 1e18
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
+SAID = ("given_beside", "better", "resolution", "rate_of")
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
@@ -96,21 +80,10 @@ def column_of(name: str) -> Column:
     largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
     signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
-
-    def said(what: str) -> Any:
-        return next(filter(None, (getattr(each, what) for each in found)), getattr(Declared, what))
-
-    return Column(
-        name=name,
-        unit=unit,
-        least=-largest if signed else 0.0,
-        largest=largest,
-        kinds=frozenset(kinds),
-        given_beside=said("given_beside"),
-        better=said("better"),
-        resolution=said("resolution"),
-        rate_of=said("rate_of"),
-    )
+    said: dict[str, Any] = {
+        what: next(filter(None, (getattr(each, what) for each in found)), getattr(Declared, what)) for what in SAID
+    }
+    return Column(name, unit, -largest if signed else 0.0, largest, frozenset(kinds), **said)
 
 
 def _unit(name: str) -> str:

@@ -39,7 +39,7 @@ def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping
 
 
 def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
-    """That of what a module has under a name, or of all that a module has."""
+    """The identity of what has a dotted name, or of all that a module of that name has."""
     graph = files().graph(roots_of(root))
     reached = graph.reached(name)
     by_file: dict[str, set[str]] = {}
@@ -86,7 +86,7 @@ def sections(root: Path = ROOT) -> list[str]:
 
 
 def source_at(path: Path, name: str) -> Source:
-    """What ``read_source`` says, of one that was looked at before as well."""
+    """Read what the module at ``path`` says; see ``read_source``."""
     return files().source(str(path), name)
 
 
@@ -100,9 +100,5 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
     for path in sorted(paths):
         if path.is_file():
             content = path.read_bytes()
-            digest.update(f"{_name(path, root)}\0{len(content)}\0".encode() + content)
+            digest.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode() + content)
     return digest.hexdigest()
-
-
-def _name(path: Path, root: Path) -> str:
-    return path.relative_to(root).as_posix()

@@ -23,15 +23,12 @@ MISSING = "missing"
 
 def package_versions() -> dict[str, str]:
     """Version of each package that is installed here; of the first with its code, where that is not an index's."""
-    seen = files()
-    seen.versions = seen.versions or _installed_versions()
-    return dict(seen.versions)
-
-
-def _installed_versions() -> dict[str, str]:
-    versions = {package: _version(package) for package in config().packages}
-    source = source_of(config().package)
-    return versions | ({config().package: f"{versions[config().package]}+{source}"} if source else {})
+    found = files().versions
+    if not found:
+        found.update((package, _version(package)) for package in config().packages)
+        if source := source_of(config().package):
+            found[config().package] += f"+{source}"
+    return dict(found)
 
 
 def _version(package: str) -> str:

@@ -15,7 +15,7 @@ from msgspec import Meta, Struct
 from measured_report import ROOT
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config
-from measured_report.files.files import RecordError, place_of, read_own_file
+from measured_report.files.files import RecordError, read_own_file, short_path
 from measured_report.records.columns import UNPRINTABLE, cell_problem
 from measured_report.records.identity import Identity
 from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record
@@ -73,7 +73,7 @@ def _own_code() -> bytes:
 
 
 def _checked(content: bytes, path: Path) -> Record:
-    place = place_of(path)
+    place = short_path(path)
     try:
         data = json.loads(content.decode("utf-8"), object_pairs_hook=_unique, parse_constant=_refuse)
         schema = data.get("schema") if isinstance(data, dict) else SCHEMA

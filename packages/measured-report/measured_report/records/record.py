@@ -10,9 +10,8 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
-from measured_report import ROOT
 from measured_report.files.config import config
-from measured_report.files.files import RecordError, place_of, put_record
+from measured_report.files.files import RecordError, put_record, short_path
 from measured_report.records.columns import (
     PLAIN,
     REASON,
@@ -112,16 +111,6 @@ DIGITS = ".9g"
 any of these numbers repeats to."""
 
 
-def results_folder(release: str, profile: str, root: Path = ROOT) -> Path:
-    """Where the records of an edition lie; only those of the full profile are tracked."""
-    results = root / "results"
-    return (results if profile == "full" else results / profile) / config().edition_folder(release)
-
-
-def record_path(section: str, release: str, profile: str, root: Path = ROOT) -> Path:
-    return results_folder(release, profile, root) / f"{section}.json"
-
-
 def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
     """Put ``record`` and its traces at ``path``: all of them whole, or none.
 
@@ -130,7 +119,7 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     """
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
-    check_record(record, place_of(path))
+    check_record(record, short_path(path))
     files = {f"{path.stem}.{case}.csv.gz": content for case, (_, content) in (traces or {}).items()}
     put_record(path, {**files, path.name: _text(record).encode()})
 

@@ -22,7 +22,7 @@ class Definition:
     tree: str
     """Digest of its syntax tree, with a gap in the place of each name that is not its own."""
     names: tuple[str, ...]
-    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.slip_mm``."""
+    """What stands in the gaps: names, and the attributes that are asked of them, as ``metrics.height_mm``."""
     imports: Mapping[str, str]
     """What it imports itself, by name."""
     assets: tuple[str, ...]
@@ -62,7 +62,7 @@ class Reader:
                 definitions.setdefault(name, []).append(self._definition(node, place))
         return Source(
             digest=hashlib.sha256(ast.dump(self.tree).encode()).hexdigest(),
-            modules=tuple(dict.fromkeys(name for node in nodes for name in self._modules(node))),
+            modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
             assets=tuple(_named_assets(nodes)),
             top=dict(self._top()),
             imports=self._imports,
@@ -77,7 +77,7 @@ class Reader:
     @cached_property
     def _imports(self) -> dict[str, str]:
         there = (node for node in self.tree.body if not isinstance(node, DEFINING))
-        return {name: what for top in there for node in ast.walk(top) for name, what in self._named(node)}
+        return {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
 
     @cached_property
     def _names(self) -> frozenset[str]:
@@ -85,7 +85,7 @@ class Reader:
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
-        inner = {name: what for each in ast.walk(node) for name, what in self._named(each)}
+        inner = {name: what for each in ast.walk(node) for name, what, _ in self._named(each)}
         tree = Canonical()
         text = tree.top(node, self._names | inner.keys())
         decorators = (_chain(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
@@ -104,22 +104,18 @@ class Reader:
             elif isinstance(node, ast.FunctionDef):
                 yield node.name, len(node.args.args)
 
-    def _modules(self, node: ast.AST) -> Iterator[str]:
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        else:  # each name may be a module of the package or something in it; what is no file drops out later
-            yield from (what for _, what in self._named(node))
-
-    def _named(self, node: ast.AST) -> Iterator[tuple[str, str]]:
-        """The names that an import binds, and what they are."""
+    def _named(self, node: ast.AST) -> Iterator[tuple[str, str, str]]:
+        """The names that an import binds, what they are, and the module that each may be or be of."""
         if isinstance(node, ast.Import):
             for alias in node.names:
-                first = alias.name.partition(".")[0]
-                yield (alias.asname, alias.name) if alias.asname else (first, first)
+                what = alias.name if alias.asname else alias.name.partition(".")[0]
+                yield alias.asname or what, what, alias.name
         elif isinstance(node, ast.ImportFrom):
             start = self.package[: len(self.package) - node.level + 1] if node.level else ()
             module = ".".join((*start, *([node.module] if node.module else [])))
-            yield from ((alias.asname or alias.name, f"{module}.{alias.name}") for alias in node.names)
+            for alias in node.names:
+                what = f"{module}.{alias.name}"
+                yield alias.asname or alias.name, what, what
 
 
 IMPORTS = (ast.Import, ast.ImportFrom)
@@ -159,7 +155,7 @@ def _is_aside(node: ast.AST) -> bool:
 
 
 def _chain(node: ast.AST) -> str:
-    """A name with the attributes that are asked of it, as ``metrics.slip_mm``; empty where it is something else."""
+    """A name with the attributes that are asked of it, as ``metrics.height_mm``; empty where it is something else."""
     attributes: list[str] = []
     while isinstance(node, ast.Attribute):
         attributes.append(node.attr)

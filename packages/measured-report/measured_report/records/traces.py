@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from measured_report.files.files import RecordError, is_own_file, place_of, read_own_file
+from measured_report.files.files import RecordError, is_own_file, read_own_file, short_path
 from measured_report.records.columns import PLAIN, column_of, number_problem, text_problem
 from measured_report.records.record import CASE, DIGITS, Record, Seal
 
@@ -55,21 +55,23 @@ def load_trace(path: Path, seal: Seal | None = None) -> "pd.DataFrame":
 
     Without a ``seal``, as for a record from before traces were sealed, it may be any whole trace.
     """
-    content = read_own_file(path, PACKED_BYTE_LIMIT)
-    if seal and hashlib.sha256(content).hexdigest() != seal.digest:
-        raise RecordError(f"{place_of(path)} is not the trace that was measured with {path.name.split('.')[0]}.json")
-    frame = _read(content, path)
+    frame = _read(_sealed(path, seal), path)
     if seal and len(frame) != seal.row_count:
-        raise RecordError(f"{place_of(path)} has {len(frame)} rows, and its record says {seal.row_count}")
+        raise RecordError(f"{short_path(path)} has {len(frame)} rows, and its record says {seal.row_count}")
     return frame
 
 
 def check_seals(path: Path, record: Record) -> None:
     """RecordError unless the traces that the record at ``path`` seals are there, as they were measured with it."""
     for case, seal in (record.traces or {}).items():
-        trace = trace_path(path, case)
-        if hashlib.sha256(read_own_file(trace, PACKED_BYTE_LIMIT)).hexdigest() != seal.digest:
-            raise RecordError(f"{place_of(trace)} is not the trace that was measured with {path.name}")
+        _sealed(trace_path(path, case), seal)
+
+
+def _sealed(path: Path, seal: Seal | None) -> bytes:
+    content = read_own_file(path, PACKED_BYTE_LIMIT)
+    if seal and hashlib.sha256(content).hexdigest() != seal.digest:
+        raise RecordError(f"{short_path(path)} is not the trace that was measured with {path.name.split('.')[0]}.json")
+    return content
 
 
 def _read(content: bytes, path: Path) -> "pd.DataFrame":
@@ -87,7 +89,7 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
         for column in frame:
             _check_column(column, frame[column])
     except (EOFError, ValueError, csv.Error, zlib.error) as error:
-        raise RecordError(f"{place_of(path)} is no whole trace: {' '.join(str(error).split())}") from None
+        raise RecordError(f"{short_path(path)} is no whole trace: {' '.join(str(error).split())}") from None
     return frame
 
 

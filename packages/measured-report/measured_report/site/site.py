@@ -20,11 +20,11 @@ from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.cache import Cache
 from measured_report.files.files import locked
-from measured_report.files.staging import Draft, aside, digests_below, replace
+from measured_report.files.staging import Draft, digests_below, replace, staging_folder
 from measured_report.pages.page import Prose, Templates
 from measured_report.pages.pages import FRONT, Page
 from measured_report.parts.drawing import draw_all
-from measured_report.records.code import sources_kept, unchanged_files
+from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT, traces_of
@@ -107,13 +107,13 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         address: Where the site will lie, with a slash at its end; empty where that is not known.
     """
     cache = Cache(project.root)
-    with aside(project.site) as fresh, locked(project.results.parent, alone=False):
+    with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False):
         cache.sweep()
         digest, there = _digest(project, address), digests_below(project.site)
         if kept := cache.get(BUILT, (digest, there)):
             return kept
         site = Draft(fresh, project.site, there)
-        with sources_kept(project.root), unchanged_files():
+        with cached_sources(project.root), unchanged_files():
             keeper, templates = Keeper(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, keeper)
             _write_site(site, project, editions, templates, address, keeper)

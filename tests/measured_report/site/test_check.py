@@ -1,0 +1,65 @@
+"""The check of a site: what it finds in pages, numbers, links and drawings."""
+
+import pytest
+
+from measured_report.site.check import check_site
+from measured_report.site.check_numbers import TYPED
+
+LABEL, SOURCE = 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
+ADDRESSES = (
+    "javascript:alert(1)",
+    "JaVaScRiPt:alert(1)",
+    " java\nscript:alert(1)",
+    "\x01javascript:alert(1)",
+    "vbscript:x",
+)
+ADDRESSES += ("data:text/html,x", "file:///etc/passwd", "ftp://example.org", "blob:x", "http://[")
+WRONG = [
+    (">0.31<", ">0.32<", "is shown"),
+    (">0.31<", ">0.312<", "is shown"),
+    ('value="0.3124"', 'value="0.31"', "is shown"),
+    ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "resolves to nothing"),
+    ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),
+    ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
+    ('href="#toy"', 'href="#other"', "leads nowhere"),
+    ("</main>", '<script src="x.js"></script></main>', "runs a script"),
+    ("</main>", "<script>alert(1)</script></main>", "not the project's own"),
+    ("</main>", "<script></script></main>", "not the project's own"),
+    ("</main>", '<img src="https://example.org/x.png" alt=""></main>', "fetched from elsewhere"),
+    ('href="style.css"', 'href="//example.org/style.css"', "fetched from elsewhere"),
+    ("</main>", "<style>@import 'x'</style></main>", "style fetches"),
+    ('data-outcome="holds"', "", "no outcome"),
+    ("data-claim", "data-other", "there is no claim"),
+    ("</main>", '<p id="toy"></p></main>', "not unique"),
+    *(("</main>", f'<a href="{to}">x</a></main>', "no address that a page may lead to") for to in ADDRESSES),
+    ("</main>", '<iframe src="x"></main>', "runs a script"),
+    ("</main>", "<form></main>", "runs a script"),
+    ("</main>", '<base href="."></main>', "runs a script"),
+    ("</main>", '<meta http-equiv="Refresh"></main>', "runs a script"),
+    (LABEL, 'aria-label="It moves 0.32 mm."', "is not said by"),
+    (LABEL, 'aria-label="It moves 0.3 mm."', "is not said by"),
+    (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
+    ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>', "is not said by"),
+    ("</svg>", f'<text data-src="{SOURCE}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6.4 mm</text></svg>', ""),
+    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>', "is not said by"),
+    ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
+    ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
+]
+
+
+def test_what_is_wrong_is_found(toy):
+    toy.build()
+    assert check_site(toy.project.site) == []
+    page = toy.page
+    for old, new, problem in WRONG:
+        assert old in page
+        toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
+        found = check_site(toy.project.site)
+        assert any(problem in line for line in found) if problem else found == [], new
+
+
+@pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])
+def test_the_label_of_an_edition_is_no_number(label):
+    assert TYPED.sub("", f"Newton {label}: 6.36 mm") == ": 6.36 mm"
