@@ -11,6 +11,7 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.sections.cure.budget import PARTS
 from report.sections.cure.ways import WAYS
+from report.shared.drawing import mark_cells, name_lines
 
 HATCHES = ("", "///", "...", "xxx", "\\\\\\")
 
@@ -26,8 +27,7 @@ def draw_budget(results: Results, parts: Mapping[str, Mapping[str, Value]]) -> D
     values = [abs(value.value) for way in WAYS[1:] for value in parts[way.name].values() if value.value is not None]
     reach = 1.1 * max(values, default=1.0)
     close.set_xlim(-reach, reach)
-    whole.set_yticks(range(len(WAYS)), [way.name for way in WAYS])
-    whole.invert_yaxis()
+    name_lines(whole, [way.name for way in WAYS])
     whole.set_title("whole")
     close.set_title("close")
     drawing.legend(*whole.get_legend_handles_labels(), loc="outside upper center", ncols=4)
@@ -47,7 +47,4 @@ def _stack(axes: Axes, parts: Mapping[str, Mapping[str, Value]]) -> None:
         fill: dict[str, Any] = {"color": SERIES[number], "hatch": HATCHES[number], "linewidth": 0}
         axes.barh(range(len(WAYS)), sizes, 0.6, left=starts, label=label, **fill)
     for name, label, marker, size in (("sum", "sum of the parts", "|", 15), ("slip", "measured", "o", 5)):
-        found = [(place, parts[way.name][name].value) for place, way in enumerate(WAYS)]
-        there = [(value, place) for place, value in found if value is not None]
-        style: dict[str, Any] = {"marker": marker, "markersize": size, "markevery": 1, "linestyle": "", "color": INK}
-        axes.plot(*zip(*there, strict=True), label=label, **style)
+        mark_cells(axes, [parts[way.name][name] for way in WAYS], INK, label, marker=marker, markersize=size)

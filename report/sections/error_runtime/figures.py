@@ -52,9 +52,8 @@ def draw_grasp(points: Points) -> Drawing:
     found = [find(*place) for place in places for find in (points.shipped, points.recommended)]
     rows = [row for row in found if row is not None and row[GRASP].value]
     _set_axes(axes, rows, GRASP, 0.5 * min(row[GRASP].value for row in rows))
-    axes.set(
-        xlim=(axes.get_xlim()[0], 1.6 * max(row[GRASP].value for row in rows)), ylim=(None, 5 * axes.get_ylim()[1])
-    )
+    right = 1.6 * max(row[GRASP].value for row in rows)
+    axes.set(xlim=(axes.get_xlim()[0], right), ylim=(None, 5 * axes.get_ylim()[1]))
     for backend in points.engines:
         times = [row[TIME].value for row in rows if row.backend == backend]
         if times:
@@ -67,8 +66,7 @@ def draw_grasp(points: Points) -> Drawing:
             _name_converged(axes, reference[GRASP], title, colour, side)
         for backend in points.engines:
             _mark_both(axes, points, pads, backend, GRASP, colour, side, side if is_narrow() else "left")
-    axes.set_xlabel("grasp error [mm/cycle]")
-    axes.set_ylabel("run time [ms per simulated s]")
+    axes.set(xlabel="grasp error [mm/cycle]", ylabel="run time [ms per simulated s]")
     return drawing
 
 
@@ -108,15 +106,9 @@ def _name_engine(axes: Axes, rows: Sequence[Row], error: str, backend: str) -> N
         top = max(rows, key=lambda row: row[TIME].value)
         x, y = _places([top], error, LEAST_ERROR_MM)
         is_left = x[0] <= 10 * LEAST_ERROR_MM
-        axes.annotate(
-            NAMES[backend],
-            (x[0], y[0]),
-            xytext=(4 if is_left else 0, 8),
-            textcoords="offset points",
-            color=COLOURS[backend],
-            fontsize=9,
-            ha="left" if is_left else "center",
-        )
+        place = {"xytext": (4 if is_left else 0, 8), "ha": "left" if is_left else "center"}
+        name = NAMES[backend]
+        axes.annotate(name, (x[0], y[0]), **place, textcoords="offset points", color=COLOURS[backend], fontsize=9)
 
 
 def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, side: str) -> None:
@@ -158,16 +150,8 @@ def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: 
     place: dict[str, Any] = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
     at = (found.value, 0.985 if side == "right" else 0.91)
     text = f"{title}, converged: {write(found)}"
-    axes.annotate(
-        text,
-        at,
-        **place,
-        xycoords=("data", "axes fraction"),
-        textcoords="offset points",
-        fontsize=8.5,
-        color=colour,
-        va="top",
-    )
+    place |= {"xycoords": ("data", "axes fraction"), "textcoords": "offset points", "va": "top"}
+    axes.annotate(text, at, **place, fontsize=8.5, color=colour)
 
 
 def draw_worlds(
@@ -183,13 +167,8 @@ def draw_worlds(
     world_axis(axes, counts)
     if crossover.value is not None and one_core.value is not None:
         axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
-        axes.annotate(
-            f"{write(crossover)} worlds",
-            (crossover.value, axes.get_ylim()[0]),
-            xytext=(5, 6),
-            textcoords="offset points",
-        )
-    axes.set_xlabel("worlds")
-    axes.set_ylabel("world-seconds per second")
+        place = (crossover.value, axes.get_ylim()[0])
+        axes.annotate(f"{write(crossover)} worlds", place, xytext=(5, 6), textcoords="offset points")
+    axes.set(xlabel="worlds", ylabel="world-seconds per second")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing

@@ -12,7 +12,7 @@ from measured_report.values.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 from report.shared.arithmetic import log_slope
-from report.shared.timing import cell
+from report.shared.timing import cell, widest
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
@@ -52,10 +52,6 @@ class Points:
     front: frozenset[str]
     """Cases that no other setting of the same pads and model beats in numerical error and run time."""
     backend_front: frozenset[str]
-    """The same among those of one backend."""
-    grasp_front: frozenset[str]
-    """Cases that no other setting, of whatever pads or model, beats in grasp error and run time."""
-    grasp_backend_front: frozenset[str]
     """The same among those of one backend."""
 
     @property
@@ -111,9 +107,7 @@ def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
 
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
-    # The numerical error compares settings of one model; the grasp error compares everything.
-    counted = [row for row in settings if counts(row)]
-    own_model = [row for row in counted if is_own_model(row)]
+    own_model = [row for row in settings if counts(row) and is_own_model(row)]
     return Points(
         results=results,
         settings=settings,
@@ -122,8 +116,6 @@ def points_of(results: Results) -> Points:
         floors={pads: _floor(results, settings, pads) for pads in PADS},
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
-        grasp_front=front(counted, GRASP),
-        grasp_backend_front=front(counted, GRASP, ("backend",)),
     )
 
 
@@ -131,25 +123,19 @@ def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
     cells = [
         row.c_difference_mm
         for row in settings
-        if row["pads"] == pads
+        if (row["pads"], row.knob) == (pads, "substeps")
         and row.method in ("newton", "newton-each-substep", "mujoco")
-        and row.knob == "substeps"
         and row.substeps.value >= AS_SHIPPED.substeps
     ]
     formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-    return results.value(f"floor_{pads}", formula, lambda *distance: max(distance), *cells, unit="mm")
+    return results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
 
 
 def time_range(points: Points, name: str, *cases: str) -> Value:
-    """How far apart the times of one run are, of these cases the one where it is most."""
+    """Derive how far apart the times of one run are, of these cases the one where it is most."""
     edges = [points.cell(case, f"{TIME}_{edge}") for case in cases for edge in ("p5", "p95")]
-    return points.results.value(
-        name,
-        "largest of the ranges from the 5th to the 95th percentile of the run time",
-        lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
-        *edges,
-        unit="ms/s",
-    )
+    formula = "largest of the ranges from the 5th to the 95th percentile of the run time"
+    return points.results.value(name, formula, widest, *edges, unit="ms/s")
 
 
 def is_own_model(row: Row) -> bool:
@@ -172,15 +158,11 @@ def order_of(points: Points, pads: str, method: str) -> Value:
         for row in points.ladder(pads, method)
         if counts(row) and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
     ]
-
-    def slope(*cells: float) -> float:
-        return log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan
-
     return points.results.value(
         f"order_{pads}_{method}",
         "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
         "times the floor of Warp",
-        slope,
+        lambda *cells: log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan,
         *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
     )
 
@@ -214,8 +196,8 @@ def named(rows: Sequence[Row]) -> Markup:
     for row in rows:
         text = Markup("<code>{}</code>").format(assignment(row, row.knob))
         by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {row[row.knob]}", text)
-    phrases = (
+    phrases = [
         Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
         for method, knobs in by_method.items()
-    )
+    ]
     return Markup("; ").join(phrases)
