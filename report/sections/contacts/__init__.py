@@ -8,6 +8,7 @@ from matplotlib.figure import Figure as Drawing
 from measured_report.claims.claims import Claim, all_of, at_most, decided, greater
 from measured_report.parts.figures import INK, SERIES, new_figure
 from measured_report.parts.parts import Figure, Section
+from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row, Series
 from report.names import name_of
 from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
@@ -72,8 +73,7 @@ def derive(results: Results) -> Section:
         figures={"rows": rows},
         claims=[
             _far_inside_cone(results, runs),
-            _no_friction_residual(results, frames),
-            _own_friction_timeconst(first["as-shipped"]),
+            *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
             *_slide_claims(results, runs),
             _step_closes_account(results, runs["stiff-pads"]),
             *missing_term_claims(results),
@@ -97,7 +97,8 @@ def _far_inside_cone(results: Results, runs: Mapping[str, Row]) -> Claim:
     return Claim("far_inside_cone", outcome.having_read(used), {"used": used})
 
 
-def _no_friction_residual(results: Results, frames: list[Row]) -> Claim:
+def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
+    """Tell whether friction rows have a position residual, and a time constant of their own, which 0 says they lack."""
     formula = "largest position residual of a loaded contact's friction rows, over all looks"
     cells = [row.friction_residual_mm for row in frames]
     largest = results.value("friction_residual", formula, max, *cells, unit="mm")
@@ -106,12 +107,8 @@ def _no_friction_residual(results: Results, frames: list[Row]) -> Claim:
     normal = results.value("normal_residual", formula, max, *cells, unit="mm")
     bound = results.chosen("friction_residual_bound", "none at all", 0.0, unit="mm")
     carries = greater(normal, largest, noise=noise_floor(results, "slip_floor"))
-    return Claim("no_friction_residual", all_of(at_most(largest, bound), carries), {"normal": normal})
-
-
-def _own_friction_timeconst(frame: Row) -> Claim:
-    """Tell by the first look; zero stands for none of their own."""
-    return Claim("own_friction_timeconst", decided(bool(frame.friction_timeconst_s.value), frame.friction_timeconst_s))
+    yield Claim("no_friction_residual", all_of(at_most(largest, bound), carries), {"normal": normal})
+    yield Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst))
 
 
 def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:

@@ -15,12 +15,12 @@ from report.sections.cure.budget import (
     budget_table,
     closed_count,
     closing_table,
+    draw_budget,
     kept_runs,
     lacks_the_sway,
     parts_of,
     run_count,
 )
-from report.sections.cure.figures import draw_budget
 from report.sections.cure.ways import (
     ADDS,
     BEST,

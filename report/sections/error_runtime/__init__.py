@@ -39,7 +39,7 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
 
 
-SHOWN = {"numerical error": ERROR, "grasp error": GRASP}
+SHOWN: dict[str, str | Sequence] = {"numerical error": ERROR, "grasp error": GRASP}
 
 
 def derive(results: Results) -> Section:
@@ -83,7 +83,7 @@ def _as_shipped(points: Points, error: str) -> dict[str, Any]:
 def _front_table(rows: Sequence[Row]) -> Table:
     engines = [ENGINES.get(row.backend, "") for row in rows]
     alone = engines[0] if len(set(engines)) == 1 else ""
-    columns = {
+    columns: dict[str, str | Sequence] = {
         **({} if alone else {"engine": engines}),
         "settings": list(map(_settings, rows)),
         **SHOWN,
@@ -107,7 +107,7 @@ def _marked_table(points: Points) -> Table:
         if (row := find(pads, backend))
     ]
     rows = [row for _, row in found]
-    columns = {
+    columns: dict[str, str | Sequence] = {
         "engine": [ENGINES[row.backend] for row in rows],
         "setting": [name for name, _ in found],
         "to copy": list(map(_settings, rows)),

@@ -22,13 +22,7 @@ def knob_claims(points: Points) -> list[Claim]:
 
 
 def model_claims(points: Points) -> list[Claim]:
-    return [
-        _pads_decide(points),
-        _coarse_steps_flatter(points),
-        *_impratio(points),
-        _rest_is_step_error(points),
-        _cone_not_left(points),
-    ]
+    return [*_pads_decide(points), _rest_is_step_error(points), *_impratio(points), _cone_not_left(points)]
 
 
 def _more_substeps(points: Points) -> Claim:
@@ -48,7 +42,7 @@ def _more_substeps(points: Points) -> Claim:
 def _solver_effort(points: Points) -> Claim:
     """Compare with more or other solver effort than shipped, with contacts as shipped or anew in each substep."""
     floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
-    errors = [row[ERROR] for row in rows if counts(row) and (_is_solver_knob(row) or _is_refresh(row))]
+    errors = [row[ERROR] for row in rows if counts(row) and _is_effort(row)]
     change = points.results.value(
         "effort_change",
         "largest change of the numerical error by iterations, line search or contacts in each substep, either way",
@@ -59,12 +53,9 @@ def _solver_effort(points: Points) -> Claim:
     return Claim("solver_effort", within(change, floor), {"change": change, "floor": floor})
 
 
-def _is_solver_knob(row: Row) -> bool:
-    return row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")
-
-
-def _is_refresh(row: Row) -> bool:
-    return row.method == "newton-each-substep" and row.substeps.value == AS_SHIPPED.substeps
+def _is_effort(row: Row) -> bool:
+    is_refresh = row.method == "newton-each-substep" and row.substeps.value == AS_SHIPPED.substeps
+    return is_refresh or (row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver"))
 
 
 def _contact_source(points: Points) -> Claim:
@@ -105,9 +96,9 @@ def _pyramid(points: Points) -> Claim:
     return Claim("pyramid", greater(before, time, noise=spread), {"time": time, "before": before})
 
 
-def _pads_decide(points: Points) -> Claim:
-    """Tell whether the grasp error as shipped stays when the model is solved to the end, and is far less with stiff
-    pads."""
+def _pads_decide(points: Points) -> Iterator[Claim]:
+    """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
+    pads, and whether coarse steps make it look less with these."""
     results, shipped = points.results, points.cell(SHIPPED, GRASP)
     soft, stiff = (_reference_cell(points, pads) for pads in PADS)
     formula = "converged grasp error, of that as shipped, shipped pads"
@@ -122,18 +113,16 @@ def _pads_decide(points: Points) -> Claim:
         at_least(gain, 5.0, why="an order of magnitude, nearly"),
         greater(soft, stiff, noise=points.floors["as-shipped"]),
     )
-    return Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
+    yield Claim("pads_decide", outcome, {"shipped": shipped, "soft": soft, "stiff": stiff})
+
+    coarse = points.cell(with_shipped_steps("stiff", "newton"), GRASP)
+    outcome = greater(stiff, coarse, noise=points.floors["stiff"])
+    yield Claim("coarse_steps_flatter", outcome, {"coarse": coarse, "converged": stiff})
 
 
 def _reference_cell(points: Points, pads: str) -> Quantity:
     row = points.reference(pads)
     return row[GRASP] if row else points.cell(f"{pads}/reference", GRASP)
-
-
-def _coarse_steps_flatter(points: Points) -> Claim:
-    coarse, converged = points.cell(with_shipped_steps("stiff", "newton"), GRASP), _reference_cell(points, "stiff")
-    outcome = greater(converged, coarse, noise=points.floors["stiff"])
-    return Claim("coarse_steps_flatter", outcome, {"coarse": coarse, "converged": converged})
 
 
 def _rest_is_step_error(points: Points) -> Claim:

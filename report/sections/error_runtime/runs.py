@@ -31,7 +31,7 @@ GRASP = "grasp_error_mm_per_cycle"
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
-    """The case with the substeps as shipped."""
+    """Name the case with the substeps as shipped."""
     return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
 
 
@@ -60,12 +60,12 @@ class Points:
         return self.results.row[SHIPPED].backend
 
     def ladder(self, pads: str, method: str) -> list[Row]:
-        """A method's points, coarsest first."""
+        """Select a method's points, coarsest first."""
         mine = (row for row in self.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps"))
         return sorted(mine, key=lambda row: row.substeps.value)
 
     def knobs(self, pads: str) -> list[Row]:
-        """Where something else than the substeps is varied."""
+        """Select the points where something else than the substeps is varied."""
         return [row for row in self.settings if row["pads"] == pads and row.knob != "substeps"]
 
     def cell(self, case: str, column: str) -> Quantity:
@@ -77,25 +77,24 @@ class Points:
         return self.warp, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
-        """The settings as shipped on a backend, where they count."""
+        """Look up the settings as shipped on a backend, where they count."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
 
     def recommended(self, pads: str, backend: str) -> Row | None:
-        """What to set in place of the shipped settings on a backend; None where these are best, or do not count."""
+        """Find what to set in place of the shipped settings on a backend; None where these are best or do not count."""
         shipped = self.shipped(pads, backend)
         rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
         return shipped and no_worse(rows, shipped)
 
     def reference(self, pads: str) -> Row | None:
-        """The converged solution with the cone and impratio as shipped."""
-        mine = (row for row in self.references if row["pads"] == pads and is_own_model(row))
-        return next(mine, None)
+        """Look up the converged solution with the cone and impratio as shipped."""
+        return next((row for row in self.references if row["pads"] == pads and is_own_model(row)), None)
 
 
 def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
-    """Of the rows of the same model the fastest that is no farther from its solution than ``shipped``, if not itself.
+    """Find the fastest row of the same model that is no farther from its solution than ``shipped``, if not itself.
 
     Where the contacts' timeconst is raised, or cone or impratio are others, it is another model.
     """
@@ -139,18 +138,18 @@ def time_range(points: Points, name: str, *cases: str) -> Value:
 
 
 def is_own_model(row: Row) -> bool:
-    """Whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
+    """Tell whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
     return not any(name in row for name in MODEL_KNOBS)
 
 
 def is_clamped(row: Row) -> bool:
-    """Whether MuJoCo raises the contacts' timeconst to two substeps."""
+    """Tell whether MuJoCo raises the contacts' timeconst to two substeps."""
     cells = row.timeconst_ms.value, row.substep_ms.value
     return None in cells or cells[0] < 2.0 * cells[1]
 
 
 def order_of(points: Points, pads: str, method: str) -> Value:
-    """Observed order of convergence: over the points whose model is the same, well above what Warp resolves."""
+    """Derive the order of convergence over the points whose model is the same, well above what Warp resolves."""
     floor = points.floors[pads].value or 0.0
     above = 5.0 * floor if method.startswith(("newton", "mujoco", "cpu")) else 0.0
     used = [
@@ -168,13 +167,13 @@ def order_of(points: Points, pads: str, method: str) -> Value:
 
 
 def front_rows(points: Points, cases: frozenset[str]) -> list[Row]:
-    """Rows on a front of numerical error and run time, by pads and rising time."""
+    """Select the rows on a front of numerical error and run time, by pads and rising time."""
     rows = [row for row in points.settings if row.case in cases]
     return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
 
 
 def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
-    """A front without those rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
+    """Leave out of a front rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
     kept: list[Row] = []
     for row in front:
         before = [other[ERROR].value for other in kept if other["pads"] == row["pads"]]
@@ -185,13 +184,13 @@ def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
 
 
 def assignment(row: Row, name: str) -> Markup:
-    """A parameter as one sets it in the scene."""
+    """Write a parameter as one sets it in the scene."""
     value = row[name]
     return Markup("{}={}").format(name, value.code if isinstance(value, Quantity) else value)
 
 
 def named(rows: Sequence[Row]) -> Markup:
-    """Which settings, in words, without saying of the pads."""
+    """Name settings in words, without saying of the pads."""
     by_method: dict[str, dict[str, Markup]] = {}
     for row in rows:
         text = Markup("<code>{}</code>").format(assignment(row, row.knob))
