@@ -10,7 +10,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import cell_count, cells_of, departure, difference, extreme, ratio, share, table_of
+from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share, table_of
 from report.shared.drawing import mark_cells, name_lines
 
 order = 180
@@ -132,8 +132,8 @@ def _table(rows: Rows, published: Mapping[str, Value]) -> Table:
     for engine, name in ENGINES.items():
         columns[name] = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
     steady, law, force = "steady_creep_mm_s", "predicted_creep_mm_s", "normal_force_n"
-    columns |= cells_of(in_c, {"steady, in C": steady, "law, in C": law, "pads press with": force})
-    return table_of("run", map(case_html, VARIANTS), columns)
+    in_columns = {"steady, in C": steady, "law, in C": law, "pads press with": force}
+    return table_of("run", map(case_html, VARIANTS), {**columns, **in_columns}, in_c)
 
 
 def _draw(rows: Rows, published: Mapping[str, Value]) -> Drawing:

@@ -10,7 +10,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.shared.arithmetic import cell_count, departure, extreme, ratio, share, table_of
+from report.shared.arithmetic import Column, cell_count, departure, extreme, ratio, share, table_of
 from report.shared.drawing import mark_points
 
 order = 183
@@ -148,14 +148,14 @@ def _same_in_all_engines(results: Results, found: Mapping[str, Row]) -> Claim:
 
 
 def _table(results: Results, found: Mapping[str, Row], least: Mapping[str, Value]) -> Table:
-    columns: dict[str, list] = {
+    columns: dict[str, Column] = {
         "holds from": [least[name] for name in SETTINGS],
-        "up to": [row.largest_step_ms for row in found.values()],
+        "up to": "largest_step_ms",
         "by the law": [found[name].predicted_largest_step_ms if name in CREEPING else "" for name in SETTINGS],
     }
     for step in ("2", "8"):
         columns[f"slip with {step} ms"] = [results.row[f"{step}ms-{name}"].slip_mm for name in SETTINGS]
-    return table_of("setting", map(case_html, SETTINGS), columns)
+    return table_of("setting", map(case_html, SETTINGS), columns, found.values())
 
 
 def _draw(runs: Mapping[str, Sequence[Row]], lost: Quantity) -> Drawing:

@@ -29,7 +29,7 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.sections.error_runtime.worlds import derive_worlds
-from report.shared.arithmetic import cell_or_absent, cells_of, table_of
+from report.shared.arithmetic import Column, cell_or_absent, table_of
 
 order = 155
 page = "error"
@@ -39,7 +39,7 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
 
 
-SHOWN: dict[str, str | Sequence] = {"numerical error": ERROR, "grasp error": GRASP}
+SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
 
 
 def derive(results: Results) -> Section:
@@ -81,13 +81,13 @@ def _as_shipped(points: Points, error: str) -> dict[str, Any]:
 
 
 def _front_table(rows: Sequence[Row]) -> Table:
-    engines = [ENGINES.get(row.backend, "") for row in rows]
-    alone = engines[0] if len(set(engines)) == 1 else ""
-    columns: dict[str, str | Sequence] = {
-        **({} if alone else {"engine": engines}),
-        "settings": list(map(_settings, rows)),
+    engines = set(map(_engine, rows))
+    alone = engines.pop() if len(engines) == 1 else ""
+    columns = {
+        **({} if alone else {"engine": _engine}),
+        "settings": _settings,
         **SHOWN,
-        "clamped": list(map(is_clamped, rows)),
+        "clamped": is_clamped,
         "friction used": "cone_use_max",
         "time": TIME,
         "from": f"{TIME}_p5",
@@ -106,15 +106,17 @@ def _marked_table(points: Points) -> Table:
         for name, find in (("shipped", points.shipped), ("recommended", points.recommended))
         if (row := find(pads, backend))
     ]
+    columns = {"engine": _engine, "setting": [name for name, _ in found], "to copy": _settings, **SHOWN, "time": TIME}
     rows = [row for _, row in found]
-    columns: dict[str, str | Sequence] = {
-        "engine": [ENGINES[row.backend] for row in rows],
-        "setting": [name for name, _ in found],
-        "to copy": list(map(_settings, rows)),
-        **SHOWN,
-        "time": TIME,
-    }
-    return table_of("pads", [PADS[row["pads"]] for row in rows], cells_of(rows, columns))
+    return table_of("pads", map(_pads, rows), columns, rows)
+
+
+def _pads(row: Row) -> str:
+    return PADS[row["pads"]]
+
+
+def _engine(row: Row) -> str:
+    return ENGINES.get(row.backend, "")
 
 
 def _settings(row: Row) -> Markup:
@@ -123,12 +125,9 @@ def _settings(row: Row) -> Markup:
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
 
 
-def _numbered(rows: Sequence[Row], columns: Mapping[str, str | Sequence], **numbers) -> Table:
+def _numbered(rows: Sequence[Row], columns: Mapping[str, Column], **numbers) -> Table:
     """Make a table of numbered settings, with their pads first."""
-    pads = {"pads": [PADS[row["pads"]] for row in rows]}
-    return table_of(
-        "#", [str(number) for number, _ in enumerate(rows, start=1)], pads | cells_of(rows, columns), **numbers
-    )
+    return table_of("#", map(str, range(1, len(rows) + 1)), {"pads": _pads, **columns}, rows, **numbers)
 
 
 def _knob_table(points: Points) -> Table:
@@ -137,8 +136,7 @@ def _knob_table(points: Points) -> Table:
     for pads in PADS:
         base = points.results.row.get(with_shipped_steps(pads, "newton"))
         rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
-    changed = {"changed": list(map(_changed, rows))}
-    return _numbered(rows, {**changed, **SHOWN, "time": TIME, "most iterations": "iteration_peak_count"})
+    return _numbered(rows, {"changed": _changed, **SHOWN, "time": TIME, "most iterations": "iteration_peak_count"})
 
 
 def _changed(row: Row) -> Markup | str:
@@ -147,11 +145,11 @@ def _changed(row: Row) -> Markup | str:
 
 def _failure_table(points: Points) -> Table:
     rows = [row for row in points.settings if not counts(row)]
-    columns: dict[str, str | Sequence] = {
-        "method": [LABELS[row.method] for row in rows],
-        "settings": list(map(_settings, rows)),
+    columns: dict[str, Column] = {
+        "method": lambda row: LABELS[row.method],
+        "settings": _settings,
         "why it does not count": "invalid_reason",
         # How far away a cube lies that has left the grasp is no error.
-        "numerical error": [row[ERROR] if hit_iteration_limit(row) else "gone" for row in rows],
+        "numerical error": lambda row: row[ERROR] if hit_iteration_limit(row) else "gone",
     }
     return _numbered(rows, columns)
