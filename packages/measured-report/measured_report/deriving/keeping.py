@@ -18,7 +18,6 @@ from measured_report.claims.claims import Claim
 from measured_report.deriving.derived import Reads
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
-from measured_report.parts.drawing import Beside
 from measured_report.parts.parts import Figure, Pictures, Section
 from measured_report.records.code import files, roots_of
 from measured_report.values.quantities import Value
@@ -64,8 +63,6 @@ class Keeper:
     """Claims with their words, by release, section and name."""
     _codes: dict[Path, str] = field(default_factory=dict)
     """Digests of code, by its module."""
-    beside: Beside = field(default_factory=Beside)
-    """Draws figures of what was derived, while more is."""
 
     def tell(self, release: str, section: Section, name: str) -> None:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
@@ -98,7 +95,6 @@ class Keeper:
         reads.is_closed = True
         found = Made(place, own, reads.notes, section, values)
         self._derived.append(found)
-        self.beside.draw({(found.place[1], anchor): figure for anchor, figure in _placed(found).items()})
         return found
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:

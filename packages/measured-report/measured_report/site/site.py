@@ -200,7 +200,7 @@ def _draw(
         for prose in leaf.parts
         for figure in prose.figures
     }
-    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures} | keeper.beside.drawn()
+    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     others = {
         (release, anchor): figure
