@@ -1,6 +1,7 @@
 """Quantities: numbers that know their unit and where they come from."""
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -17,6 +18,28 @@ MOST, SAME = "most", "the same"
 def local(text: str, release: str) -> str:
     """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
     return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """Where a number of a record, or a whole trace, lies below the site's ``data/``."""
+
+    text: str
+    """Such as ``edition-1.4.0/friction.json#/rows/3/drag_n``."""
+
+    @property
+    def file(self) -> str:
+        return self.text.partition("#")[0]
+
+    @property
+    def cell(self) -> tuple[int, str] | None:
+        """Row and column; None for what is in no row."""
+        found = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
+        return (int(found[1]), found[2]) if found else None
+
+    @property
+    def is_trace(self) -> bool:
+        return "#" not in self.text
 
 
 @dataclass(frozen=True)
