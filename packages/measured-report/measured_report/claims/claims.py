@@ -102,7 +102,7 @@ class Claim:
         sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
-    def settled(self) -> "Claim":
+    def checked(self) -> "Claim":
         """The same; where its sentence would print a number that is not there, it can't tell, and says why."""
         lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
         if not lost or self.says_missing:

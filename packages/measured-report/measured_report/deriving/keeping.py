@@ -126,7 +126,7 @@ class Keeper:
         for made in self._derived:
             drawn = {name: pictures.get((made.place[1], _anchor(made, name))) for name in made.section.figures}
             if all(drawn[name] or not figure.is_there for name, figure in made.section.figures.items()):
-                kept = replace(made, section=made.section.settled(drawn))
+                kept = replace(made, section=made.section.kept(drawn))
                 Cache(self.root).put(".".join(made.place), made.own, kept, lambda thing: names.get(id(thing)))
         self._derived.clear()
 

@@ -18,14 +18,15 @@ def draw_all(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[P
     """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
     global _figures
     count = min(_processor_count(), len(figures))
+    _figures, places = figures, range(2 * len(figures))
     if count < 2:
         meanwhile()
-        return [_pictures(figure) for figure in figures]
-    _figures = figures
-    with workers(count, "fork", _begin) as pool:
-        drawing = pool.map(_draw, range(2 * len(figures)))
-        meanwhile()
-        drawn = list(drawing)
+        drawn = [*map(_draw, places)]
+    else:
+        with workers(count, "fork", _begin) as pool:
+            drawing = pool.map(_draw, places)
+            meanwhile()
+            drawn = list(drawing)
     return list(zip(drawn[::2], drawn[1::2], strict=True))
 
 
@@ -36,10 +37,6 @@ def _begin() -> None:
 
 def _draw(index: int) -> Markup:
     return _figures[index // 2].picture(is_narrow=bool(index % 2))
-
-
-def _pictures(figure: Figure) -> Pictures:
-    return figure.picture(is_narrow=False), figure.picture(is_narrow=True)
 
 
 def _processor_count() -> int:
