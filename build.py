@@ -95,7 +95,7 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
 
 
 def worlds(project: Project, arguments: argparse.Namespace) -> int:
-    """Build the site of each altered world, and write anew what it says otherwise, into tests/worlds/."""
+    """Build the site of each scenario, and write anew which claims it changes, into tests/worlds/."""
     return subprocess.run([sys.executable, "-m", "tests.worlds"], cwd=project.root, check=False).returncode
 
 

@@ -4,15 +4,13 @@ import json
 import os
 import subprocess
 import sys
-from contextlib import nullcontext
 from dataclasses import replace
 
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE
-from matplotlib.axis import Axis
 
 from measured_report import ROOT, ReportError
-from measured_report.parts.figures import SERIES, draw_svg, narrow_screen, new_figure
+from measured_report.parts.figures import SERIES, draw_svg, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 
@@ -166,32 +164,6 @@ def test_a_figure_follows_the_page_and_hides_nothing():
     assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
     assert all(part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
     assert svg == draw_svg(draw, name="toy-way")
-
-
-@pytest.mark.parametrize("is_narrow", [False, True])
-def test_what_is_laid_out_once_is_drawn_the_same(monkeypatch, is_narrow):
-    asked = []
-    ticks = Axis._update_ticks
-    monkeypatch.setattr(Axis, "_update_ticks", lambda axis: (asked.append(axis), ticks(axis))[1])
-
-    def draw():
-        drawing, axes = new_figure(ncols=2)
-        axes[0].loglog([1, 30, 2000], [1e-3, 5, 70], label="a long name that may need more than one line")
-        axes[0].set(title="Slip", xlabel="substeps a frame")
-        axes[1].barh(["shipped pads, held still for a minute", "stiff"], [0.1, 12000.0])
-        axes[1].annotate("here", (0.5, 1), rotation=30, fontsize=5)
-        drawing.legend(loc="outside upper right")
-        return drawing
-
-    def drawn():
-        asked.clear()
-        with narrow_screen() if is_narrow else nullcontext():
-            return draw_svg(draw, name="toy"), len(asked)
-
-    once, few = drawn()
-    monkeypatch.setattr("measured_report.parts.figures.laid_out_once", nullcontext)
-    again, many = drawn()
-    assert once == again and few < many / 2
 
 
 def test_quick_results_are_shown_as_such(toy):

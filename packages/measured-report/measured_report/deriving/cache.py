@@ -12,7 +12,6 @@ from typing import Any
 from measured_report.claims.claims import Claim
 from measured_report.deriving.dependencies import Dependencies, code_digest, digest_of
 from measured_report.files.cache import Cache
-from measured_report.parts.drawing import Beside
 from measured_report.parts.parts import Figure, Pictures, Section
 from measured_report.values.quantities import Value
 
@@ -57,8 +56,6 @@ class DerivedCache:
     """Claims with their words, by release, section and name."""
     _codes: dict[Path, str] = field(default_factory=dict)
     """Digests of code, by its module."""
-    beside: Beside = field(default_factory=Beside)
-    """Draws figures of what was derived, while more is."""
 
     def tell(self, release: str, section: Section, name: str) -> None:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
@@ -91,7 +88,6 @@ class DerivedCache:
         dependencies.is_closed = True
         entry = Entry(place, own, dependencies.notes, section, values)
         self._new.append(entry)
-        self.beside.draw({(place[1], anchor): figure for anchor, figure in entry.figures.items()})
         return entry
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
@@ -124,6 +120,6 @@ class DerivedCache:
             drawn = [pictures.get((entry.place[1], anchor)) for anchor in entry.figures]
             figures = entry.section.figures
             if all(picture or not figure.is_there for picture, figure in zip(drawn, figures.values(), strict=True)):
-                kept = replace(entry, section=entry.section.settled(dict(zip(figures, drawn, strict=True))))
+                kept = replace(entry, section=entry.section.kept(dict(zip(figures, drawn, strict=True))))
                 Cache(self.root).put(".".join(entry.place), entry.own, kept, lambda thing: names.get(id(thing)))
         self._new.clear()

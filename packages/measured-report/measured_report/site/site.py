@@ -250,7 +250,7 @@ def _draw(
         for prose in content.parts
         for figure in prose.figures
     }
-    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures} | cache.beside.drawn()
+    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
     to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
