@@ -25,7 +25,6 @@ from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.site import build
-from measured_report.site.surroundings import ASSETS
 
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
@@ -188,11 +187,6 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.write("templates/story.md.j2", "# The story\n")
     toy.write("assets/robot.urdf", "<robot/>")
     shutil.copytree(ROOT / "templates" / "pages", toy.project.templates / "pages")
-    for layout in (ROOT / "templates").glob("*.*.j2"):
-        if not layout.match("*.md.j2"):
-            shutil.copy(layout, toy.project.templates)
-    for name in ASSETS:
-        shutil.copy(ROOT / "assets" / name, toy.project.root / "assets")
     toy.measure()
     yield toy
     forget_sections()

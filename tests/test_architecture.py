@@ -80,3 +80,41 @@ def test_words_are_in_templates():
 def test_the_picture_is_the_one_that_the_imports_make():
     text = rooms.ARCHITECTURE.read_text(encoding="utf-8")
     assert text.partition(rooms.START)[2].partition(rooms.END)[0] == rooms.picture(), "python docs/rooms.py renews it"
+
+
+GENERATOR = ROOT / "packages" / "measured-report"
+SUBJECT = re.compile(
+    r"(?i:newton|mujoco|grasp)"
+    r"|(?<![A-Za-z])(?:warps?|cubes?|pads?|slip(?:s|ped|ping)?|shak(?:es?|en|ing))(?![a-z])"
+    r"|(?:Warp|Cube|Pad|Slip|Shake)s?(?![a-z])"
+    r"|(?<![A-Z])(?:WARP|CUBE|PAD|SLIP|SHAKE)S?(?![A-Z])"
+)
+"""What this report is about, as a word or as a part of an identifier; padding and warping are neither."""
+OF_LANGUAGES = re.compile(r"\bpad(?:Start|End)\b")
+"""Names of JavaScript's own."""
+
+
+def generator_files() -> dict[str, str]:
+    """Texts of all files of the generator, by path."""
+    files = [path for path in sorted(GENERATOR.rglob("*")) if path.is_file() and "__pycache__" not in path.parts]
+    files = [path for path in files if not any(part.endswith(".egg-info") for part in path.parts)]
+    return {path.relative_to(GENERATOR).as_posix(): path.read_text(encoding="utf-8", errors="ignore") for path in files}
+
+
+@pytest.mark.parametrize(
+    ("text", "is_named"),
+    [("slip_mm", True), ("padWidth", True), ("two pads", True), ("MuJoCo", True), ("PAD_KE", True), ("aCube", True)]
+    + [("padding: 0", False), ("PADDING", False), ("warping", False), ("'7'.padStart(2)", False), ("slipper", False)],
+)
+def test_what_counts_as_a_name_of_the_subject(text, is_named):
+    assert bool(SUBJECT.search(OF_LANGUAGES.sub("", text))) == is_named
+
+
+def test_the_generator_names_no_subject():
+    found = [
+        f"{path}:{number}: {line.strip()}"
+        for path, text in generator_files().items()
+        for number, line in enumerate([path, *text.splitlines()])
+        if SUBJECT.search(OF_LANGUAGES.sub("", line))
+    ]
+    assert found == []

@@ -1,6 +1,6 @@
-"""Other worlds: the report as it would be if something else had been measured.
+"""Scenarios: the report as it would be if something else had been measured.
 
-``tests/worlds/`` keeps which claims turn out otherwise in a world than as tracked: a person reads it once, and a test
+The claims that have another outcome in a scenario are kept in ``tests/worlds/``: a person reads them once, and a test
 compares. ``make worlds`` builds the whole site of each, figures as well, checks it and writes anew what is kept.
 """
 
@@ -22,7 +22,7 @@ import numpy as np
 import pandas as pd
 
 from measured_report import ROOT
-from measured_report.deriving.editions import Edition, editions_of
+from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.pages.page import Templates
 from measured_report.records.columns import REASON, column_of, is_number, units_of
@@ -58,8 +58,8 @@ def as_measured(records: Records, place: Place) -> list[Row]:
 
 
 @dataclass(frozen=True)
-class World:
-    """What is otherwise in it."""
+class Scenario:
+    """What is measured otherwise in it."""
 
     name: str
     rows: Callable[[Records, Place], list[Row]] = as_measured
@@ -97,13 +97,15 @@ def _means(rows: Sequence[Row]) -> list[dict[str, float]]:
     return [{column: fmean(cells[row["of"], column]) for column in measured(row)} for row in rows]
 
 
-def moving(name: str, factor: float) -> World:
+def moving(name: str, factor: float) -> Scenario:
     """The cube moves so many times as much."""
 
     def rows(records: Records, place: Place) -> list[Row]:
         return changed(records[place].rows, place[1], lambda column, value: value * _factor(column, factor))
 
-    return World(name, rows, lambda path, found: _moved(found, lambda column, cells: _factor(column, factor) * cells))
+    return Scenario(
+        name, rows, lambda path, found: _moved(found, lambda column, cells: _factor(column, factor) * cells)
+    )
 
 
 def _factor(column: str, factor: float) -> float:
@@ -184,7 +186,7 @@ def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     return first.head(len(frame)).assign(**{column: kept[column] for column in kept})
 
 
-def noisier(name: str, times: float) -> World:
+def noisier(name: str, times: float) -> Scenario:
     """Runs of one case are so many times as far apart, and so are the frames of a run."""
 
     def rows(records: Records, place: Place) -> list[Row]:
@@ -192,7 +194,7 @@ def noisier(name: str, times: float) -> World:
         means = _means(found) if place[1] == "noise" else [{}] * len(found)
         return [{**row, **_farther(row, mean, times)} for row, mean in zip(found, means, strict=True)]
 
-    return World(name, rows)
+    return Scenario(name, rows)
 
 
 def _farther(row: Row, mean: Row, times: float) -> Row:
@@ -205,14 +207,14 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
     return new
 
 
-def failing(seed: int) -> World:
+def failing(seed: int) -> Scenario:
     """A tenth of the runs fail."""
 
     def rows(records: Records, place: Place) -> list[Row]:
         chance = Random(f"{seed} {place[1]}")
         return [_failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
 
-    return World(f"failing-{seed}", rows)
+    return Scenario(f"failing-{seed}", rows)
 
 
 def _failed(row: Row) -> Row:
@@ -222,7 +224,7 @@ def _failed(row: Row) -> Row:
     return {**row, **gone, **{column: value for column, value in ended.items() if column in row}}
 
 
-def missing(seed: int) -> World:
+def missing(seed: int) -> Scenario:
     """A tenth of the rows are not there."""
 
     def rows(records: Records, place: Place) -> list[Row]:
@@ -230,7 +232,7 @@ def missing(seed: int) -> World:
         kept = [row for row in as_measured(records, place) if chance.random() >= SHARE]
         return kept or as_measured(records, place)[:1]
 
-    return World(f"missing-{seed}", rows)
+    return Scenario(f"missing-{seed}", rows)
 
 
 @cache
@@ -252,18 +254,18 @@ def swapped_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     return load_trace_once(other) if other.is_file() else frame
 
 
-AS_MEASURED = World("as-measured")
-WORLDS = (
-    World("reversed", reversed_rows, reversed_frame),
+AS_MEASURED = Scenario("as-measured")
+SCENARIOS = (
+    Scenario("reversed", reversed_rows, reversed_frame),
     moving("moving-x-0.05", 0.05),
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
-    World("all-equal", equal_rows, equal_frame),
+    Scenario("all-equal", equal_rows, equal_frame),
     noisier("noise-x-50", 50.0),
     noisier("noise-x-60", 60.0),
     *(failing(seed) for seed in range(3)),
     *(missing(seed) for seed in range(3)),
-    World("releases-swapped", swapped_rows, swapped_frame),
+    Scenario("releases-swapped", swapped_rows, swapped_frame),
 )
 
 
@@ -276,8 +278,8 @@ def tracked_records() -> Records:
 
 
 @contextmanager
-def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
-    """A project that has a world's results of some releases."""
+def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]:
+    """A project that has a scenario's results of some releases."""
     own, records = Project(own_release()), tracked_records()
     with TemporaryDirectory() as folder:
         project = Project(own.release, root=Path(folder))
@@ -285,7 +287,7 @@ def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
             (project.root / name).symlink_to(ROOT / name)
         for (release, section), record in records.items():
             if release in releases:
-                path, rows = project.of(release).record_path(section), world.rows(records, (release, section))
+                path, rows = project.of(release).record_path(section), scenario.rows(records, (release, section))
                 path.parent.mkdir(parents=True, exist_ok=True)
                 for trace in own.of(release).results.glob(f"{section}.*.csv.gz"):
                     shutil.copy(trace, path.parent)
@@ -293,38 +295,48 @@ def project_of(world: World, releases: Sequence[str]) -> Iterator[Project]:
 
         def load(path: Path, seal: object = None) -> pd.DataFrame:
             tracked = ROOT / path.relative_to(project.root)
-            return world.frame(tracked, load_trace_once(tracked))
+            return scenario.frame(tracked, load_trace_once(tracked))
 
         with mock.patch("measured_report.values.results.load_trace", load):  # to write a trace takes long
             yield project
 
 
-CLAIM = re.compile(r'<span class="claim" data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
+CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
 
 
-def said(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[str]:
-    """The claims of a release's pages and how they turn out, one a line."""
-    found = (claim for text in undrawn(editions, templates, release).values() for claim in CLAIM.findall(text))
-    return list(dict.fromkeys(f"{name} {'the opposite' if opposite else outcome}" for name, outcome, opposite in found))
-
-
-def otherwise(world: World, before: Sequence[str]) -> str:
-    """The claims of the own release that turn out otherwise in a world than in the tracked one, of which these are."""
-    with project_of(world, [own_release()]) as project:
-        return "".join(f"{line}\n" for line in lines_of(project) if line not in before)
-
-
-def lines_of(project: Project) -> list[str]:
+def outcomes_of(project: Project) -> dict[str, str]:
+    """The outcome of every claim that the pages of the release say, by section and name."""
     templates = Templates(project.templates)
     editions = editions_of(project, templates)
     lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    return said(editions, templates, project.release)
+    pages = "".join(undrawn(editions, templates, project.release).values())
+    return {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
 
 
-def problems_of(world: World) -> list[str]:
-    """What is wrong with the whole site of a world, of all releases."""
-    with project_of(world, Project(own_release()).releases) as project:
+def otherwise(scenario: Scenario, before: Mapping[str, str]) -> dict[str, str]:
+    """The claims of the own release that have another outcome in a scenario than in the tracked results."""
+    with project_of(scenario, [own_release()]) as project:
+        found = outcomes_of(project)
+    outcomes = {claim: found.get(claim, "unsaid") for claim in sorted(before.keys() | found.keys())}
+    return {claim: outcome for claim, outcome in outcomes.items() if before.get(claim) != outcome}
+
+
+def kept(scenario: str) -> dict[str, str]:
+    """What is kept of it."""
+    path = SNAPSHOTS / f"{scenario}.txt"
+    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+    return {claim: outcome for outcome, claim in map(str.split, lines)}
+
+
+def keep(scenario: str, outcomes: Mapping[str, str]) -> None:
+    lines = (f"{outcome:8}  {claim}\n" for claim, outcome in outcomes.items())
+    (SNAPSHOTS / f"{scenario}.txt").write_text("".join(lines), encoding="utf-8")
+
+
+def problems_of(scenario: Scenario) -> list[str]:
+    """What is wrong with the whole site of a scenario, of all releases."""
+    with project_of(scenario, Project(own_release()).releases) as project:
         editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
@@ -332,18 +344,17 @@ def problems_of(world: World) -> list[str]:
 
 def main(names: Sequence[str]) -> int:
     with project_of(AS_MEASURED, [own_release()]) as project:
-        before = lines_of(project)
+        before = outcomes_of(project)
     failed = False
-    for world in WORLDS:
-        if names and world.name not in names:
+    for scenario in SCENARIOS:
+        if names and scenario.name not in names:
             continue
-        path = SNAPSHOTS / f"{world.name}.txt"
-        kept = path.read_text(encoding="utf-8") if path.is_file() else ""
-        path.write_text(otherwise(world, before), encoding="utf-8")
-        news = len(set(path.read_text(encoding="utf-8").splitlines()) - set(kept.splitlines()))
-        problems = problems_of(world)
+        found, known = otherwise(scenario, before), kept(scenario.name)
+        keep(scenario.name, found)
+        problems = problems_of(scenario)
         failed |= bool(problems)
-        print(f"{world.name}: {news} lines to read in {path.relative_to(ROOT)}, {len(problems)} problems", flush=True)
+        news = len(found.items() - known.items())
+        print(f"{scenario.name}: {news} claims to read, {len(problems)} problems", flush=True)
         print("".join(f"  {problem}\n" for problem in problems), end="")
     return int(failed)
 

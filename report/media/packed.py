@@ -9,9 +9,9 @@ import numpy as np
 
 from experiments.facts.kept import kept_run
 from measured_report import ReportError
-from measured_report.pages.pages import SHAKES
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.values.results import Results
+from report.media.replay import SHAKES
 
 SAMPLE_RATE_HZ = 30
 COLUMNS = (

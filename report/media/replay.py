@@ -11,15 +11,19 @@ from markupsafe import Markup
 
 from measured_report import ROOT
 from measured_report.deriving.chapters import Chapter
-from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
-from measured_report.files.staging import Draft
 from measured_report.pages.page import Templates
-from measured_report.pages.pages import REPLAY, SHAKES
 from measured_report.values.format import format_number
 from measured_report.values.quantities import local
 from report.media.clips import Clips
 
+REPLAY = "replay.html"
+SHAKES = {
+    "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
+    "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
+    "held still": {"hold-60s": "shipped pads, held still"},
+}
+"""What can be chosen on the page, and the runs that it shows, by case."""
 SCRIPT = "assets/replay/replay.js"
 STYLE = "assets/replay/replay.css"
 SPEEDS, SPEED = (0.25, 1.0, 4.0), 1.0
@@ -28,20 +32,10 @@ MAGNIFICATIONS = (1, 5, 20)
 """How many times as large the displacement can be drawn; at first the first."""
 
 
-def write_replay(site: Draft, folder: str, edition: Edition, templates: Templates) -> None:
-    """Put replay.html into the folder of a release's pages, and the clips below its ``data/``; what was not kept or not
-    made is left out."""
-    for file in edition.clips.files if edition.clips else ():
-        site.copy(f"{folder}data/{edition.project.results.name}/{file.name}", file)
-    if edition.replay:
-        page = replay_page(edition.project, edition.chapters["poses"], edition.replay, edition.clips, templates)
-        site.write(f"{folder}{REPLAY}", local(page, edition.project.release))
-
-
 def replay_page(
     project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates
 ) -> str:
-    """The page of one release.
+    """Write the page of one release.
 
     Args:
         project: The release.
@@ -65,7 +59,7 @@ def replay_page(
         "script": Markup(script(project.root)),
         "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),
     }
-    return templates.layout(f"{REPLAY}.j2", names)
+    return local(templates.layout(f"{REPLAY}.j2", names), project.release)
 
 
 def script(root: Path = ROOT) -> str:

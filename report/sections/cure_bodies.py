@@ -1,6 +1,6 @@
 """Other bodies and other contacts than a grasp, with the term put back: what moves as before, and what does not."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from measured_report.claims.claims import Claim, all_of, at_least, at_most
@@ -38,8 +38,7 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"plane": _plane_table(whole), "table": _table_table(results, whole)},
         claims=[
-            _free_motion_stays(results, whole),
-            _stands_on_any_feet(results, whole),
+            *_stays_as_it_is(results, whole),
             _spinning_ball_goes_aside(results, whole),
             _rolling_body_sinks(results, whole),
         ],
@@ -56,7 +55,9 @@ def _of(runs: Runs, motions: Iterable[str]) -> list[tuple[str, dict[str, Row]]]:
     ]
 
 
-def _free_motion_stays(results: Results, runs: Runs) -> Claim:
+def _stays_as_it_is(results: Results, runs: Runs) -> Iterator[Claim]:
+    """Tell whether bodies move as before on a plane, and stay on the table, whatever they stand on, and also where they
+    have slid before."""
     formula = "distance between the places where the body ends with the term and with nothing done, of the way there"
     shares = [
         results.value(
@@ -73,11 +74,8 @@ def _free_motion_stays(results: Results, runs: Runs) -> Claim:
     largest = extreme(results, "moved_most", "largest of these", max, shares)
     count = cell_count(results, "free_count", "runs on the plane", shares)
     outcome = at_most(largest, 1.0, why="the same motion")
-    return Claim("free_motion_stays", outcome, {"largest": largest, "count": count})
+    yield Claim("free_motion_stays", outcome, {"largest": largest, "count": count})
 
-
-def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
-    """On the table, whatever it stands on, and also where it has slid before."""
     formula = "growth of the distance from the axis with the term, of that with nothing done, in size"
     left = [
         size_share(results, f"left_{name}", formula, found["term"].growth_per_s, found["plain"].growth_per_s)
@@ -86,7 +84,7 @@ def _stands_on_any_feet(results: Results, runs: Runs) -> Claim:
     largest = extreme(results, "left_most", "largest of these", max, left)
     count = cell_count(results, "table_count", "runs on the table", left)
     outcome = at_most(largest, 20.0, why="most of it is gone")
-    return Claim("stands_on_any_feet", outcome, {"largest": largest, "count": count})
+    yield Claim("stands_on_any_feet", outcome, {"largest": largest, "count": count})
 
 
 def _spinning_ball_goes_aside(results: Results, runs: Runs) -> Claim:

@@ -12,7 +12,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import FIX, SHIPPED, is_held
-from report.shared.arithmetic import by_case, cell_count, cells_of, departure, extreme, noise_floor, size_difference
+from report.shared.arithmetic import Column, by_case, cell_count, departure, extreme, noise_floor, size_difference
 
 order = 91
 page = "cause"
@@ -123,8 +123,8 @@ def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> 
 def _table(runs: Sequence[Run]) -> Table:
     rows = [run.law for run in runs]
     parts = {label: f"{name}_mm_s" for name, label in PARTS.items()}
-    columns = {"response": "response_s", **parts, "law": "predicted_drift_mm_s"}
-    return by_case(rows, {**cells_of(rows, columns), "measured": [run.drift for run in runs]})
+    columns: dict[str, Column] = {"response": "response_s", **parts, "law": "predicted_drift_mm_s"}
+    return by_case(rows, columns | {"measured": [run.drift for run in runs]})
 
 
 def _draw(runs: Mapping[str, Sequence[Run]], bound: Value) -> Drawing:

@@ -10,7 +10,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html
-from report.shared.arithmetic import cell_count, departure, extreme, ratio, share, table_of
+from report.shared.arithmetic import Column, cell_count, departure, extreme, ratio, share, table_of
 from report.shared.drawing import mark_points
 
 order = 183
@@ -51,8 +51,7 @@ def derive(results: Results) -> Section:
         figures={"slips": figure},
         claims=[
             _is_firm(results, plain),
-            _lost_by_creep(results, found),
-            _slip_by_law(results, runs),
+            *_follows_law(results, found, runs),
             _softer_with_the_step(results),
             *_other_settings(results, found, least),
             _same_in_all_engines(results, found),
@@ -72,7 +71,8 @@ def _is_firm(results: Results, plain: Row) -> Claim:
     return Claim("is_firm", outcome, {"force": force, "weight": weight})
 
 
-def _lost_by_creep(results: Results, found: Mapping[str, Row]) -> Claim:
+def _follows_law(results: Results, found: Mapping[str, Row], runs: Mapping[str, Sequence[Row]]) -> Iterator[Claim]:
+    """Compare the law with the largest steps that hold, and with the slip of all runs that creep and hold."""
     steps = {name: (found[name].largest_step_ms, found[name].predicted_largest_step_ms) for name in CREEPING}
     formula = "largest step that holds less that of the law, in size, of the latter"
     off = [departure(results, f"{name}_step_off", formula, *cells) for name, cells in steps.items()]
@@ -80,11 +80,8 @@ def _lost_by_creep(results: Results, found: Mapping[str, Row]) -> Claim:
     count = cell_count(results, "creeping_count", "settings with such a step", off)
     largest, law = steps["implicitfast"]
     numbers = {"largest": largest, "law": law, "count": count, "off": most}
-    return Claim("lost_by_creep", at_most(most, 20.0, why="near enough to choose a step by"), numbers)
+    yield Claim("lost_by_creep", at_most(most, 20.0, why="near enough to choose a step by"), numbers)
 
-
-def _slip_by_law(results: Results, runs: Mapping[str, Sequence[Row]]) -> Claim:
-    """Compare slip and law in all runs that hold and are not cured of it."""
     held = [row for name in CREEPING for row in runs[name] if row.slip_mm.value is not None]
     formula = "slip less that of the law, in size, of the latter"
     off = [departure(results, f"{row.case}_off", formula, row.slip_mm, row.predicted_slip_mm) for row in held]
@@ -92,7 +89,7 @@ def _slip_by_law(results: Results, runs: Mapping[str, Sequence[Row]]) -> Claim:
     count = cell_count(results, "held_count", "runs that hold", off)
     plain = results.row["8ms-implicitfast"]
     numbers = {"count": count, "largest": largest, "slip": plain.slip_mm, "law": plain.predicted_slip_mm}
-    return Claim("slip_by_law", at_most(largest, 10.0, why="the same slip"), numbers)
+    yield Claim("slip_by_law", at_most(largest, 10.0, why="the same slip"), numbers)
 
 
 def _softer_with_the_step(results: Results) -> Claim:
@@ -151,14 +148,14 @@ def _same_in_all_engines(results: Results, found: Mapping[str, Row]) -> Claim:
 
 
 def _table(results: Results, found: Mapping[str, Row], least: Mapping[str, Value]) -> Table:
-    columns: dict[str, list] = {
+    columns: dict[str, Column] = {
         "holds from": [least[name] for name in SETTINGS],
-        "up to": [row.largest_step_ms for row in found.values()],
+        "up to": "largest_step_ms",
         "by the law": [found[name].predicted_largest_step_ms if name in CREEPING else "" for name in SETTINGS],
     }
     for step in ("2", "8"):
         columns[f"slip with {step} ms"] = [results.row[f"{step}ms-{name}"].slip_mm for name in SETTINGS]
-    return table_of("setting", map(case_html, SETTINGS), columns)
+    return table_of("setting", map(case_html, SETTINGS), columns, found.values())
 
 
 def _draw(runs: Mapping[str, Sequence[Row]], lost: Quantity) -> Drawing:

@@ -6,7 +6,7 @@ from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_m
 from measured_report.parts.parts import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import SETTLES, cells_of, departure, other_cell, other_value, ratio, table_of
+from report.shared.arithmetic import SETTLES, Column, departure, other_cell, other_value, ratio, table_of
 
 order = 140
 page = "fix"
@@ -19,15 +19,25 @@ SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
 """Case of the first section that each script must repeat."""
 
 
+def test_passed(row: Row) -> bool:
+    return row.exit_status.value == 0
+
+
+COLUMNS: dict[str, Column] = {
+    "engine": lambda row: ENGINES.get(row.backend, row.backend),
+    "its test": lambda row: PASSED[test_passed(row)],
+    "slip": "slip_mm",
+    "drift": "drift_mm_s",
+    "dropped": "dropped",
+}
+
+
 def derive(results: Results) -> Section:
     bound, rows = results.chosen("gain_bound", *SETTLES), results.rows
     shipped, fixed = (results.row[case] for case in CASES)
     shipped_c, fixed_c = (results.row[f"{case}-mujoco-c"] for case in CASES)
-    engines = [ENGINES.get(row.backend, row.backend) for row in rows]
-    columns = {"engine": engines, "its test": [PASSED[test_passed(row)] for row in rows]}
-    columns |= cells_of(rows, {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"})
     return Section(
-        tables={"runs": table_of("file", [row.script for row in rows], columns)},
+        tables={"runs": table_of("file", [row.script for row in rows], COLUMNS, rows)},
         claims=[
             _gains(results, "recommended", "gain", shipped, fixed, bound, decided(test_passed(fixed), fixed.slip_mm)),
             _patch_rounds_up(results),
@@ -37,10 +47,6 @@ def derive(results: Results) -> Section:
         ],
         downloads=[Download(name, text) for name, text in fix_files().items()],
     )
-
-
-def test_passed(row: Row) -> bool:
-    return row.exit_status.value == 0
 
 
 def _gains(results: Results, claim: str, name: str, shipped: Row, fixed: Row, bound: Value, *passes: Outcome) -> Claim:

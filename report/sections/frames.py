@@ -6,7 +6,7 @@ from measured_report.claims.claims import Claim, all_of, at_least, at_most
 from measured_report.parts.figures import SERIES, new_figure, say_value, write
 from measured_report.parts.parts import Figure, Section
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cells_of, share, table_of
+from report.shared.arithmetic import share, table_of
 
 order = 60
 label = "what moves"
@@ -22,14 +22,13 @@ COLUMNS = {
 
 
 def derive(results: Results) -> Section:
-    cells = cells_of(results.rows, COLUMNS)
     drift = Figure(
         draw=lambda: _draw_drift(results.rows),
         sources=[row.total_drift_mm for row in results.rows],
         numbers={"pairs": [(row.pair, row.total_drift_mm) for row in results.rows]},
     )
     return Section(
-        tables={"pairs": table_of("body in the frame of", [row.pair for row in results.rows], cells)},
+        tables={"pairs": table_of("body in the frame of", [row.pair for row in results.rows], COLUMNS, results.rows)},
         figures={"drift": drift},
         claims=[_cube_moves_in_fingers(results), _robot_is_still(results)],
     )

@@ -12,7 +12,6 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import (
     by_case,
-    cells_of,
     departure,
     needs_shaking,
     noise_floor,
@@ -64,7 +63,7 @@ def derive(results: Results) -> Section:
     return Section(
         tables={
             "cases": _table(results),
-            "precision": table_of("positions", PRECISION.values(), cells_of(precision, PRECISION_COLUMNS)),
+            "precision": table_of("positions", PRECISION.values(), PRECISION_COLUMNS, precision),
         },
         figures={"motion": Figure(lambda: _draw_motion(traces), list(traces.values()), numbers)},
         claims=[
@@ -183,7 +182,7 @@ def _longer_steps_creep_less(results: Results) -> Claim:
 
 def _table(results: Results) -> Table:
     rows = [row for row in results.rows if "slip_mm" in row]
-    return by_case(rows, COLUMNS | {"monotonic": [_monotonic(results, row) for row in rows]})
+    return by_case(rows, {**COLUMNS, "monotonic": lambda row: _monotonic(results, row)})
 
 
 def _monotonic(results: Results, row: Row) -> bool | None:

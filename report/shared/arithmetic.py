@@ -174,15 +174,15 @@ def table_of(
     return Table(pd.DataFrame(cells, index=pd.Index(list(names), name=heading), dtype=object), numbers)
 
 
-def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, Sequence]:
+def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, list]:
     """Look up the cells of each column in the rows; those that are given stay."""
     return {above: _cells(rows, column) for above, column in columns.items()}
 
 
-def _cells(rows: Sequence[Row], column: Column) -> Sequence:
+def _cells(rows: Sequence[Row], column: Column) -> list:
     if isinstance(column, str):
         return [row[column] for row in rows]
-    return [column(row) for row in rows] if callable(column) else column
+    return [column(row) for row in rows] if callable(column) else list(column)
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -32,11 +33,12 @@ LONGEST_RUN = 48
 LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
 """Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
+SAME_SHAKE, STIFF, OTHER_SHAKE = "the baseline's shake", "stiff pads, to compare", "another shake or duration"
 DROPPED = "dropped"
 MARKS = {
-    "the baseline's shake": DOT,
-    "stiff pads, to compare": DOT | {"color": SERIES[2]},
-    "another shake or duration": DOT | {"markerfacecolor": "none"},
+    SAME_SHAKE: DOT,
+    STIFF: DOT | {"color": SERIES[2]},
+    OTHER_SHAKE: DOT | {"markerfacecolor": "none"},
     DROPPED: DOT | {"marker": "x", "color": INK, "markersize": 5},
 }
 
@@ -46,8 +48,8 @@ class Line:
     """The runs of one section."""
 
     label: str
-    rows: tuple[Row, ...]
-    alike: tuple[Row, ...]
+    rows: Sequence[Row]
+    alike: Sequence[Row]
     """Those with a slip and the baseline's shake, stiff pads for comparison left out."""
     farthest: Row | None
     """Of these the one whose slip is farthest from the baseline's; None where none changes it by more than LITTLE."""
@@ -75,35 +77,31 @@ class Line:
 
 
 def overview(chapters: Mapping[str, Results]) -> Figure | None:
-    """The figure of all runs that have a slip, in the order of the page; None without a baseline to compare with.
+    """Make the figure of all runs that have a slip, in the order of the page; None without a baseline to compare with.
 
     Args:
         chapters: Results of the sections that are shown, by name.
     """
-    baseline = _baseline(chapters)
-    if baseline is None:
-        return None
     shown = {name: results for name, results in chapters.items() if name not in SAME_AGAIN}
-    lines = lines_of(shown, baseline)
+    baseline = _baseline(chapters)
+    lines = lines_of(shown, baseline) if baseline else []
     if not lines:
         return None
     noise = chapters["noise"].derived.get("slip_floor") if "noise" in chapters else None
     bounds = chapters["reproduction"].derived if "reproduction" in chapters else {}
-    return Figure(
-        draw=lambda: _draw(lines, baseline, noise),
-        sources=[row.slip_mm for line in lines for row in line.rows],
-        numbers={
-            "baseline": baseline.slip_mm,
-            "noise": noise,
-            "has_noise": bool(noise and noise.value),
-            "little": bounds.get("little_effect"),
-            "hardly": bounds.get("hardly_any_effect"),
-            "runs": str(sum(len(line.rows) for line in lines)),
-            "sections": str(len(lines)),
-            "idle": ", ".join(line.label for line in lines if line.does_little),
-            "moving": ", ".join(line.label for line in lines if line.farthest),
-        },
-    )
+    numbers = {
+        "baseline": baseline.slip_mm,
+        "noise": noise,
+        "has_noise": bool(noise and noise.value),
+        "little": bounds.get("little_effect"),
+        "hardly": bounds.get("hardly_any_effect"),
+        "runs": str(sum(len(line.rows) for line in lines)),
+        "sections": str(len(lines)),
+        "idle": ", ".join(line.label for line in lines if line.does_little),
+        "moving": ", ".join(line.label for line in lines if line.farthest),
+    }
+    slips = [row.slip_mm for line in lines for row in line.rows]
+    return Figure(lambda: _draw(lines, baseline, noise), slips, numbers)
 
 
 def _baseline(chapters: Mapping[str, Results]) -> Row | None:
@@ -112,27 +110,23 @@ def _baseline(chapters: Mapping[str, Results]) -> Row | None:
 
 
 def lines_of(chapters: Mapping[str, Results], baseline: Row) -> list[Line]:
-    """A line for each section that has runs with a slip, and among them one that can be compared.
+    """Make a line for each section that has runs with a slip, and among them one that can be compared.
 
     A row that has no drift, or does not say whether the run failed, is a look at a part of a run and not at all of it.
     """
     lines = []
     for results in chapters.values():
         rows = [row for row in results.rows if all(name in row for name in ("slip_mm", "drift_mm_s", "failure"))]
-        alike = [row for row in rows if row.slip_mm.value and _mark(row, baseline) == "the baseline's shake"]
+        alike = [row for row in rows if row.slip_mm.value and _mark(row, baseline) == SAME_SHAKE]
         if alike:
-            lines.append(_line(results.label, rows, alike, baseline))
+            own = next((row for row in alike if row.case == BASELINE), baseline).slip_mm.value
+            change_mm = max(abs(row.slip_mm.value - own) for row in alike)
+            lines.append(Line(results.label, rows, alike, _farthest(alike, baseline), change_mm, change_mm / own))
     return lines
 
 
-def _line(label: str, rows: Sequence[Row], alike: Sequence[Row], baseline: Row) -> Line:
-    own = next((row for row in alike if row.case == BASELINE), baseline).slip_mm.value
-    change_mm = max(abs(row.slip_mm.value - own) for row in alike)
-    return Line(label, tuple(rows), tuple(alike), _farthest(alike, baseline), change_mm, change_mm / own)
-
-
 def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
-    """The run that changes the slip most, by their ratio; of those that do the same the one with the shortest name."""
+    """Find the run that changes the slip most, by ratio; of those that do the same the one with the shortest name."""
     far = max(alike, key=lambda row: _distance(row, baseline))
     if _distance(far, baseline) <= LITTLE:
         return None
@@ -140,7 +134,7 @@ def _farthest(alike: Sequence[Row], baseline: Row) -> Row | None:
 
 
 def _distance(row: Row, other: Row) -> float:
-    """How far two slips are apart: the logarithm of their ratio, which for a small one is the share."""
+    """Compute how far two slips are apart: the logarithm of their ratio, which for a small one is the share."""
     return abs(math.log(row.slip_mm.value / other.slip_mm.value))
 
 
@@ -148,10 +142,9 @@ def _mark(row: Row, baseline: Row) -> str:
     if "dropped" in row and row.dropped:
         return DROPPED
     said = [(row[name].value, baseline[name].value) for name in SHAKE if name in row and name in baseline]
-    same = all(math.isclose(*pair, rel_tol=SHAKE_TOLERANCE) for pair in said)
-    if not same:
-        return "another shake or duration"
-    return "stiff pads, to compare" if row.case.startswith(REFERENCE) else "the baseline's shake"
+    if not all(math.isclose(*pair, rel_tol=SHAKE_TOLERANCE) for pair in said):
+        return OTHER_SHAKE
+    return STIFF if row.case.startswith(REFERENCE) else SAME_SHAKE
 
 
 def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawing:
@@ -164,7 +157,6 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     axes.set_xscale("log")
     axes.set_ylim(len(lines) - 0.3, -0.8)
     _draw_dots(axes, lines, baseline)
-    _draw_dropped(axes, lines, baseline)
     for place, line in enumerate(lines):
         if line.farthest:
             _name_farthest(axes, place, line.farthest)
@@ -173,17 +165,11 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
     axes.grid(axis="y", linewidth=0.3)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set_xlabel("slip [mm]")
-    axes.annotate(
-        f"shipped pads: {write(baseline.slip_mm)} mm",
-        (slip, 1.0),
-        xycoords=("data", "axes fraction"),
-        xytext=(4, 4),
-        textcoords="offset points",
-        color=SERIES[1],
-        fontsize=8.5,
-        ha="center",
-    )
-    drawing.legend(handles=_legend(axes), loc="outside lower left", ncols=3, fontsize=8)
+    above: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "xytext": (4, 4), "textcoords": "offset points"}
+    text = f"shipped pads: {write(baseline.slip_mm)} mm"
+    axes.annotate(text, (slip, 1.0), **above, color=SERIES[1], fontsize=8.5, ha="center")
+    handles = [axes.plot([], [], **style, label=mark)[0] for mark, style in MARKS.items() if mark != DROPPED]
+    drawing.legend(handles=handles, loc="outside lower left", ncols=3, fontsize=8)
     return drawing
 
 
@@ -195,7 +181,7 @@ def _label(line: Line, noise: Quantity | None) -> str:
 
 
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
-    """What it is and how far, above its mark, towards the wider side; where there is little room, from the edge on.
+    """Name a run and its slip above its mark, towards the wider side; where there is little room, from the edge on.
 
     It takes no part in the layout, which would give it room by making the axes narrow.
     """
@@ -212,31 +198,18 @@ def _name_farthest(axes: Axes, place: int, row: Row) -> None:
 
 
 def _draw_dots(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
+    """Draw each run; count those that dropped at the edge: how far away a dropped cube lies says nothing."""
     marks: dict[str, list[tuple[float, int]]] = {}
     for place, line in enumerate(lines):
         for row in line.rows:
-            if row.slip_mm.value is not None and (mark := _mark(row, baseline)) != DROPPED:
-                marks.setdefault(mark, []).append((row.slip_mm.value, place))
+            if row.slip_mm.value is not None:
+                marks.setdefault(_mark(row, baseline), []).append((row.slip_mm.value, place))
+    dropped = Counter(place for _, place in marks.pop(DROPPED, []))
     for mark, dots in marks.items():
         axes.plot(*zip(*dots, strict=True), **MARKS[mark])
     slips = [slip for dots in marks.values() for slip, _ in dots]
     axes.set_xlim(0.7 * min(slips), 3.0 * max(slips))
-
-
-def _draw_dropped(axes: Axes, lines: Sequence[Line], baseline: Row) -> None:
-    """At the edge, with their number: how far away a dropped cube lies says nothing."""
-    for place, line in enumerate(lines):
-        count = sum(row.slip_mm.value is not None and _mark(row, baseline) == DROPPED for row in line.rows)
-        if count:
-            axes.plot([0.97], [place], transform=axes.get_yaxis_transform(), **MARKS[DROPPED])
-            above: dict[str, Any] = {
-                "xycoords": ("axes fraction", "data"),
-                "xytext": (0, 5),
-                "textcoords": "offset points",
-                "ha": "right",
-            }
-            axes.annotate(f"{count} dropped", (0.99, place), fontsize=8, **above).set_in_layout(False)
-
-
-def _legend(axes: Axes) -> list[Any]:
-    return [axes.plot([], [], **style, label=mark)[0] for mark, style in MARKS.items() if mark != DROPPED]
+    above: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "xytext": (0, 5), "textcoords": "offset points"}
+    for place, count in sorted(dropped.items()):
+        axes.plot([0.97], [place], transform=axes.get_yaxis_transform(), **MARKS[DROPPED])
+        axes.annotate(f"{count} dropped", (0.99, place), fontsize=8, ha="right", **above).set_in_layout(False)

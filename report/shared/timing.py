@@ -22,16 +22,15 @@ def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
 
 
 def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
-    """How far apart frames of one run are [ms], of the rows the one where it is most."""
+    """Derive how far apart frames of one run are [ms], of the rows the one where it is most."""
     edges = [cell(results, row, column, "a case") for row in rows for column in ("frame_ms_p5", "frame_ms_p95")]
-    return results.value(
-        name,
-        "largest of the ranges from the 5th to the 95th percentile of a frame's time",
-        lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
-        *edges,
-        unit="ms",
-        is_noise=True,
-    )
+    formula = "largest of the ranges from the 5th to the 95th percentile of a frame's time"
+    return results.value(name, formula, widest, *edges, unit="ms", is_noise=True)
+
+
+def widest(*edges: float) -> float:
+    """Compute the largest of the ranges that are given by their lower and upper edges."""
+    return max(high - low for low, high in zip(edges[::2], edges[1::2], strict=True))
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:

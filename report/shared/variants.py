@@ -12,7 +12,7 @@ from measured_report.parts.parts import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import by_case, difference, noise_floor, share
+from report.shared.arithmetic import Column, by_case, difference, noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -114,10 +114,10 @@ def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Mar
 
 def variant_table(variants: Variants, labels: Mapping[str, str]) -> Table:
     """Make the table with a line for each case."""
-    columns: dict[str, str | Sequence] = {
-        "changed": [_changed(row, variants.baseline, labels) for row in variants.all_rows],
+    columns: dict[str, Column] = {
+        "changed": lambda row: _changed(row, variants.baseline, labels),
         "slip": "slip_mm",
-        "against baseline": [variants.difference.get(row.case, "") for row in variants.all_rows],
+        "against baseline": lambda row: variants.difference.get(row.case, ""),
         "drift": "drift_mm_s",
     }
     return by_case(variants.all_rows, columns)

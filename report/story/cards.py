@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
-from measured_report.deriving.chapters import Chapters
+from measured_report.deriving.chapters import Chapters, stale_mark
 from measured_report.values.quantities import Quantity
 from report.story.found import Found
 
@@ -52,4 +52,6 @@ def cards_of(chapters: Chapters) -> Cards:
         Card("time of a frame", frames, Markup("frames spread over {}").format(spread)),
     ]
     there = [card for card in cards if card.values[0].value is not None]
-    return Cards([replace(card, note=card.note + found.stale_mark(card.values[0].reads)) for card in there])
+    return Cards(
+        [replace(card, note=card.note + stale_mark(chapters.values(), card.values[0].reads)) for card in there]
+    )

@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from markupsafe import Markup
-
 from measured_report.claims.claims import FAILS, HOLDS, Claim
 from measured_report.deriving.chapters import Chapters
 from measured_report.values.quantities import Quantity, absent
@@ -33,59 +31,44 @@ class Found:
         return told is not None and told.outcome == HOLDS
 
     def claim(self, section: str, name: str) -> Claim | None:
-        """A claim of a section; None where there is none."""
+        """Return a claim of a section; None where there is none."""
         chapter = self.chapters.get(section)
         claims = chapter.section.claims if chapter else ()
         return next((claim for claim in claims if claim.name == name), None)
 
     def value(self, section: str, name: str, unit: str = "1") -> Quantity:
-        """A value that a section derived."""
+        """Return a value that a section derived."""
         chapter = self.chapters.get(section)
         derived = chapter.results.derived if chapter else {}
         return derived.get(name) or self._absent(section, unit)
 
     def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
-        """What a section measured."""
+        """Return what a section measured."""
         chapter = self.chapters.get(section)
         row = chapter.results.row.get(case) if chapter else None
         return row[column] if row and column in row else self._absent(section, unit)
 
     def titled(self, name: str) -> Claim:
-        """Whether the cube slips, and stiff pads hold it better."""
+        """Return whether the cube slips, and stiff pads hold it better."""
         slips, held = self.claim("reproduction", "slips").outcome, self.claim("reproduction", "stiff_pads_hold").outcome
         both = HOLDS if held == HOLDS else FAILS
         outcome = both if slips == HOLDS else slips
         return Claim(name, replace(outcome, reads=slips.reads | held.reads), {"slips": self.does_slip})
 
     def trace(self, section: str, case: str) -> Series:
+        """Return a trace of a section."""
         chapter = self.chapters.get(section)
         return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
 
     def retold(self, name: str, section: str, claim: str, numbers: Mapping[str, Any] | None = None) -> Claim:
-        """A section's claim in other words: its outcome and what its wording can name, and ``numbers`` besides.
+        """Return a section's claim, which has to be there, for other words: its outcome, and what these can name.
 
-        It has to be there.
+        Args:
+            numbers: What they can name besides.
         """
         told = self.claim(section, claim)
         assert told, f"there is no claim {section}.{claim}"
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
-
-    def stale_mark(self, reads: frozenset[str]) -> Markup:
-        """A link to the section that was measured before its code changed, where pointers lead into one.
-
-        It is no stop of the keyboard, which the section's own mark and the contents lead to as well.
-        """
-        stale = [chapter for chapter in self.chapters.values() if chapter.state.notes]
-        for chapter in stale:
-            place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
-            if any(pointer.startswith(place) for pointer in reads):
-                return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
-        return Markup("")
-
-    def marked(self, claim: Claim, page: str) -> Markup:
-        """A retold claim, with a mark where it rests on a stale section; a title has none."""
-        mark = Markup("") if claim.name == "title" else self.stale_mark(claim.outcome.reads)
-        return claim.html(page) + mark
 
     def _absent(self, section: str, unit: str) -> Quantity:
         return absent(unit, self._reason(section))

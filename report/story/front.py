@@ -12,8 +12,8 @@ from report.story.found import Found
 from report.story.shared import gain, substeps, ways
 
 
-def front_of(chapters: Chapters) -> Section:
-    """Figures, cards and claims of the front page of one release."""
+def derive(chapters: Chapters) -> Section:
+    """Derive figures and claims of the front page of one release."""
     found = Found(chapters)
     if "reproduction" not in chapters:
         return Section(figures=_overview(chapters))

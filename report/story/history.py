@@ -24,8 +24,8 @@ LINE = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-
 DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-1)"/>')
 
 
-def history_of(releases: Releases, shown: str) -> Section:
-    """Return the tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
+def derive(releases: Releases, shown: str) -> Section:
+    """Derive the tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
     flips = FlipList(decided_flips(releases, shown), list(releases[shown]), level=3)
     return Section(tables={"numbers": _numbers(releases), "flips": flips})
 

@@ -74,8 +74,8 @@ OF_A_HOLD = {"leans", "substeps", "remedy_elsewhere"}
 """Those that say something only where it does not."""
 
 
-def story_of(chapters: Chapters) -> Section:
-    """Figures, the table of suspects and the claims of the story; nothing where a part of it was not measured."""
+def derive(chapters: Chapters) -> Section:
+    """Derive figures, table of suspects and claims of the story; nothing where a part of it was not measured."""
     found = Found(chapters)
     if any(found.claim(*place) is None for place in (*TOLD.values(), *ASKED)):
         return Section()

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import pytest
 
-from measured_report.deriving.derived import outline_of
+from measured_report.deriving.sections import outline_of
 from measured_report.editions.project import Project, own_release
 from measured_report.records.identity import sections
 from measured_report.records.reading import load_record

@@ -1,7 +1,8 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
 from markupsafe import Markup
 
@@ -14,12 +15,12 @@ from report.sections.cure.budget import (
     budget_table,
     closed_count,
     closing_table,
+    draw_budget,
     kept_runs,
     lacks_the_sway,
     parts_of,
     run_count,
 )
-from report.sections.cure.figures import draw_budget
 from report.sections.cure.ways import (
     ADDS,
     BEST,
@@ -45,6 +46,8 @@ OTHER_CONTACTS = {
 }
 """All remedies with other contacts than Newton's and with another cone."""
 CONTACTS = {"mujoco": "contacts that MuJoCo finds", "pyramid": "a pyramidal cone"}
+Slips = Mapping[str, Quantity]
+"""At 3 cm, by the name of the way."""
 
 
 def derive(results: Results) -> Section:
@@ -53,15 +56,9 @@ def derive(results: Results) -> Section:
     grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
     near, far = (amplitude_mm(results, shake) for shake in ("3cm", "10cm"))
     parts = {way.name: parts_of(results, way) for way in WAYS}
-    budget = Figure(
-        draw=lambda: draw_budget(results, parts),
-        sources=[way.row(results, "3cm").slip_mm for way in WAYS],
-        numbers={
-            **{name: way.row(results, "3cm").slip_mm for name, way in _named().items()},
-            **{name: parts["shipped pads"][name] for name in ("left_out", "sum")},
-            "amplitude": near,
-        },
-    )
+    slips = {way.name: way.row(results, "3cm").slip_mm for way in WAYS}
+    numbers = {"shipped": slips["shipped pads"], "term": slips["the term"], "best": slips[BEST.name], "amplitude": near}
+    numbers |= {name: parts["shipped pads"][name] for name in ("left_out", "sum")}
     return Section(
         tables={
             "use": use_table(results),
@@ -69,27 +66,18 @@ def derive(results: Results) -> Section:
             "budget": budget_table(results, parts, near),
             "closing": closing_table(results, least, most),
         },
-        figures={"budget": budget},
+        figures={"budget": Figure(lambda: draw_budget(results, parts), list(slips.values()), numbers)},
         claims=[
             what_to_use(results, far, grasp),
             _budget_closes(results, least, most),
-            _term_alone(results),
-            _each_takes_its_part(results),
-            _best_holds(results),
-            _best_holds_farther(results, far, grasp),
-            _stiff_pads_hold_better(results),
+            *_remedies_hold(results, slips, far, grasp),
             _term_uncovers_step(results, parts["the term"]),
-            _stiff_pads_with_term(results),
-            _step_alone_is_more(results),
+            *_stiff_pads(results, slips),
             _with_other_contacts(results),
             _pyramid_yields(results),
             lacks_the_sway(results, far),
         ],
     )
-
-
-def _named() -> dict[str, Way]:
-    return {"shipped": _way("shipped pads"), "term": _way("the term"), "best": BEST}
 
 
 def _way(name: str) -> Way:
@@ -101,127 +89,101 @@ def _budget_closes(results: Results, least: Value, most: Value) -> Claim:
     closed = closed_count(results, "closed_count", kept, least, most)
     count = run_count(results, "kept_count", kept)
     part = share(results, "closed_share", "of the runs that keep the cube, those of them", closed, count)
-    enough = results.chosen("closed_bound", "not by chance", 8.0)
-    usual = results.chosen("closed_share_bound", "by far the most of them", 80.0, unit="%")
+    outcome = all_of(at_least(closed, 8.0, why="not by chance"), at_least(part, 80.0, why="by far the most of them"))
     numbers = {"closed": closed, "count": count, "share": part, "least": least, "most": most}
-    return Claim("budget_closes", all_of(at_least(closed, enough), at_least(part, usual)), numbers=numbers)
+    return Claim("budget_closes", outcome, numbers)
 
 
-def _term_alone(results: Results) -> Claim:
-    shipped, term = (_way(name).row(results, "3cm").slip_mm for name in ("shipped pads", "the term"))
-    bound = results.chosen("term_alone_bound", "a tenth of the slip as shipped", 0.6, unit="mm")
-    outcome = all_of(at_most(term, bound), greater(shipped, term, noise=noise_floor(results, "slip_floor")))
-    return Claim("term_alone", outcome, numbers={"shipped": shipped, "term": term})
-
-
-def _each_takes_its_part(results: Results) -> Claim:
-    """One remedy after the other."""
-    slips = [_way(name).row(results, "3cm").slip_mm for name in STEPS.values()]
+def _remedies_hold(results: Results, slips: Slips, far: Value, grasp: Value) -> Iterator[Claim]:
+    """Tell how little the cube slips with the term alone, with one remedy after the other, and with all of them."""
     noise = noise_floor(results, "slip_floor")
-    numbers: dict[str, Quantity | Markup] = dict(zip(STEPS, slips, strict=True))
+    shipped, term, best, stiff = (slips[name] for name in ("shipped pads", "the term", BEST.name, "stiff pads"))
+    gains = greater(shipped, term, noise=noise)
+    outcome = all_of(at_most(term, 0.6, why="a tenth of the slip as shipped"), gains)
+    yield Claim("term_alone", outcome, {"shipped": shipped, "term": term})
+
+    steps = {step: slips[name] for step, name in STEPS.items()}
+    added = list(STEPS.values())[1:]
     idle = [
         Markup.escape(name.removeprefix(ADDS))
-        for name, before, after in zip(list(STEPS.values())[1:], slips, slips[1:], strict=False)
+        for name, (before, after) in zip(added, pairwise(steps.values()), strict=True)
         if greater(before, after, noise=noise) != HOLDS
     ]
-    return Claim("each_takes_its_part", decreases(slips, noise=noise), numbers=numbers | {"idle": some_html(idle)})
+    falls = decreases(list(steps.values()), noise=noise)
+    yield Claim("each_takes_its_part", falls, {**steps, "idle": some_html(idle)})
 
-
-def _best_holds(results: Results) -> Claim:
-    best = BEST.row(results, "3cm")
-    bound = results.chosen("best_bound", "what a grasp of this kind does not show", 0.03, unit="mm")
-    shipped = _way("shipped pads").row(results, "3cm").slip_mm
-    gains = greater(shipped, best.slip_mm, noise=noise_floor(results, "slip_floor"))
-    numbers = {"best": best.slip_mm, "shipped": shipped}
-    return Claim("best_holds", all_of(at_most(best.slip_mm, bound), gains), numbers=numbers)
+    is_little = at_most(best, 0.03, why="what a grasp of this kind does not show")
+    outcome = all_of(is_little, greater(shipped, best, noise=noise))
+    yield Claim("best_holds", outcome, {"best": best, "shipped": shipped})
+    yield _best_holds_farther(results, far, grasp)
+    yield Claim("stiff_pads_hold_better", greater(term, stiff, noise=noise), {"term": term, "stiff": stiff})
 
 
 def _best_holds_farther(results: Results, amplitude: Value, grasp: Value) -> Claim:
-    best, shipped = (way.row(results, "10cm") for way in (BEST, _way("shipped pads")))
-    bound = results.chosen("best_far_bound", "a tenth of a millimetre at a shake three times as wide", 0.1, unit="mm")
-    slip, outcome = best.slip_mm, at_most(best.slip_mm, bound)
-    if at_least(shipped.slip_mm, grasp) != HOLDS:
-        outcome = Outcome("unknown", "the scene with shipped pads keeps the cube there").having_read(shipped.slip_mm)
+    slip, shipped = (way.row(results, "10cm").slip_mm for way in (BEST, _way("shipped pads")))
+    outcome = at_most(slip, 0.1, why="a tenth of a millimetre at a shake three times as wide")
+    if at_least(shipped, grasp) != HOLDS:
+        outcome = Outcome("unknown", "the scene with shipped pads keeps the cube there").having_read(shipped)
         slip = absent("mm", outcome.reason)
-    return Claim("best_holds_farther", outcome, numbers={"best": slip, "amplitude": amplitude})
+    return Claim("best_holds_farther", outcome, {"best": slip, "amplitude": amplitude})
 
 
-def _stiff_pads_hold_better(results: Results) -> Claim:
-    term, stiff = (_way(name).row(results, "3cm").slip_mm for name in ("the term", "stiff pads"))
-    outcome = greater(term, stiff, noise=noise_floor(results, "slip_floor"))
-    return Claim("stiff_pads_hold_better", outcome, numbers={"term": term, "stiff": stiff})
-
-
-def _term_uncovers_step(results: Results, parts: dict[str, Value]) -> Claim:
+def _term_uncovers_step(results: Results, parts: Mapping[str, Value]) -> Claim:
     """The error of the step goes against what the term would have added, so that it shows once that is gone."""
     plain, term = (_way(name).row(results, "3cm") for name in ("shipped pads", "the term"))
     turned = results.value(
         "turned",
         "cosine of the angle between the slip with the term put back and that as shipped, along the pads",
         lambda ax, az, bx, bz: (ax * bx + az * bz) / ((ax**2 + az**2) * (bx**2 + bz**2)) ** 0.5,
-        *_along_pads(plain),
-        *_along_pads(term),
+        *(cell for row in (plain, term) for cell in (row.slip_x_mm, row.slip_z_mm)),
     )
-    part = share(
-        results,
-        "step_share",
-        "predicted error of the step, along the way that the cube went with the term put back, of the slip then",
-        parts["step"],
-        term.slip_mm,
-    )
-    against = results.chosen("turned_bound", "about the other way", -0.5)
-    most = results.chosen("step_share_bound", "most of it", 50.0, unit="%")
-    outcome = all_of(at_most(turned, against), at_least(part, most))
-    return Claim("term_uncovers_step", outcome, numbers={"term": term.slip_mm, "step": parts["step"], "share": part})
+    formula = "predicted error of the step, along the way that the cube went with the term put back, of the slip then"
+    part = share(results, "step_share", formula, parts["step"], term.slip_mm)
+    outcome = all_of(at_most(turned, -0.5, why="about the other way"), at_least(part, 50.0, why="most of it"))
+    return Claim("term_uncovers_step", outcome, {"term": term.slip_mm, "step": parts["step"], "share": part})
 
 
-def _along_pads(row) -> Sequence[Quantity]:
-    return row.slip_x_mm, row.slip_z_mm
+def _stiff_pads(results: Results, slips: Slips) -> Iterator[Claim]:
+    """Tell whether stiff pads lose by the term, and why they can: the error of the step alone is more than what it and
+    the term come to."""
+    plain, term, noise = slips["stiff pads"], slips["stiff pads, the term"], noise_floor(results, "slip_floor")
+    yield Claim("stiff_pads_with_term", greater(term, plain, noise=noise), {"plain": plain, "term": term})
 
-
-def _stiff_pads_with_term(results: Results) -> Claim:
-    plain, term = (_way(name).row(results, "3cm").slip_mm for name in ("stiff pads", "stiff pads, the term"))
-    outcome = greater(term, plain, noise=noise_floor(results, "slip_floor"))
-    return Claim("stiff_pads_with_term", outcome, numbers={"plain": plain, "term": term})
-
-
-def _step_alone_is_more(results: Results) -> Claim:
-    """Why stiff pads can lose by the term: the error of the step alone against what it and the term come to."""
     row = _way("stiff pads").row(results, "3cm")
     of_term, of_step = ((row[f"{name}_x_mm"], row[f"{name}_z_mm"]) for name in ("left_out", "step"))
-    term, step, both = (
-        results.value(f"stiff_{name}", f"size of {words} along the pads, predicted", _size, *cells, unit="mm")
+    sizes = {
+        name: results.value(f"stiff_{name}", f"size of {words} along the pads, predicted", _size, *cells, unit="mm")
         for name, words, cells in (
             ("term", "the term", of_term),
             ("step", "the error of the step", of_step),
             ("both", "both together", of_term + of_step),
         )
-    )
-    outcome = greater(step, both, noise=noise_floor(results, "slip_floor")).having_read(term)
-    return Claim("step_alone_is_more", outcome, numbers={"term": term, "step": step, "both": both})
+    }
+    outcome = greater(sizes["step"], sizes["both"], noise=noise).having_read(sizes["term"])
+    yield Claim("step_alone_is_more", outcome, sizes)
 
 
 def _size(*cells: float) -> float:
-    """Of the sum of vectors, each given as x and z."""
+    """Compute the length of the sum of vectors, each given as x and z."""
     return math.hypot(sum(cells[::2]), sum(cells[1::2]))
 
 
 def _with_other_contacts(results: Results) -> Claim:
-    rows = {name: results.row[case] for name, case in OTHER_CONTACTS.items()}
-    slips = {name: row.slip_mm for name, row in rows.items()}
+    slips = {name: results.row[case].slip_mm for name, case in OTHER_CONTACTS.items()}
     largest = results.value("other_slip", "larger of both", max, *slips.values(), unit="mm")
-    bound = results.chosen("other_bound", "as good as with Newton's contacts, or nearly", 0.1, unit="mm")
-    worse = some_html([Markup.escape(CONTACTS[name]) for name, slip in slips.items() if at_most(slip, bound) != HOLDS])
-    return Claim("with_other_contacts", at_most(largest, bound), numbers=slips | {"worse": worse})
+    tests = {
+        name: at_most(slip, 0.1, why="as good as with Newton's contacts, or nearly")
+        for name, slip in (slips | {"largest": largest}).items()
+    }
+    worse = some_html([Markup.escape(words) for name, words in CONTACTS.items() if tests[name] != HOLDS])
+    return Claim("with_other_contacts", tests["largest"], slips | {"worse": worse})
 
 
 def _pyramid_yields(results: Results) -> Claim:
     """What the pyramidal cone leaves is load alone, on rows that are softer the less deep the contacts are."""
     row = results.row[OTHER_CONTACTS["pyramid"]]
-    load = results.value(
-        "pyramid_load", "size of the part of load", math.hypot, row.creep_x_mm, row.creep_z_mm, unit="mm"
-    )
-    formula = "slip less that part, in size, of the slip"
-    off = departure(results, "pyramid_load_off", formula, load, row.slip_mm)
-    bound = results.chosen("pyramid_load_bound", "that part and no other", 15.0, unit="%")
-    return Claim("pyramid_yields", at_most(off, bound), numbers={"slip": row.slip_mm, "load": load})
+    cells = row.creep_x_mm, row.creep_z_mm
+    load = results.value("pyramid_load", "size of the part of load", math.hypot, *cells, unit="mm")
+    off = departure(results, "pyramid_load_off", "slip less that part, in size, of the slip", load, row.slip_mm)
+    outcome = at_most(off, 15.0, why="that part and no other")
+    return Claim("pyramid_yields", outcome, {"slip": row.slip_mm, "load": load})

@@ -1,16 +1,13 @@
 """Ways to hold the cube, from the scene as shipped to all remedies, and what each comes to."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-
-import pandas as pd
 
 from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, greater, within
 from measured_report.parts.parts import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.shared.arithmetic import difference, noise_floor
+from report.shared.arithmetic import difference, noise_floor, table_of
 from report.shared.timing import CURE_WORLDS
 
 GRASP_MM = 80.0
@@ -70,7 +67,7 @@ STEPS = {
 
 
 def _with_all(way: Way) -> str:
-    """A way in a sentence: one that adds to those above it, with them."""
+    """Name a way in a sentence: one that adds to those above it, with them."""
     first = last = WAYS.index(way)
     while WAYS[first].name.startswith(ADDS):
         first -= 1
@@ -79,16 +76,17 @@ def _with_all(way: Way) -> str:
 
 
 def use_table(results: Results) -> Table:
-    """What to use: for each way its slips, and what it breaks or may break."""
+    """Make the table of what to use: for each way its slips, and what it breaks or may break."""
     ways = [*WAYS, *([KF_OFF] if KF_OFF.case("3cm") in results.row else [])]
-    columns: dict[str, Sequence] = {
-        "slip, 30 mm": [_slip(way.row(results, "3cm")) for way in ways],
-        "slip, 100 mm": [_slip(way.row(results, "10cm")) for way in ways],
-        "held still": [_slip(way.row(results, "held")) for way in ways],
+    columns: dict[str, list] = {
+        above: [_slip(way.row(results, shake)) for way in ways]
+        for above, shake in (("slip, 30 mm", "3cm"), ("slip, 100 mm", "10cm"), ("held still", "held"))
+    }
+    columns |= {
         "lost at the limits": [_lost(results, way) for way in ways],
         "may break": [way.may_break for way in ways],
     }
-    return _by_way(ways, columns)
+    return table_of("what is done", [way.name for way in ways], columns)
 
 
 def _slip(row: Row) -> Quantity | str:
@@ -96,42 +94,30 @@ def _slip(row: Row) -> Quantity | str:
 
 
 def cost_table(results: Results) -> Table:
-    """Of the ways that were timed."""
-    ways = [way for way in WAYS if way.timed]
-    times: dict[str, Sequence] = {
-        worlds_name(count): [_frame_ms(results, way, count) for way in ways] for count in CURE_WORLDS
-    }
-    return _by_way(ways, times)
-
-
-def _by_way(ways: Sequence[Way], columns: dict[str, Sequence]) -> Table:
-    return Table(pd.DataFrame(columns, index=pd.Index([way.name for way in ways], name="what is done")))
-
-
-def _frame_ms(results: Results, way: Way, count: int) -> Quantity:
-    timed = results.others.get("cure_cost")
-    for row in timed.rows if timed else []:
-        if way.timed and (row.case, row.worlds.value) == (way.timed, count):
-            return row.frame_ms
-    return absent("ms", "it was not timed")
+    """Make the table of the ways that were timed."""
+    ways, timed = [way for way in WAYS if way.timed], results.others.get("cure_cost")
+    times = {(row.case, row.worlds.value): row.frame_ms for row in (timed.rows if timed else [])}
+    none = absent("ms", "it was not timed")
+    columns = {worlds_name(count): [times.get((way.timed, count), none) for way in ways] for count in CURE_WORLDS}
+    return table_of("what is done", [way.name for way in ways], columns)
 
 
 def _lost(results: Results, way: Way) -> Quantity:
-    """Runs that keep the cube with shipped pads and lose it this way."""
+    """Look up how many runs keep the cube with shipped pads and lose it this way."""
     limits = results.others.get("cure_limits")
     found = limits.derived.get(f"lost_{way.tried}") if limits else None
     return found or absent("1", "it was not tried there")
 
 
 def amplitude_mm(results: Results, shake: str) -> Value:
-    """How far a shake goes."""
+    """Derive how far a shake goes."""
     metres = BEST.row(results, shake).shake_amplitude_m
     return results.value(f"amplitude_{shake}", "in whole mm", lambda metres: round(1e3 * metres), metres, unit="mm")
 
 
 def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
-    """All remedies together, if they are what the rule finds: the least slip of all ways that hold the cube at 10 cm as
-    well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried.
+    """Tell whether all remedies together are what the rule finds: the least slip of all ways that hold the cube at
+    10 cm as well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried.
 
     Of ways that slip alike, as far as can be told, they are the one to use.
     """
@@ -151,15 +137,14 @@ def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
     way = BEST if outcome == HOLDS else least
     numbers = {"way": _with_all(way), "slip": slips[way], "bound": bound, "is_untried": not (way.timed or way.tried)}
     numbers |= {"far": way.row(results, "10cm").slip_mm, "amplitude": amplitude}
-    return Claim("what_to_use", outcome, numbers=numbers)
+    return Claim("what_to_use", outcome, numbers)
 
 
 def _fits(results: Results, way: Way, bound: Value, grasp: Value) -> Outcome:
-    none = results.chosen(f"use_lost_{WAYS.index(way)}", "it breaks nothing", 0)
     found = [at_most(way.row(results, "10cm").slip_mm, grasp)]
     cost = results.others.get("cure_cost")
     for count in CURE_WORLDS if cost and way.timed else ():
         extra = cost.derived.get(f"{way.timed}_extra_{count}")
         found += [at_most(extra, bound)] if extra and extra.value is not None else []
     lost = _lost(results, way)
-    return all_of(*found, *([at_most(lost, none)] if lost.value is not None else []))
+    return all_of(*found, *([at_most(lost, 0, why="it breaks nothing")] if lost.value is not None else []))

@@ -3,12 +3,10 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import pandas as pd
 from markupsafe import Markup
 
 from measured_report.claims.claims import HOLDS
 from measured_report.parts.parts import Figure, Section, Table
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims
 from report.sections.error_runtime.counting import counts, hit_iteration_limit
@@ -31,7 +29,7 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.sections.error_runtime.worlds import derive_worlds
-from report.shared.arithmetic import cell_or_absent
+from report.shared.arithmetic import Column, cell_or_absent, table_of
 
 order = 155
 page = "error"
@@ -41,16 +39,20 @@ PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "inte
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
 
 
+SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
+
+
 def derive(results: Results) -> Section:
     points = points_of(results)
     orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in LABELS}
     front = front_rows(points, points.front)
     warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
-    references = [points.reference(pads) for pads in PADS]
-    converged = [cell_or_absent(reference, GRASP, "mm/cycle") for reference in references]
+    soft, stiff = (cell_or_absent(points.reference(pads), GRASP, "mm/cycle") for pads in PADS)
     of_models = model_claims(points)
     pads_decide = any(claim.name == "pads_decide" and claim.outcome == HOLDS for claim in of_models)
+    grasp_numbers = _as_shipped(points, GRASP) | {"soft": soft, "stiff": stiff, "pads_decide": pads_decide}
+    errors, grasp_errors = ([row[column] for row in points.settings] for column in (ERROR, GRASP))
     return Section(
         tables={
             "marked": _marked_table(points),
@@ -60,25 +62,16 @@ def derive(results: Results) -> Section:
             "failures": _failure_table(points),
         },
         figures={
-            "numerical": Figure(
-                draw=lambda: draw_numerical(points),
-                sources=[row.numerical_error_mm for row in points.settings],
-                numbers=_as_shipped(points, ERROR),
-            ),
-            "grasp": Figure(
-                draw=lambda: draw_grasp(points),
-                sources=[row.grasp_error_mm_per_cycle for row in points.settings],
-                numbers=_as_shipped(points, GRASP)
-                | {"soft": converged[0], "stiff": converged[1], "pads_decide": pads_decide},
-            ),
+            "numerical": Figure(lambda: draw_numerical(points), errors, _as_shipped(points, ERROR)),
+            "grasp": Figure(lambda: draw_grasp(points), grasp_errors, grasp_numbers),
             "worlds": worlds_figure,
         },
         claims=[*accuracy_claims(points, orders), *knob_claims(points), *of_models, worlds_claim],
     )
 
 
-def _as_shipped(points: Points, error: str) -> dict[str, Markup]:
-    """By engine: the errors as shipped with either pads, and the run time with the first."""
+def _as_shipped(points: Points, error: str) -> dict[str, Any]:
+    """Write by engine the errors as shipped with either pads, and the run time with the first."""
     found = {}
     for name, backend in zip(("warp", "c"), points.engines, strict=True):
         rows = [row for row in (points.shipped(pads, backend) for pads in PADS) if row]
@@ -88,76 +81,62 @@ def _as_shipped(points: Points, error: str) -> dict[str, Markup]:
 
 
 def _front_table(rows: Sequence[Row]) -> Table:
-    engines = [ENGINES.get(row.backend, "") for row in rows]
-    alone = engines[0] if len(set(engines)) == 1 else ""
+    engines = set(map(_engine, rows))
+    alone = engines.pop() if len(engines) == 1 else ""
     columns = {
-        "pads": [PADS[row["pads"]] for row in rows],
-        **({} if alone else {"engine": engines}),
-        "settings": [_settings(row) for row in rows],
-        "numerical error": [row.numerical_error_mm for row in rows],
-        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
-        "clamped": [is_clamped(row) for row in rows],
-        "friction used": [row.cone_use_max for row in rows],
-        "time": [row.ms_per_s for row in rows],
-        "from": [row.ms_per_s_p5 for row in rows],
-        "to": [row.ms_per_s_p95 for row in rows],
+        **({} if alone else {"engine": _engine}),
+        "settings": _settings,
+        **SHOWN,
+        "clamped": is_clamped,
+        "friction used": "cone_use_max",
+        "time": TIME,
+        "from": f"{TIME}_p5",
+        "to": f"{TIME}_p95",
     }
     has_warp = any(row.backend != "mujoco-c" for row in rows)
-    return Table(_numbered(columns), {"engine": alone, "has_warp": has_warp})
+    return _numbered(rows, columns, engine=alone, has_warp=has_warp)
 
 
 def _marked_table(points: Points) -> Table:
-    """What the figures mark: the shipped settings, and what is recommended in their place."""
+    """Show what the figures mark: the shipped settings, and what is recommended in their place."""
     found = [
-        (pads, backend, name, row)
+        (name, row)
         for pads in PADS
         for backend in points.engines
-        for name, row in (
-            ("shipped", points.shipped(pads, backend)),
-            ("recommended", points.recommended(pads, backend)),
-        )
-        if row
+        for name, find in (("shipped", points.shipped), ("recommended", points.recommended))
+        if (row := find(pads, backend))
     ]
-    columns = {
-        "engine": [ENGINES[backend] for _, backend, _, _ in found],
-        "setting": [name for _, _, name, _ in found],
-        "to copy": [_settings(row) for *_, row in found],
-        "numerical error": [row[ERROR] for *_, row in found],
-        "grasp error": [row[GRASP] for *_, row in found],
-        "time": [row[TIME] for *_, row in found],
-    }
-    frame = pd.DataFrame(columns, index=pd.Index([PADS[pads] for pads, *_ in found], name="pads"), dtype=object)
-    return Table(frame)
+    columns = {"engine": _engine, "setting": [name for name, _ in found], "to copy": _settings, **SHOWN, "time": TIME}
+    rows = [row for _, row in found]
+    return table_of("pads", map(_pads, rows), columns, rows)
+
+
+def _pads(row: Row) -> str:
+    return PADS[row["pads"]]
+
+
+def _engine(row: Row) -> str:
+    return ENGINES.get(row.backend, "")
 
 
 def _settings(row: Row) -> Markup:
-    """What to set, as the parameters are called in the scene."""
+    """Write what to set, as the parameters are called in the scene."""
     parts = [assignment(row, name) for name in ("substeps", *PARAMETERS) if name in row]
     return Markup("<code>{}</code>").format(Markup(", ").join(parts))
 
 
-def _numbered(columns: Mapping[str, Any]) -> pd.DataFrame:
-    count = len(next(iter(columns.values())))
-    return pd.DataFrame(
-        columns, index=pd.Index([str(number) for number in range(1, count + 1)], name="#"), dtype=object
-    )
+def _numbered(rows: Sequence[Row], columns: Mapping[str, Column], **numbers) -> Table:
+    """Make a table of numbered settings, with their pads first."""
+    return table_of("#", map(str, range(1, len(rows) + 1)), {"pads": _pads, **columns}, rows, **numbers)
 
 
 def _knob_table(points: Points) -> Table:
-    """Each knob beside the setting as shipped from which it is turned."""
+    """Show each knob beside the setting as shipped from which it is turned."""
     rows = []
     for pads in PADS:
         base = points.results.row.get(with_shipped_steps(pads, "newton"))
         rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
-    columns = {
-        "pads": [PADS[row["pads"]] for row in rows],
-        "changed": [_changed(row) for row in rows],
-        "numerical error": [row.numerical_error_mm for row in rows],
-        "grasp error": [row.grasp_error_mm_per_cycle for row in rows],
-        "time": [row.ms_per_s for row in rows],
-        "most iterations": [row.iteration_peak_count for row in rows],
-    }
-    return Table(_numbered(columns))
+    return _numbered(rows, {"changed": _changed, **SHOWN, "time": TIME, "most iterations": "iteration_peak_count"})
 
 
 def _changed(row: Row) -> Markup | str:
@@ -166,16 +145,11 @@ def _changed(row: Row) -> Markup | str:
 
 def _failure_table(points: Points) -> Table:
     rows = [row for row in points.settings if not counts(row)]
-    columns = {
-        "pads": [PADS[row["pads"]] for row in rows],
-        "method": [LABELS[row.method] for row in rows],
-        "settings": [_settings(row) for row in rows],
-        "why it does not count": [row.invalid_reason for row in rows],
-        "numerical error": [_shown(row) for row in rows],
+    columns: dict[str, Column] = {
+        "method": lambda row: LABELS[row.method],
+        "settings": _settings,
+        "why it does not count": "invalid_reason",
+        # How far away a cube lies that has left the grasp is no error.
+        "numerical error": lambda row: row[ERROR] if hit_iteration_limit(row) else "gone",
     }
-    return Table(_numbered(columns))
-
-
-def _shown(row: Row) -> Quantity | str:
-    """How far away a cube lies that has left the grasp is no error."""
-    return row.numerical_error_mm if hit_iteration_limit(row) else "gone"
+    return _numbered(rows, columns)

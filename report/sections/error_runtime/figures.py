@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
@@ -28,7 +27,7 @@ LEAST_ERROR_MM = 1e-5
 
 
 def draw_numerical(points: Points) -> Drawing:
-    """The best of each engine at each error, where it ships, and what is recommended in place of that."""
+    """Draw the best of each engine at each error, where it ships, and what is recommended in place of that."""
     drawing, panels = new_figure(7.2, 4.4, ncols=2, sharex=True, sharey=True, squeeze=False)
     rows = [row for row in points.settings if counts(row) and row[ERROR].value is not None]
     for axes, (pads, title) in zip(panels[0], PADS.items(), strict=True):
@@ -38,45 +37,42 @@ def draw_numerical(points: Points) -> Drawing:
         _shade_floor(axes, points.floors[pads].value)
         for backend in points.engines:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
-            _draw_engine(axes, mine, ERROR, points.backend_front, COLOURS[backend])
-            _name_engine(axes, mine, ERROR, backend)
+            if mine:
+                _draw_engine(axes, mine, points.backend_front, backend)
             _mark_both(axes, points, pads, backend, ERROR, COLOURS[backend])
     panels[0][0].set_ylabel("run time [ms per simulated s]")
     return drawing
 
 
 def draw_grasp(points: Points) -> Drawing:
-    """Where each model converges to, where each engine ships, and what is recommended in place of that."""
+    """Draw where each model converges to, where each engine ships, and what is recommended in place of that."""
     drawing, axes = new_figure(7.2, 3.6)
     places = [(pads, backend) for pads in PADS for backend in points.engines]
     found = [find(*place) for place in places for find in (points.shipped, points.recommended)]
     rows = [row for row in found if row is not None and row[GRASP].value]
-    _set_axes(axes, rows, GRASP, 0.5 * min(row[GRASP].value for row in rows))
-    axes.set(
-        xlim=(axes.get_xlim()[0], 1.6 * max(row[GRASP].value for row in rows)), ylim=(None, 5 * axes.get_ylim()[1])
-    )
+    errors = [row[GRASP].value for row in rows]
+    _set_axes(axes, rows, GRASP, 0.5 * min(errors))
+    axes.set(xlim=(axes.get_xlim()[0], 1.6 * max(errors)), ylim=(None, 5 * axes.get_ylim()[1]))
     for backend in points.engines:
         times = [row[TIME].value for row in rows if row.backend == backend]
         if times:
             place = (0.02, 2.0 * max(times))
             axes.annotate(NAMES[backend], place, xycoords=("axes fraction", "data"), fontsize=9, va="center")
-    for colour, (pads, title) in zip((SERIES[1], SERIES[0]), PADS.items(), strict=True):
-        side = "left" if pads == next(iter(PADS)) else "right"
+    for colour, side, (pads, title) in zip((SERIES[1], SERIES[0]), ("left", "right"), PADS.items(), strict=True):
         reference = points.reference(pads)
         if reference is not None and reference[GRASP].value:
             _name_converged(axes, reference[GRASP], title, colour, side)
         for backend in points.engines:
             _mark_both(axes, points, pads, backend, GRASP, colour, side, side if is_narrow() else "left")
-    axes.set_xlabel("grasp error [mm/cycle]")
-    axes.set_ylabel("run time [ms per simulated s]")
+    axes.set(xlabel="grasp error [mm/cycle]", ylabel="run time [ms per simulated s]")
     return drawing
 
 
 def _set_axes(axes: Axes, rows: Sequence[Row], error: str, left: float) -> None:
     times = [row[TIME].value for row in rows]
     axes.set(xscale="log", yscale="log")
-    axes.set_xlim(left, 4.0 * max(row[error].value for row in rows))
-    axes.set_ylim(0.4 * min(times), 4.0 * max(times))
+    right = 4.0 * max(row[error].value for row in rows)
+    axes.set(xlim=(left, right), ylim=(0.4 * min(times), 4.0 * max(times)))
     axes.minorticks_off()
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
 
@@ -88,86 +84,54 @@ def _shade_floor(axes: Axes, floor: float | None) -> None:
         axes.annotate(text, (floor, 0.97), xycoords=("data", "axes fraction"), fontsize=8, ha="right", va="top")
 
 
-def _places(rows: Sequence[Row], error: str, left: float) -> tuple[np.ndarray, np.ndarray]:
-    x = np.array([max(row[error].value, left) for row in rows])
-    return x, np.array([row[TIME].value for row in rows])
+def _place(row: Row, error: str) -> tuple[float, float]:
+    return max(row[error].value, LEAST_ERROR_MM), row[TIME].value
 
 
-def _draw_engine(axes: Axes, rows: Sequence[Row], error: str, front: frozenset[str], colour: str) -> None:
-    best = sorted((row for row in rows if row.case in front), key=lambda row: row[error].value)
+def _draw_engine(axes: Axes, rows: Sequence[Row], front: frozenset[str], backend: str) -> None:
+    """Draw the front of an engine, and its name above its slowest setting."""
+    colour = COLOURS[backend]
+    best = sorted((row for row in rows if row.case in front), key=lambda row: row[ERROR].value)
     if best:
-        x, y = _places(best, error, LEAST_ERROR_MM)
+        x, y = zip(*(_place(row, ERROR) for row in best), strict=True)
         style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
         axes.step([*x, axes.get_xlim()[1]], [*y, y[-1]], where="post", **style)
         axes.scatter(x, y, s=14, color=colour, linewidths=0, clip_on=False)
-
-
-def _name_engine(axes: Axes, rows: Sequence[Row], error: str, backend: str) -> None:
-    """Above its slowest setting."""
-    if rows:
-        top = max(rows, key=lambda row: row[TIME].value)
-        x, y = _places([top], error, LEAST_ERROR_MM)
-        is_left = x[0] <= 10 * LEAST_ERROR_MM
-        axes.annotate(
-            NAMES[backend],
-            (x[0], y[0]),
-            xytext=(4 if is_left else 0, 8),
-            textcoords="offset points",
-            color=COLOURS[backend],
-            fontsize=9,
-            ha="left" if is_left else "center",
-        )
+    top = _place(max(rows, key=lambda row: row[TIME].value), ERROR)
+    is_left = top[0] <= 10 * LEAST_ERROR_MM
+    above: dict[str, Any] = {"xytext": (4 if is_left else 0, 8), "ha": "left" if is_left else "center"}
+    axes.annotate(NAMES[backend], top, **above, textcoords="offset points", color=colour, fontsize=9)
 
 
 def _mark(axes: Axes, row: Row, error: str, mark: str, text: str, colour: str, side: str) -> None:
-    """One setting by its name, on one side of a mark that can be seen."""
-    (x,), (y,) = _places([row], error, LEAST_ERROR_MM)
+    """Mark one setting so that it can be seen, with its name on one side."""
+    x, y = _place(row, error)
     size = {"*": 130, "s": 34}[mark]
     axes.scatter([x], [y], s=size, marker=mark, color=colour, edgecolors=INK, linewidths=0.7, zorder=5)
     axes.annotate(text, (x, y), **SIDES[side], textcoords="offset points", fontsize=8.5, color=colour, zorder=6)
 
 
 def _mark_both(
-    axes: Axes,
-    points: Points,
-    pads: str,
-    backend: str,
-    error: str,
-    colour: str,
-    shipped_side: str = "right",
-    better_side: str = "",
+    axes: Axes, points: Points, pads: str, backend: str, error: str, colour: str, side: str = "right", better: str = ""
 ) -> None:
-    """The shipped setting and the recommended one, each with its error on that side, or else where there is room."""
-    shipped, better = points.shipped(pads, backend), points.recommended(pads, backend)
+    """Mark the shipped and the recommended setting, each with its error on that side, or else where there is room."""
+    shipped, recommended = points.shipped(pads, backend), points.recommended(pads, backend)
     if shipped is not None and shipped[error].value:
-        _mark(axes, shipped, error, "*", write(shipped[error]), colour, shipped_side)
-    if better is not None and better[error].value:
+        _mark(axes, shipped, error, "*", write(shipped[error]), colour, side)
+    if recommended is not None and recommended[error].value:
         left, right = axes.get_xlim()
-        roomy = "below" if better[error].value ** 2 > left * right else "right"
-        _mark(axes, better, error, "s", f"{_setting(better)}: {write(better[error])}", colour, better_side or roomy)
-
-
-def _setting(row: Row) -> str:
-    """What is set, without pads and engine."""
-    return ", ".join(name_of(row.case).split(", ")[2:])
+        roomy = "below" if recommended[error].value ** 2 > left * right else "right"
+        setting = ", ".join(name_of(recommended.case).split(", ")[2:])  # without pads and engine
+        _mark(axes, recommended, error, "s", f"{setting}: {write(recommended[error])}", colour, better or roomy)
 
 
 def _name_converged(axes: Axes, found: Quantity, title: str, colour: str, side: str) -> None:
-    """On one side of its line; the names of both lines stand in lines of their own."""
+    """Draw a line with its name on one side of it; the names of both lines stand in lines of their own."""
     axes.axvline(found.value, color=colour, linestyle="--", linewidth=1.2, marker="")
-    place: dict[str, Any] = {"xytext": (4 if side == "right" else -4, 0), "ha": "left" if side == "right" else "right"}
-    at = (found.value, 0.985 if side == "right" else 0.91)
-    text = f"{title}, converged: {write(found)}"
-    axes.annotate(
-        text,
-        at,
-        **place,
-        xycoords=("data", "axes fraction"),
-        textcoords="offset points",
-        fontsize=8.5,
-        color=colour,
-        va="top",
-    )
+    offset, height, edge = {"right": (4, 0.985, "left"), "left": (-4, 0.91, "right")}[side]
+    place: dict[str, Any] = {"xytext": (offset, 0), "textcoords": "offset points", "ha": edge, "va": "top"}
+    text, at = f"{title}, converged: {write(found)}", (found.value, height)
+    axes.annotate(text, at, **place, xycoords=("data", "axes fraction"), fontsize=8.5, color=colour)
 
 
 def draw_worlds(
@@ -183,13 +147,8 @@ def draw_worlds(
     world_axis(axes, counts)
     if crossover.value is not None and one_core.value is not None:
         axes.axvline(crossover.value, color=INK, linewidth=1.0, linestyle=":", marker="")
-        axes.annotate(
-            f"{write(crossover)} worlds",
-            (crossover.value, axes.get_ylim()[0]),
-            xytext=(5, 6),
-            textcoords="offset points",
-        )
-    axes.set_xlabel("worlds")
-    axes.set_ylabel("world-seconds per second")
+        place = (crossover.value, axes.get_ylim()[0])
+        axes.annotate(f"{write(crossover)} worlds", place, xytext=(5, 6), textcoords="offset points")
+    axes.set(xlabel="worlds", ylabel="world-seconds per second")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing

@@ -12,7 +12,7 @@ from measured_report.values.results import Results, Row
 from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
 from report.shared.arithmetic import log_slope
-from report.shared.timing import cell
+from report.shared.timing import cell, widest
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
@@ -31,7 +31,7 @@ GRASP = "grasp_error_mm_per_cycle"
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
-    """The case with the substeps as shipped."""
+    """Name the case with the substeps as shipped."""
     return f"{pads}/{method}/substeps-{AS_SHIPPED.substeps}"
 
 
@@ -53,10 +53,6 @@ class Points:
     """Cases that no other setting of the same pads and model beats in numerical error and run time."""
     backend_front: frozenset[str]
     """The same among those of one backend."""
-    grasp_front: frozenset[str]
-    """Cases that no other setting, of whatever pads or model, beats in grasp error and run time."""
-    grasp_backend_front: frozenset[str]
-    """The same among those of one backend."""
 
     @property
     def warp(self) -> str:
@@ -64,12 +60,12 @@ class Points:
         return self.results.row[SHIPPED].backend
 
     def ladder(self, pads: str, method: str) -> list[Row]:
-        """A method's points, coarsest first."""
+        """Select a method's points, coarsest first."""
         mine = (row for row in self.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps"))
         return sorted(mine, key=lambda row: row.substeps.value)
 
     def knobs(self, pads: str) -> list[Row]:
-        """Where something else than the substeps is varied."""
+        """Select the points where something else than the substeps is varied."""
         return [row for row in self.settings if row["pads"] == pads and row.knob != "substeps"]
 
     def cell(self, case: str, column: str) -> Quantity:
@@ -81,25 +77,24 @@ class Points:
         return self.warp, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
-        """The settings as shipped on a backend, where they count."""
+        """Look up the settings as shipped on a backend, where they count."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
 
     def recommended(self, pads: str, backend: str) -> Row | None:
-        """What to set in place of the shipped settings on a backend; None where these are best, or do not count."""
+        """Find what to set in place of the shipped settings on a backend; None where these are best or do not count."""
         shipped = self.shipped(pads, backend)
         rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
         return shipped and no_worse(rows, shipped)
 
     def reference(self, pads: str) -> Row | None:
-        """The converged solution with the cone and impratio as shipped."""
-        mine = (row for row in self.references if row["pads"] == pads and is_own_model(row))
-        return next(mine, None)
+        """Look up the converged solution with the cone and impratio as shipped."""
+        return next((row for row in self.references if row["pads"] == pads and is_own_model(row)), None)
 
 
 def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
-    """Of the rows of the same model the fastest that is no farther from its solution than ``shipped``, if not itself.
+    """Find the fastest row of the same model that is no farther from its solution than ``shipped``, if not itself.
 
     Where the contacts' timeconst is raised, or cone or impratio are others, it is another model.
     """
@@ -111,9 +106,7 @@ def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
 
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
-    # The numerical error compares settings of one model; the grasp error compares everything.
-    counted = [row for row in settings if counts(row)]
-    own_model = [row for row in counted if is_own_model(row)]
+    own_model = [row for row in settings if counts(row) and is_own_model(row)]
     return Points(
         results=results,
         settings=settings,
@@ -122,8 +115,6 @@ def points_of(results: Results) -> Points:
         floors={pads: _floor(results, settings, pads) for pads in PADS},
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
-        grasp_front=front(counted, GRASP),
-        grasp_backend_front=front(counted, GRASP, ("backend",)),
     )
 
 
@@ -131,40 +122,34 @@ def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
     cells = [
         row.c_difference_mm
         for row in settings
-        if row["pads"] == pads
+        if (row["pads"], row.knob) == (pads, "substeps")
         and row.method in ("newton", "newton-each-substep", "mujoco")
-        and row.knob == "substeps"
         and row.substeps.value >= AS_SHIPPED.substeps
     ]
     formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-    return results.value(f"floor_{pads}", formula, lambda *distance: max(distance), *cells, unit="mm")
+    return results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
 
 
 def time_range(points: Points, name: str, *cases: str) -> Value:
-    """How far apart the times of one run are, of these cases the one where it is most."""
+    """Derive how far apart the times of one run are, of these cases the one where it is most."""
     edges = [points.cell(case, f"{TIME}_{edge}") for case in cases for edge in ("p5", "p95")]
-    return points.results.value(
-        name,
-        "largest of the ranges from the 5th to the 95th percentile of the run time",
-        lambda *edge: max(high - low for low, high in zip(edge[::2], edge[1::2], strict=True)),
-        *edges,
-        unit="ms/s",
-    )
+    formula = "largest of the ranges from the 5th to the 95th percentile of the run time"
+    return points.results.value(name, formula, widest, *edges, unit="ms/s")
 
 
 def is_own_model(row: Row) -> bool:
-    """Whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
+    """Tell whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
     return not any(name in row for name in MODEL_KNOBS)
 
 
 def is_clamped(row: Row) -> bool:
-    """Whether MuJoCo raises the contacts' timeconst to two substeps."""
+    """Tell whether MuJoCo raises the contacts' timeconst to two substeps."""
     cells = row.timeconst_ms.value, row.substep_ms.value
     return None in cells or cells[0] < 2.0 * cells[1]
 
 
 def order_of(points: Points, pads: str, method: str) -> Value:
-    """Observed order of convergence: over the points whose model is the same, well above what Warp resolves."""
+    """Derive the order of convergence over the points whose model is the same, well above what Warp resolves."""
     floor = points.floors[pads].value or 0.0
     above = 5.0 * floor if method.startswith(("newton", "mujoco", "cpu")) else 0.0
     used = [
@@ -172,27 +157,23 @@ def order_of(points: Points, pads: str, method: str) -> Value:
         for row in points.ladder(pads, method)
         if counts(row) and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
     ]
-
-    def slope(*cells: float) -> float:
-        return log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan
-
     return points.results.value(
         f"order_{pads}_{method}",
         "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
         "times the floor of Warp",
-        slope,
+        lambda *cells: log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan,
         *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
     )
 
 
 def front_rows(points: Points, cases: frozenset[str]) -> list[Row]:
-    """Rows on a front of numerical error and run time, by pads and rising time."""
+    """Select the rows on a front of numerical error and run time, by pads and rising time."""
     rows = [row for row in points.settings if row.case in cases]
     return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
 
 
 def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
-    """A front without those rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
+    """Leave out of a front rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
     kept: list[Row] = []
     for row in front:
         before = [other[ERROR].value for other in kept if other["pads"] == row["pads"]]
@@ -203,19 +184,19 @@ def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
 
 
 def assignment(row: Row, name: str) -> Markup:
-    """A parameter as one sets it in the scene."""
+    """Write a parameter as one sets it in the scene."""
     value = row[name]
     return Markup("{}={}").format(name, value.code if isinstance(value, Quantity) else value)
 
 
 def named(rows: Sequence[Row]) -> Markup:
-    """Which settings, in words, without saying of the pads."""
+    """Name settings in words, without saying of the pads."""
     by_method: dict[str, dict[str, Markup]] = {}
     for row in rows:
         text = Markup("<code>{}</code>").format(assignment(row, row.knob))
         by_method.setdefault(row.method, {}).setdefault(f"{row.knob} {row[row.knob]}", text)
-    phrases = (
+    phrases = [
         Markup("{} with {}").format(LABELS[method], Markup(", ").join(knobs.values()))
         for method, knobs in by_method.items()
-    )
+    ]
     return Markup("; ").join(phrases)

@@ -10,19 +10,14 @@ from measured_report.values.results import Row
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import ENGINES, TIME, Points
 from report.shared.arithmetic import ratio
-from report.shared.timing import cell
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:
-    """The figure of speed against the number of worlds, and from how many worlds on Warp beats one core."""
+    """Derive the figure of speed against the number of worlds, and from how many worlds on Warp beats one core."""
     results, rows = points.results, points.worlds
-    one_core = results.value(
-        "one_core_rate",
-        "simulated seconds of one world per second, MuJoCo C on one core",
-        lambda time: 1e3 / time,
-        points.cell("one-core", TIME),
-        unit="world-s/s",
-    )
+    formula = "simulated seconds of one world per second, MuJoCo C on one core"
+    time = points.cell("one-core", TIME)
+    one_core = results.value("one_core_rate", formula, lambda time: 1e3 / time, time, unit="world-s/s")
     rates = [_rate(points, row) for row in rows]
     crossover = results.value(
         "crossover_worlds",
@@ -32,47 +27,34 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
     engine = ENGINES[rows[0].backend]
+    said = (Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True))
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
         sources=[*rates, one_core],
-        numbers={
-            "rates": Markup("; ").join(
-                Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True)
-            )
-        },
+        numbers={"rates": Markup("; ").join(said)},
     )
     return figure, _crossover_claim(points, engine, one_core, rates, crossover)
 
 
 def _rate(points: Points, row: Row) -> Value:
-    return points.results.value(
-        f"rate_{row.case}",
-        "simulated seconds of all worlds together per second",
-        lambda worlds, time: 1e3 * worlds / time,
-        row.worlds,
-        row.ms_per_s,
-        unit="world-s/s",
-    )
+    formula, cells = "simulated seconds of all worlds together per second", (row.worlds, row.ms_per_s)
+    return points.results.value(f"rate_{row.case}", formula, lambda n, time: 1e3 * n / time, *cells, unit="world-s/s")
 
 
 def _rate_range(points: Points, name: str, row: Row) -> Value:
-    """How far apart the speeds of one core or of these worlds are, the larger of the two [world-s/s]."""
-    core = points.results.row.get("one-core")
-    edges = [cell(points.results, core, f"{TIME}_{edge}", "one-core") for edge in ("p5", "p95")]
+    """Derive how far apart the speeds of one core or of these worlds are, the larger of the two [world-s/s]."""
     return points.results.value(
         f"{name}_rate_range",
         "larger of the ranges from the 5th to the 95th percentile of the speed, with these worlds and on one core",
         lambda worlds, *edge: max(1e3 * worlds * (1 / edge[0] - 1 / edge[1]), 1e3 * (1 / edge[2] - 1 / edge[3])),
-        row.worlds,
-        row[f"{TIME}_p5"],
-        row[f"{TIME}_p95"],
-        *edges,
+        *(row.worlds, row[f"{TIME}_p5"], row[f"{TIME}_p95"]),
+        *(points.cell("one-core", f"{TIME}_{edge}") for edge in ("p5", "p95")),
         unit="world-s/s",
     )
 
 
 def crossing(level: float, worlds: tuple[int, ...], rates: tuple[float, ...]) -> float:
-    """Worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
+    """Find the worlds with which a rising line first reaches ``level``; NaN when it does not, or starts above it."""
     above = [rate >= level for rate in rates]
     if True not in above or above[0] or min(rates) <= 0.0:
         return float("nan")
@@ -93,16 +75,6 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
         greater(last, one_core, noise=_rate_range(points, "last", points.worlds[-1])),
         contiguous(is_ahead, *rates, one_core),
     )
-    return Claim(
-        "crossover",
-        outcome,
-        numbers={
-            "advantage": advantage,
-            "engine": engine,
-            "crossover": crossover,
-            "most": points.worlds[-1].worlds,
-            "gain": gain,
-            "is_behind": not any(is_ahead),
-            "is_ahead": all(is_ahead),
-        },
-    )
+    numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
+    numbers |= {"most": points.worlds[-1].worlds, "is_behind": not any(is_ahead), "is_ahead": all(is_ahead)}
+    return Claim("crossover", outcome, numbers)

@@ -6,7 +6,20 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
-from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond, greater, within
+from measured_report.claims.claims import (
+    FAILS,
+    HOLDS,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    beyond,
+    decreases,
+    greater,
+    increases,
+    within,
+)
 from measured_report.claims.words import Wording
 from measured_report.editions.project import Project
 from measured_report.records.reading import load_record
@@ -76,6 +89,33 @@ def test_beyond_the_noise_is_beyond_either_way():
 def test_bounds_are_inclusive():
     assert at_least(quantity(1.0), quantity(1.0)) == at_most(quantity(1.0), quantity(1.0)) == HOLDS
     assert at_least(quantity(0.9), quantity(1.0)) == at_most(quantity(1.1), quantity(1.0)) == FAILS
+
+
+def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
+    found = at_most(quantity(0.4), 0.5, why="hardly any")
+    assert found == HOLDS and found.bounds == ("0.5 mm (hardly any)",)
+    assert 'data-outcome="holds" title="Chosen: 0.5 mm (hardly any)">' in make_claim(found).html("toy")
+    assert all_of(found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")).bounds == (*found.bounds, "1 mm (much)")
+    assert "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
+    assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
+    with pytest.raises(AssertionError, match="needs its why"):
+        at_least(quantity(0.4), 0.5)
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ((1.0, 2.0, 3.0), "holds"),
+        ((1.0, 3.0, 2.95), "holds"),
+        ((1.0, 3.0, 2.0), "not shown"),
+        ((3.0, 2.0, 1.0), "the opposite"),
+        ((1.0, 5.0, 1.05), "cannot tell"),
+        ((1.0,), "cannot tell"),
+    ],
+)
+def test_a_trend_turns_nowhere_by_more_than_the_noise(values, said):
+    sequence = [quantity(value) for value in values]
+    assert increases(sequence, noise=NOISE).said == decreases(sequence[::-1], noise=NOISE).said == said
 
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():

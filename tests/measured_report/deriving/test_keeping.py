@@ -13,11 +13,11 @@ import pytest
 from conftest import MODULE, ROWS, TEMPLATE, Toy
 
 from measured_report import ROOT, ReportError
-from measured_report.deriving import keeping
+from measured_report.deriving import dependencies
+from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import editions_of
-from measured_report.deriving.keeping import surroundings
 from measured_report.files.cache import FOLDER, Cache
-from measured_report.pages.page import Templates
+from measured_report.pages.page import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
@@ -78,9 +78,12 @@ CHANGES: dict[str, Callable[[Toy], None]] = {
     "an alternative text": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("moves", "walks")),
     "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
     "a layout": lambda toy: toy.write(
-        "templates/base.html.j2", (toy.project.templates / "base.html.j2").read_text().replace("Skip to", "Go to")
+        "templates/base.html.j2", (LAYOUT / "base.html.j2").read_text().replace("Skip to", "Go to")
     ),
-    "the style": lambda toy: toy.write("assets/style.css", "body { color: red }\n"),
+    "a block of a layout": lambda toy: toy.write(
+        "templates/base.html.j2", '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
+    ),
+    "the icon": lambda toy: toy.write("assets/favicon.svg", "<svg/>"),
     "what it draws": lambda toy: toy.write("report/sections/toy.py", MODULE.replace('label="x"', 'label="y"')),
     "what it derives": lambda toy: toy.write("report/sections/toy.py", MODULE.replace("a / b", "a / b + 1")),
     "its place": lambda toy: toy.write("report/sections/toy.py", MODULE + '\npage = "limits"\n'),
@@ -117,20 +120,20 @@ def test_a_module_that_the_section_imports_counts(toy):
 def test_a_file_that_the_section_names_counts(toy):
     """The file is the checkout's, for it is where modules of this side look."""
     code = toy.project.root / "report/sections/toy.py"
-    assert "assets/fix/fix.patch" not in keeping.files_of(code)
+    assert "assets/fix/fix.patch" not in dependencies.files_of(code)
     toy.write("report/sections/toy.py", MODULE + '\nNAMED = "assets/fix/fix.patch"\n')
-    assert "assets/fix/fix.patch" in keeping.files_of(code)
+    assert "assets/fix/fix.patch" in dependencies.files_of(code)
 
 
-@pytest.mark.parametrize("package", keeping.PACKAGES)
+@pytest.mark.parametrize("package", dependencies.PACKAGES)
 def test_what_is_installed_counts(monkeypatch, package):
     def digest() -> str:
-        surroundings.cache_clear()
-        return surroundings()
+        installed.cache_clear()
+        return installed()
 
     before = digest()
-    version = keeping.metadata.version
-    monkeypatch.setattr(keeping.metadata, "version", lambda name: "9.9" if name == package else version(name))
+    version = dependencies.metadata.version
+    monkeypatch.setattr(dependencies.metadata, "version", lambda name: "9.9" if name == package else version(name))
     assert digest() != before
     monkeypatch.undo()
     assert digest() == before
@@ -212,7 +215,7 @@ print(*({"pandas", "numpy", "matplotlib", "warp", "newton"} & set(sys.modules)))
 """
 
 
-@pytest.mark.parametrize("change", [None, "a word of its template", "a word of a claim", "a layout", "the style"])
+@pytest.mark.parametrize("change", [None, "a word of its template", "a word of a claim", "a layout", "the icon"])
 def test_what_is_kept_takes_neither_numbers_nor_drawing(toy, change):
     toy.build()
     if change:

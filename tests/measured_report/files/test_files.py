@@ -22,12 +22,12 @@ from measured_report.editions.environment import requirements
 from measured_report.files.cache import FOLDER
 from measured_report.files.files import RecordError, locked, recover
 from measured_report.pages.page import Templates
-from measured_report.parts.drawing import Beside, draw_all
+from measured_report.parts.drawing import draw_all
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
 from measured_report.site.check import check_site
-from measured_report.site.surroundings import CARD
+from measured_report.site.root_files import CARD
 
 
 def refusal(path: Path, trace: Path | None = None) -> str:
@@ -163,23 +163,6 @@ def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
     with pytest.raises(ReportError, match="a process was killed"):
         draw_all([Killed()] * 4, lambda: None)
-
-
-class Drawn(Killed):
-    """A figure that says which process has drawn it."""
-
-    def picture(self, *, is_narrow):
-        return os.getpid()
-
-
-def test_what_is_not_drawn_beside_is_left_to_others(monkeypatch):
-    monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
-    beside = Beside()
-    beside.draw({("1.0", "drawn"): Drawn()})
-    [(place, (broad, narrow))] = beside.drawn().items()
-    assert place == ("1.0", "drawn") and broad == narrow != os.getpid()
-    beside.draw({("1.0", "killed"): Killed(), ("1.0", "with it"): Drawn(), ("1.0", "waits"): Drawn()})
-    assert list(beside.drawn()) == [place]
 
 
 WORKERS = """

@@ -16,7 +16,7 @@ from measured_report.claims.claims import HOLDS
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
 from measured_report.sensitivity.inert import surveys
-from measured_report.sensitivity.perturbed import MUTATIONS, World, mutated, tracked_world
+from measured_report.sensitivity.perturbed import CHANGES, Perturbation, of_tracked, perturbed
 from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
@@ -30,8 +30,8 @@ UNNAMED = re.compile(rf'<(?:data|span)(?![^>]* title="[^"])[^>]*>{ABSENT}<')
 
 
 @pytest.fixture(scope="module")
-def world() -> World:
-    return tracked_world()
+def perturbation() -> Perturbation:
+    return of_tracked()
 
 
 def listed(name: str) -> set[str]:
@@ -40,15 +40,15 @@ def listed(name: str) -> set[str]:
     return {line.partition("#")[0].strip() for line in lines} - {""}
 
 
-def test_no_words_name_what_their_test_has_not_read(world):
+def test_no_words_name_what_their_test_has_not_read(perturbation):
     """Each line of the list is a number that is named unread; mended, it is to be taken out."""
-    assert {str(named) for survey in surveys(world) for named in survey.unread()} == listed("unread.txt")
+    assert set().union(*(survey.unread() for survey in surveys(perturbation))) == listed("unread.txt")
 
 
 @pytest.mark.slow
-def test_no_number_in_a_claim_could_be_anything(world):
+def test_no_number_in_a_claim_could_be_anything(perturbation):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
-    assert {str(named) for survey in surveys(world) for named in survey.inert()} == listed("inert.txt")
+    assert set().union(*(survey.inert() for survey in surveys(perturbation))) == listed("inert.txt")
 
 
 def damaged(record: Record, chance: random.Random) -> Record:
@@ -60,13 +60,13 @@ def damaged(record: Record, chance: random.Random) -> Record:
     row = rows[index]
     # Not a reason: without it nobody can say why its number is not there.
     column = chance.choice([column for column in row if column != "case" and not column.endswith(REASON)])
-    mutation, value = chance.choice(MUTATIONS), row[column]
-    if mutation == "missing" and chance.random() < 0.3:
+    change, value = chance.choice(CHANGES), row[column]
+    if change == "missing" and chance.random() < 0.3:
         rows[index] = {name: cell for name, cell in row.items() if name != column}
-    elif mutation == "missing":
+    elif change == "missing":
         rows[index] = row | {column: None, column + REASON: "as a test"}
     else:
-        other = not value if isinstance(value, bool) else "" if isinstance(value, str) else mutated(value, mutation)
+        other = not value if isinstance(value, bool) else "" if isinstance(value, str) else perturbed(value, change)
         rows[index] = row | {column: other}
     return replace(record, rows=rows)
 
@@ -83,15 +83,15 @@ def lost_pointers(results: Results, record: Record) -> set[str]:
 
 
 @pytest.mark.slow
-def test_a_damaged_record_takes_nothing_down(world):
+def test_a_damaged_record_takes_nothing_down(perturbation):
     chance = random.Random(0)
-    pairs = [(release, name) for release, chapters in world.releases.items() for name in chapters]
+    pairs = [(release, name) for release, chapters in perturbation.releases.items() for name in chapters]
     for _ in range(500):
         release, name = chance.choice(pairs)
-        chapter = world.releases[release][name]
+        chapter = perturbation.releases[release][name]
         results, held = chapter.results, {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS}
         record = damaged(results.record, chance)
-        section = world.section(release, name, {results.source: record}, {})
+        section = perturbation.section(release, name, {results.source: record})
         lost = lost_pointers(results, record)
         said = [claim.sentence for claim in section.claims] + [table.__html__() for table in section.tables.values()]
         said += [figure.wording("alt", figure.numbers) for figure in section.figures.values()]

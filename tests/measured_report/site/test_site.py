@@ -1,15 +1,16 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
-from contextlib import nullcontext
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE
-from matplotlib.axis import Axis
 
-from measured_report import ReportError
-from measured_report.parts.figures import SERIES, draw_svg, narrow_screen, new_figure
+from measured_report import ROOT, ReportError
+from measured_report.parts.figures import SERIES, draw_svg, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 
@@ -165,32 +166,6 @@ def test_a_figure_follows_the_page_and_hides_nothing():
     assert svg == draw_svg(draw, name="toy-way")
 
 
-@pytest.mark.parametrize("is_narrow", [False, True])
-def test_what_is_laid_out_once_is_drawn_the_same(monkeypatch, is_narrow):
-    asked = []
-    ticks = Axis._update_ticks
-    monkeypatch.setattr(Axis, "_update_ticks", lambda axis: (asked.append(axis), ticks(axis))[1])
-
-    def draw():
-        drawing, axes = new_figure(ncols=2)
-        axes[0].loglog([1, 30, 2000], [1e-3, 5, 70], label="a long name that may need more than one line")
-        axes[0].set(title="Slip", xlabel="substeps a frame")
-        axes[1].barh(["shipped pads, held still for a minute", "stiff"], [0.1, 12000.0])
-        axes[1].annotate("here", (0.5, 1), rotation=30, fontsize=5)
-        drawing.legend(loc="outside upper right")
-        return drawing
-
-    def drawn():
-        asked.clear()
-        with narrow_screen() if is_narrow else nullcontext():
-            return draw_svg(draw, name="toy"), len(asked)
-
-    once, few = drawn()
-    monkeypatch.setattr("measured_report.parts.figures.laid_out_once", nullcontext)
-    again, many = drawn()
-    assert once == again and few < many / 2
-
-
 def test_quick_results_are_shown_as_such(toy):
     quick = replace(toy, project=replace(toy.project, profile="quick"))
     quick.measure()
@@ -198,3 +173,34 @@ def test_quick_results_are_shown_as_such(toy):
     assert "quick profile" in quick.page
     assert "make rerun SECTION=toy PROFILE=quick" in quick.page
     assert check_site(quick.project.site) == []
+
+
+BARE = """
+from pathlib import Path
+from measured_report.editions.project import Project
+from measured_report.site.check import check_site
+from measured_report.site.site import build
+
+build(Project("1.4.0", root=Path.cwd()))
+print(*check_site(Path("site")), sep="\\n", end="")
+"""
+
+
+def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
+    files = {
+        "report.toml": f"packages = {json.dumps([*toy.packages])}\n",
+        "report/__init__.py": "",
+        "report/sections/__init__.py": "",
+        "templates/pages/results.md.j2": "# Results\n",
+        "CITATION.cff": "title: A toy\nlicense: MIT\nauthors:\n  - name: Somebody\n",
+        "LICENSE": "MIT",
+    }
+    for name, text in files.items():
+        toy.write(name, text)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "packages/measured-report")}
+    command = [sys.executable, "-c", BARE]
+    done = subprocess.run(command, cwd=toy.project.root, env=environment, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ("", "")
+    page = (toy.project.site / "results.html").read_text()
+    assert 'data-claim="toy.helps"' in page and "Measured with 1.4.0." in page
+    assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()

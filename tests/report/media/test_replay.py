@@ -15,14 +15,13 @@ from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project
 from measured_report.files.staging import Draft
 from measured_report.pages.page import Templates
-from measured_report.pages.pages import REPLAY, SHAKES
 from measured_report.records.reading import load_record
 from measured_report.records.traces import trace_path
 from measured_report.site.check import check_self_contained
-from measured_report.site.reading import Reading
+from measured_report.site.page_reader import PageReader
 from measured_report.values.results import Results
 from report.media.packed import packed_runs
-from report.media.replay import replay_page, script, write_replay
+from report.media.replay import REPLAY, SHAKES, replay_page, script
 
 SOURCES = ROOT / "assets/replay"
 MOST_BYTES = 900_000
@@ -40,15 +39,15 @@ def project(poses_path) -> Project:
 def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    return replay_page(project, edition.chapters["poses"], edition.replay, None, templates)
+    return replay_page(project, edition.chapters["poses"], edition.extras.replay, None, templates)
 
 
 def test_the_page_runs_its_one_script_and_fetches_nothing(page):
     assert len(page.encode()) <= MOST_BYTES
     assert page.count("<script") == 1 and f"<script>{script()}</script>" in page
-    reading = Reading(page)
+    reading = PageReader(page)
     assert check_self_contained(reading) == []
-    assert check_self_contained(Reading(page.replace("</script>", " </script>"))) != []
+    assert check_self_contained(PageReader(page.replace("</script>", " </script>"))) != []
     assert set(reading.fetched) <= {"data:,", ""}
     assert len(reading.claims) == 3
     policy = page.partition('http-equiv="Content-Security-Policy" content="')[2].partition('"')[0]
@@ -65,13 +64,13 @@ def test_without_its_script_the_page_says_what_was_measured(page, poses_path):
 def test_a_damaged_trace_leaves_the_replay_out_and_no_more(project, tmp_path):
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    write_replay(Draft(tmp_path, tmp_path, {}), "", edition, templates)
+    edition.extras.write(Draft(tmp_path, tmp_path, {}), "", templates)
     assert (tmp_path / REPLAY).is_file()
     trace = trace_path(project.record_path("poses"), "hold-60s")
     whole = trace.read_bytes()
     try:
         trace.write_bytes(whole[:1000])
-        assert derive_edition(project, templates).replay is None
+        assert derive_edition(project, templates).extras.replay is None
     finally:
         trace.write_bytes(whole)
 

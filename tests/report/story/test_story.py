@@ -16,8 +16,9 @@ from measured_report.pages.pages import FRONT
 from measured_report.site.check import check_site
 from report.sections.reproduction import SCENE
 from report.story.found import Found
-from report.story.front import front_of
-from report.story.story import TOLD, story_of
+from report.story.front import derive as front_of
+from report.story.story import TOLD
+from report.story.story import derive as story_of
 
 pytestmark = pytest.mark.words
 WHOLE = ["1.4.0", "1.8.0"]

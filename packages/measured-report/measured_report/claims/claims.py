@@ -1,7 +1,7 @@
 """Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate, groupby
@@ -90,6 +90,8 @@ class Claim:
     """What the section's template says of it, once that is known."""
     says_missing: bool = False
     """Whether its words say what is missing, so that they can stand with a number that is not there."""
+    mark: Markup = field(default=Markup(""), compare=False)
+    """What is shown before its sentence."""
 
     @cached_property
     def sentence(self) -> Markup:
@@ -102,7 +104,7 @@ class Claim:
         sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
-    def settled(self) -> "Claim":
+    def checked(self) -> "Claim":
         """The same; where its sentence would print a number that is not there, it can't tell, and says why."""
         lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
         if not lost or self.says_missing:
@@ -120,10 +122,10 @@ class Claim:
         return " ".join(NUMBER.sub("#", str(self.sentence)).split())
 
     def html(self, section: str) -> Markup:
-        claim = Markup('<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
+        claim = Markup('{}<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
         opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
         bounds = Markup(' title="Chosen: {}"').format("; ".join(self.outcome.bounds)) if self.outcome.bounds else ""
-        html = claim.format(section, self.name, self.outcome.name, opposite, bounds, self.sentence)
+        html = claim.format(self.mark, section, self.name, self.outcome.name, opposite, bounds, self.sentence)
         because = self.said("because") if self.outcome == HOLDS else ""
         return html + Markup(" {}").format(because) if because else html
 
@@ -135,116 +137,103 @@ class Claim:
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     """Holds or fails by a condition that was computed from these; cannot tell where one of them is missing."""
-    return (_undecided(*quantities) or (HOLDS if is_so else FAILS)).having_read(*quantities)
-
-
-def greater(a: Number, b: Number, *, noise: Number, why: str = "") -> Outcome:
-    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
-    a, b, noise = _quantities(why, a, b, noise)
-    found = _undecided(a, b, noise)
-    if not found:
-        difference = a.value - b.value
-        is_within = abs(difference) <= noise.value
-        found = WITHIN_NOISE if is_within else HOLDS if difference > 0 else OPPOSITE
-    return found.having_read(a, b, noise)
-
-
-def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
-    before; falling so all the way is the opposite."""
-    return _trend(sequence, noise, why, 1.0)
-
-
-def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """``increases``, the other way round."""
-    return _trend(sequence, noise, why, -1.0)
-
-
-def _trend(sequence: Sequence[Quantity], noise: Number, why: str, sign: float) -> Outcome:
-    *sequence, noise = _quantities(why, *sequence, noise)
-    if undecided := _undecided(*sequence, noise):
-        return undecided.having_read(*sequence, noise)
-    values = [sign * quantity.value for quantity in sequence]
-    if len(values) < 2:
-        found = Outcome("unknown", "it takes two values to see a trend")
-    elif abs(values[-1] - values[0]) <= noise.value:
-        found = WITHIN_NOISE
-    elif _never_turns(values, noise.value):
-        found = HOLDS
-    else:
-        found = OPPOSITE if _never_turns([-value for value in values], noise.value) else FAILS
-    return found.having_read(*sequence, noise)
-
-
-def _never_turns(values: Sequence[float], noise: float) -> bool:
-    """Whether the last is above the first, and none below one before, by more than the noise."""
-    highest = list(accumulate(values, max))
-    return values[-1] - values[0] > noise and all(
-        top - value <= noise for top, value in zip(highest, values, strict=True)
-    )
-
-
-def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
-    *sequence, noise = _quantities(why, *sequence, noise)
-    found = _undecided(*sequence, noise)
-    if not found and not sequence:
-        found = Outcome("unknown", "there is nothing to compare")
-    if not found:
-        values = [quantity.value for quantity in sequence]
-        found = within(replace(sequence[0], value=max(values) - min(values)), noise)
-    return found.having_read(*sequence, noise)
-
-
-def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
-    """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
-    *quantities, noise = _quantities(why, *quantities, noise)
-    found = _undecided(*quantities, noise)
-    if not found and any(abs(quantity.value) <= noise.value for quantity in quantities):
-        found = Outcome("unknown", "one of them is within the noise")
-    if not found:
-        found = HOLDS if len({quantity.value > 0 for quantity in quantities}) == 1 else OPPOSITE
-    return found.having_read(*quantities, noise)
-
-
-def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Whether those that are true stand together, in the order given; the quantities are what they were decided by."""
-    runs = sum(1 for flag, _ in groupby(flags) if flag)
-    return decided(runs == 1, *quantities)
-
-
-def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
-    """Whether a difference is no more than noise; one that is little more can't tell."""
-    difference, noise = _quantities(why, difference, noise)
-    found = _undecided(difference, noise)
-    if not found:
-        found = HOLDS if difference.value <= noise.value else beyond(difference, noise)
-    return found.having_read(difference, noise)
-
-
-def beyond(difference: Quantity, noise: Number, why: str = "") -> Outcome:
-    """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
-    difference, noise = _quantities(why, difference, noise)
-    if found := _absent(difference, noise):
-        return found.having_read(difference, noise)
-    if abs(difference.value) > NEAR_NOISE * noise.value:
-        return OPPOSITE.having_read(difference, noise)
-    # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller one.
-    reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
-    near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
-    return near.having_read(difference, noise)
+    return _judged(lambda: HOLDS if is_so else FAILS, *quantities)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is reached; one that is missed shows nothing."""
     a, bound = _quantities(why, a, bound)
-    return decided(None not in (a.value, bound.value) and a.value >= bound.value, a, bound)
+    return _judged(lambda: HOLDS if a.value >= bound.value else FAILS, a, bound)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is kept; one that is not shows nothing."""
     a, bound = _quantities(why, a, bound)
-    return decided(None not in (a.value, bound.value) and a.value <= bound.value, a, bound)
+    return _judged(lambda: HOLDS if a.value <= bound.value else FAILS, a, bound)
+
+
+def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
+    """Whether those that are true stand together, in the order given; the quantities are what they were decided by."""
+    return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
+
+
+def greater(a: Number, b: Number, *, noise: Number, why: str = "") -> Outcome:
+    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
+    a, b, noise = _quantities(why, a, b, noise)
+    return _judged(lambda: _trend([b.value, a.value], noise.value), a, b, noise)
+
+
+def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
+    """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
+    before; falling so all the way is the opposite."""
+    *sequence, noise = _quantities(why, *sequence, noise)
+    return _judged(lambda: _trend([quantity.value for quantity in sequence], noise.value), *sequence, noise)
+
+
+def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
+    """``increases``, the other way round."""
+    return increases(sequence[::-1], noise=noise, why=why)
+
+
+def _trend(values: Sequence[float], noise: float) -> Outcome:
+    if len(values) < 2:
+        return Outcome("unknown", "it takes two values to see a trend")
+    if abs(values[-1] - values[0]) <= noise:
+        return WITHIN_NOISE
+    if _rises(values, noise):
+        return HOLDS
+    return OPPOSITE if _rises(values[::-1], noise) else FAILS
+
+
+def _rises(values: Sequence[float], noise: float) -> bool:
+    """Whether the last is above the first, and none below one before, by more than the noise."""
+    falls = [top - value for top, value in zip(accumulate(values, max), values, strict=True)]
+    return values[-1] - values[0] > noise >= max(falls)
+
+
+def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
+    """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
+    *quantities, noise = _quantities(why, *quantities, noise)
+
+    def judge() -> Outcome:
+        if any(abs(quantity.value) <= noise.value for quantity in quantities):
+            return Outcome("unknown", "one of them is within the noise")
+        return HOLDS if len({quantity.value > 0 for quantity in quantities}) == 1 else OPPOSITE
+
+    return _judged(judge, *quantities, noise)
+
+
+def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
+    """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
+    *sequence, noise = _quantities(why, *sequence, noise)
+
+    def judge() -> Outcome:
+        if not sequence:
+            return Outcome("unknown", "there is nothing to compare")
+        values = [quantity.value for quantity in sequence]
+        return within(replace(sequence[0], value=max(values) - min(values)), noise)
+
+    return _judged(judge, *sequence, noise)
+
+
+def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
+    """Whether a difference is no more than noise; one that is little more can't tell."""
+    difference, noise = _quantities(why, difference, noise)
+    return _judged(lambda: HOLDS if difference.value <= noise.value else beyond(difference, noise), difference, noise)
+
+
+def beyond(difference: Quantity, noise: Number, why: str = "") -> Outcome:
+    """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    difference, noise = _quantities(why, difference, noise)
+
+    def judge() -> Outcome:
+        if abs(difference.value) > NEAR_NOISE * noise.value:
+            return OPPOSITE
+        # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
+        reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
+        return Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
+
+    return (_absent(difference, noise) or judge()).having_read(difference, noise)
 
 
 def _quantities(why: str, *numbers: Number) -> list[Quantity]:
@@ -256,10 +245,11 @@ def _quantities(why: str, *numbers: Number) -> list[Quantity]:
     ]
 
 
-def _undecided(*quantities: Quantity) -> Outcome | None:
-    """Why these can't be compared, when they can't."""
+def _judged(judge: Callable[[], Outcome], *quantities: Quantity) -> Outcome:
+    """What ``judge`` says where all are there and may be compared; having read them in any case."""
     reason = mixed(*(quantity.origins for quantity in quantities))
-    return _absent(*quantities) or (Outcome("unknown", reason) if reason else None)
+    found = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge())
+    return found.having_read(*quantities)
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:

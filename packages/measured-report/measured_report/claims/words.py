@@ -1,13 +1,13 @@
 """Words: what a template says of claims, figures and tables, found before anything is rendered.
 
-    {% claim slips %}
-    {% holds %} The cube slips {{ slip }}.
-    {% fails %} The cube does not slip.
-    {% asks %} whether the cube slips
-    {% because %} Its contact rows leave out an acceleration.
+    {% claim leans %}
+    {% holds %} The tower leans by {{ angle }}.
+    {% fails %} The tower stands upright.
+    {% asks %} whether the tower leans
+    {% because %} The ground is soft on one side.
     {% endclaim %}
 
-    {% figure way %} The way of the cube. {% alt %} It goes {{ slip }} in all. {% endfigure %}
+    {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
 
     {% table cases %} All cases. {% endtable %}
 

@@ -16,14 +16,12 @@ from measured_report.files.suggestion import suggestion
 from measured_report.pages.page import Templates
 from measured_report.records.columns import changed_parameters, is_setting
 from measured_report.records.record import Record
-from measured_report.sensitivity.perturbed import Cell
 from measured_report.site.site import undrawn
 from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value
+from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 
 ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
-POINTER = re.compile(r"([^#]+)#/rows/(\d+)/(\w+)")
 
 
 @dataclass(frozen=True)
@@ -43,9 +41,9 @@ class Provenance:
         """
         found = self._found(name)
         lines = [f"{name}: {_said(found)}", *self._of_value(found), *self._on_pages(found)]
-        cells: dict[str, list[Cell]] = {}
-        for pointer in sorted(_leaves(found), key=_place):
-            cells.setdefault(Cell(pointer).file, []).append(Cell(pointer))
+        cells: dict[str, list[Pointer]] = {}
+        for pointer in sorted(map(Pointer, _leaves(found)), key=_place):
+            cells.setdefault(pointer.file, []).append(pointer)
         for file, of_file in cells.items():
             lines += ["", *self._of_record(file, of_file)]
         return "\n".join(lines)
@@ -80,10 +78,11 @@ class Provenance:
 
     def _cell(self, pointer: str) -> Quantity | None:
         """Return the number of a record that a pointer leads to."""
-        match = POINTER.fullmatch(pointer)
-        if not match or match[1] not in self._records:
+        place = Pointer(pointer)
+        if not place.cell or place.file not in self._records:
             return None
-        cells = [row[match[3]] for row in self._records[match[1]].results.rows if match[3] in row]
+        column = place.cell[1]
+        cells = [row[column] for row in self._records[place.file].results.rows if column in row]
         return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer), None)
 
     def _of_value(self, found: Quantity) -> Iterator[str]:
@@ -99,12 +98,12 @@ class Provenance:
             known = "not known" if found.noise is None else _in_unit(found.noise, found.unit)
             yield f"  noise       {known}{whence}"
 
-    def _noise_of(self, cell: Cell) -> str:
+    def _noise_of(self, cell: Pointer) -> str:
         """Say the noise of a number of a record, and whence it is known; nothing where it is not."""
-        found = self._cell(cell.pointer)
+        found = self._cell(cell.text)
         if not (found and found.noise):
             return ""
-        index, column = cell.place
+        index, column = cell.cell
         if f"{column}_p5" in self._records[cell.file].results.record.rows[index]:
             whence = "its frames"
         else:
@@ -128,20 +127,21 @@ class Provenance:
                 if found.source in claim.outcome.reads:
                     yield f"  decides     {section}.{claim.name}: {claim.outcome.said}"
 
-    def _of_record(self, file: str, cells: Sequence[Cell]) -> Iterator[str]:
+    def _of_record(self, file: str, cells: Sequence[Pointer]) -> Iterator[str]:
         """Describe the rows and traces of a file that a number comes from, and what measured them."""
         yield f"from {file}"
         chapter = self._records.get(file) or self._records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
         record = chapter.results.record
-        for index in dict.fromkeys(cell.place[0] for cell in cells if not cell.is_trace and "/rows/" in cell.pointer):
-            yield from self._of_row(record, index, [cell for cell in cells if cell.place[0] == index])
+        in_rows = [cell for cell in cells if cell.cell]
+        for index in dict.fromkeys(cell.cell[0] for cell in in_rows):
+            yield from self._of_row(record, index, [cell for cell in in_rows if cell.cell[0] == index])
         if any(cell.is_trace for cell in cells):
             case = file.removeprefix(chapter.results.source.removesuffix("json")).removesuffix(".csv.gz")
             seal = (record.traces or {}).get(case)
             yield f"  the trace of case {case}" + (f", all {seal.row_count} frames" if seal else "")
             rows = [row for row in record.rows if row["case"] == case]
             yield f"    {_settings(rows[0])}" if rows else "    no row says its settings"
-        if any(cell.pointer.endswith("/seconds") for cell in cells):
+        if any(cell.text.endswith("/seconds") for cell in cells):
             yield f"  how long the measurement took, {record.measured['seconds']} s"
         release, commit = record.origin.release, record.measured["commit"]
         measured = [record.machine_text, record.time_text, f"{config().package} {release}"]
@@ -150,11 +150,11 @@ class Provenance:
             yield f"  stale:      {chapter.state.words}"
         yield f"  again by    {self.project.of(release).rerun(record.section, record.machine['device'])}"
 
-    def _of_row(self, record: Record, index: int, cells: Sequence[Cell]) -> Iterator[str]:
+    def _of_row(self, record: Record, index: int, cells: Sequence[Pointer]) -> Iterator[str]:
         row = record.rows[index]
         yield f"  row {index}, case {row['case']}"
         for cell in cells:
-            column = cell.place[1]
+            column = cell.cell[1]
             yield f"    {column} = {row[column]} {unit_label(record.units[column])}".rstrip() + self._noise_of(cell)
         yield f"    {_settings(row)}"
         yield f"    n: {_runs(row)}"
@@ -165,9 +165,8 @@ def _leaves(found: Quantity) -> list[str]:
     return sorted(pointer for pointer in found.reads if VALUES_FILE not in pointer)
 
 
-def _place(pointer: str) -> tuple[str, int, str]:
-    cell = Cell(pointer)
-    return (cell.file, *cell.place) if "/rows/" in pointer else (cell.file, -1, pointer)
+def _place(pointer: Pointer) -> tuple[str, int, str]:
+    return (pointer.file, *(pointer.cell or (-1, pointer.text)))
 
 
 def _said(found: Quantity) -> str:

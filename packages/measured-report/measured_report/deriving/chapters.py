@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import msgspec
+from markupsafe import Markup
 
 from measured_report.editions.status import State
 from measured_report.pages.page import Prose
@@ -36,17 +37,25 @@ class Chapter:
     def name(self) -> str:
         return self.state.section
 
-    @property
-    def values(self) -> dict[str, dict]:
-        """What the site's values file says of it."""
-        return {name: value.entry for name, value in self.results.derived.items()}
-
 
 def values_text(chapters: Iterable[Chapter]) -> str:
-    """The site's values file: what each chapter derived, by its name, a field a line."""
-    values = {chapter.name: chapter.values for chapter in chapters}
+    """Write the site's values file: what each chapter derived, by its name, a field a line."""
+    derived = {chapter.name: chapter.results.derived for chapter in chapters}
+    values = {name: {each: value.entry for each, value in found.items()} for name, found in derived.items()}
     # Python's own indenting takes three times as long, and a build writes this a dozen times.
     return msgspec.json.format(json.dumps(values, ensure_ascii=False, allow_nan=False), indent=1) + "\n"
+
+
+def stale_mark(chapters: Iterable[Chapter], reads: frozenset[str]) -> Markup:
+    """Link to the section that was measured before its code changed, where pointers lead into one.
+
+    The link is no stop of the keyboard, which the section's own mark and the contents lead to as well.
+    """
+    for chapter in chapters:
+        place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
+        if chapter.state.notes and any(pointer.startswith(place) for pointer in reads):
+            return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
+    return Markup("")
 
 
 Chapters = Mapping[str, Chapter]

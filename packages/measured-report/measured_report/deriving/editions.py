@@ -5,31 +5,31 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from importlib import import_module
+from itertools import takewhile
 from typing import Any
 
-from measured_report import ROOT, ReportError
-from measured_report.claims.claims import HOLDS
-from measured_report.deriving.chapters import Chapter, Chapters, Releases, values_text
-from measured_report.deriving.derived import Earlier, LostError, Noted, Outline, Reads, derive_section, outline_of
-from measured_report.deriving.keeping import Derivation, Keeper, Made
-from measured_report.deriving.short import marked
+from markupsafe import Markup
+
+from measured_report import ReportError
+from measured_report.claims.claims import HOLDS, Claim
+from measured_report.deriving.cache import Derivation, DerivedCache
+from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
+from measured_report.deriving.dependencies import Dependencies, Tracked
+from measured_report.deriving.extras import Extras, extras
+from measured_report.deriving.quick import marks_of
+from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State, states_of
+from measured_report.files.config import config
 from measured_report.files.files import RecordError, short_path
 from measured_report.pages.page import Prose, Templates, Text
-from measured_report.pages.pages import FRONT, HISTORY, PAGES, REPLAY, Page
+from measured_report.pages.pages import FRONT, PAGES, Page
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.parts import Making, Section
-from measured_report.records.identity import files_digest
+from measured_report.records.identity import files_digest, source_at
 from measured_report.records.traces import traces_of
-from measured_report.values.noise import NOISE, noise_floors
+from measured_report.values.noise import NOISE, Floor, noise_floors
 from measured_report.values.results import Results, ResultsError
-from report.media.clips import Clips, clips_of
-from report.story.cards import cards_of
-from report.story.found import Found
-
-RETOLD = ("front", "story")
-"""Templates of which a module of report/story/ retells the findings of the sections, in claims of its own."""
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,14 @@ class Edition:
     chapters: Chapters
     left_out: Sequence[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
-    keeper: Keeper = field(default_factory=Keeper)
+    cache: DerivedCache = field(default_factory=DerivedCache)
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
         """Its pages with what each shows; one that would show nothing is not there."""
         chapters = sorted(self.chapters.values(), key=lambda chapter: not outline_of(chapter.name).leads)
         shown = {page: [chapter for chapter in chapters if chapter.page == page] for page in PAGES}
-        always = (FRONT, HISTORY) if len(self.project.releases) > 1 else (FRONT,)
+        always = {page for page in PAGES if page == FRONT or (page.compares and len(self.project.releases) > 1)}
         return {page: found for page, found in shown.items() if found or page in always}
 
     @property
@@ -69,195 +69,202 @@ class Edition:
         return values_text(chapter for chapter in self.chapters.values() if not chapter.compares)
 
     @cached_property
-    def clips(self) -> Clips | None:
-        """Its clips; None when there are none that can be shown."""
-        return clips_of(self.project)
-
-    @cached_property
-    def replay(self) -> dict[str, Any] | None:
-        """The runs of its replay; None where they are not kept."""
-        if "poses" not in self.chapters:
-            return None
-        project, results = self.project, self.chapters["poses"].results
-        name, code = f"{project.profile}.{project.release}.replay", ROOT / "report" / "media" / "packed.py"
-        return self.keeper.value(name, code, [_results_digest(results)], lambda: _replayed(results))
+    def extras(self) -> Extras:
+        """What the report shows of it besides."""
+        return extras().Extras(self)
 
     def unmeasured(self, page: Page) -> list[State]:
-        """The sections of a page, or of all for the front page, that have not been measured."""
+        """Return the sections of a page, or of all for the front page, that have not been measured."""
         missing = [state for state in self.left_out if state.kind == "missing"]
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
-        """The words of a page besides those of its sections; ``names`` are what they can name, and the sections."""
+        """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``extras``."""
         levels = [1] + [2] * (len(page.texts) - 1)  # the first has the title of the page
         texts = zip(page.texts, levels, strict=True)
-        return [self._text(templates.text(template), names, level) for template, level in texts]
+        return [self._prose(templates.text(template), names, level) for template, level in texts]
 
-    def _text(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
+    def _prose(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
-        section = self._retold(anchor) if anchor in RETOLD else Section()
-        if anchor == HISTORY.name:
-            section = self._history({link.release: link.edition.uncompared for link in names["releases"]})
-        if not section.claims:  # where the shake test was not measured there is nothing to tell
+        section = self._told(anchor, names)
+        if not section.claims:  # where what it is about was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
-        section = section.worded(anchor, text.name, text.words, Making("report/story/", "make page"))
-        found = Found(self.chapters)
-        sections = {name: chapter.section for name, chapter in self.chapters.items()}
+        section = section.worded(
+            anchor, text.name, text.words, Making(f"{config().story.replace('.', '/')}/", "make page")
+        )
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
             "is_told": bool(section.claims),
-            "does_slip": found.does_slip,
-            "overview": "overview" in section.figures,
-            "cards": cards_of(self.chapters),
-            "clips": self.clips,
-            "replay": REPLAY if self.replay else "",
-            "value": found.value,
-            "cell": found.cell,
-            "claim": _finder(anchor, "claim", {claim.name: found.marked(claim, anchor) for claim in section.claims}),
-            "holds": _asker({**sections, anchor: section}, anchor),
-            "table": _finder(anchor, "table", section.tables),
-            "figure": _finder(anchor, "figure", section.figures),
+            **_things(anchor, section, self.chapters),
+            "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
-        return text.prose(anchor, {**known, **names}, level)
+        return text.prose(anchor, {**known, **self.extras.names(section), **names}, level)
 
-    def _retold(self, name: str) -> Section:
-        def make(reads: Reads) -> Section:
-            return getattr(import_module(f"report.story.{name}"), f"{name}_of")(Noted(reads))
+    def _html(self, claim: Claim, text: str) -> Markup:
+        """A claim of a text, with a mark where it rests on a stale section; the one called ``title`` has none."""
+        mark = "" if claim.name == "title" else stale_mark(self.chapters.values(), claim.outcome.reads)
+        return claim.html(text) + mark
 
-        return self._told(name, {"": self.chapters}, make)
+    def _told(self, name: str, names: Mapping[str, Any]) -> Section:
+        """What the module ``name`` of the report's story derives of the chapters; of all editions where it takes them.
 
-    def _history(self, releases: Releases) -> Section:
-        def make(reads: Reads) -> Section:
-            from report.story.history import history_of
+        It has ``derive(chapters)``, or ``derive(releases, shown)``, which is told which of them it is for.
+        """
+        file = file_of(config().story, name) if config().story else None
+        arguments = source_at(file, name).top.get("derive", 0) if file else 0
+        if not arguments:
+            return Section()
+        is_all = arguments > 1
+        places: dict[str, Chapters] = {"": self.chapters}
+        if is_all:
+            places = {link.release: link.edition.uncompared for link in names["releases"]}
 
-            return history_of({release: Noted(reads, release) for release in releases}, self.project.release)
+        def derive(read: Dependencies) -> Derivation:
+            given = {place: Tracked(read, place) for place in places}
+            derive = import_module(f"{config().story}.{name}").derive
+            return derive(given, self.project.release) if is_all else derive(given[""]), {}
 
-        return self._told(HISTORY.name, releases, make)
-
-    def _told(self, name: str, places: Releases, make: Callable[[Reads], Section]) -> Section:
-        """What a module of report/story/ makes of the chapters of one release, or of all by their labels."""
-        digests = {(place, each): chapter.digest for place, found in places.items() for each, chapter in found.items()}
-        code = ROOT / "report" / "story" / f"{name}.py"
         place = self.project.profile, self.project.release, name
-        return self.keeper.made(place, code, (), Reads(places, digests), lambda reads: (make(reads), {})).section
+        return self.cache.derived(place, file, (), Dependencies(places, _digests(places)), derive).section
 
 
 def editions_of(
-    project: Project, templates: Templates, keeper: Keeper | None = None, among: Sequence[str] | None = None
+    project: Project, templates: Templates, cache: DerivedCache | None = None, among: Sequence[str] | None = None
 ) -> dict[str, Edition]:
-    """What the results of every release make, oldest first; ``among``: of these alone."""
-    keeper = keeper or Keeper()
+    """Derive what the results of every release make, oldest first; ``among``: of these alone."""
     shown = project.releases if among is None else among
-    derived = {release: derive_edition(project.of(release), templates, keeper) for release in shown}
+    cache = cache or DerivedCache()
+    derived = {release: derive_edition(project.of(release), templates, cache) for release in shown}
     releases = {release: edition.chapters for release, edition in derived.items()}
-    editions = {release: _compared(edition, releases, templates, keeper) for release, edition in derived.items()}
-    return editions if project.profile == "full" else _with_marks(project, editions, templates)
+    editions = {release: _compared(edition, releases, templates) for release, edition in derived.items()}
+    return editions if project.profile == "full" else _marked(project, editions, templates)
 
 
-def _with_marks(project: Project, editions: Mapping[str, Edition], templates: Templates) -> dict[str, Edition]:
+def _marked(project: Project, editions: Mapping[str, Edition], templates: Templates) -> dict[str, Edition]:
     """The same with a mark at each claim that full runs, where there are any, answer otherwise."""
     full = replace(project, profile="full")
     there = [release for release in editions if full.of(release).results.is_dir()]
     told = {release: derive_edition(full.of(release), templates).chapters for release in there}
-    chapters = marked({release: edition.chapters for release, edition in editions.items()}, told)
-    return {release: replace(edition, chapters=chapters[release]) for release, edition in editions.items()}
+    marks = marks_of({release: edition.chapters for release, edition in editions.items()}, told)
+    return {
+        release: replace(
+            edition,
+            chapters={name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()},
+        )
+        for release, edition in editions.items()
+    }
 
 
-def derive_edition(project: Project, templates: Templates, keeper: Keeper | None = None) -> Edition:
-    """What the results of one release make by themselves: a section that compares releases has its results alone."""
-    keeper = keeper or Keeper()
+def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) -> Chapter:
+    """A chapter in the same words, with marks at its claims, by ``section.claim``."""
+    name = chapter.name
+    if not any(place.startswith(f"{name}.") for place in marks):
+        return chapter
+    claims = [replace(each, mark=marks.get(f"{name}.{each.name}", each.mark)) for each in chapter.section.claims]
+    names = {**chapter.names, "claim": _finder(name, "claim", {each.name: each.html(name) for each in claims})}
+    return replace(chapter, names=names, prose=templates.text(f"sections/{name}.md.j2").prose(name, names))
+
+
+def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
+    """Derive what the results of one release make by themselves: what compares releases has its results alone."""
     states = states_of(project)
-    left_out = [state for state in states if not state.record]
-    outlines = [(state, outline_of(state.section)) for state in states if state.record]
-    floors = noise_floors(state.record for state, _ in outlines if state.section == NOISE)
-    found: dict[str, Chapter] = {}
-    for state, outline in sorted(outlines, key=lambda pair: pair[1].order):
-        others = {name: chapter.results for name, chapter in found.items()}
-        path = project.record_path(state.section)
-        results = Results(state.record, path, others, floors=floors, label=outline.label)
-        try:
-            if outline.compares:
-                digest = _results_digest(results)
-                chapter = Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
-            else:
-                made = _made(project, results, outline, found, {}, keeper)
-                chapter = _chapter(project, state, results, outline, made, templates, found)
-                keeper.tell(project.release, chapter.section, chapter.name)
-        except Exception as error:
-            left_out.append(_left_out(project, state, error))
-        else:
-            found[state.section] = chapter
-    return Edition(project, found, left_out, keeper)
+    floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
+    there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
+    edition = Edition(project, {}, [state for state in states if not state.record], cache or DerivedCache())
+
+    def chapter(state: State, found: Chapters) -> Chapter:
+        return _chapter(edition, state, floors, found, found, {}, templates)
+
+    return _with_chapters(edition, there, chapter)
 
 
-def _compared(edition: Edition, releases: Releases, templates: Templates, keeper: Keeper) -> Edition:
+def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
     """The same with the sections that compare releases."""
-    chapters, left_out = dict(edition.chapters), list(edition.left_out)
-    project = edition.project
-    for name, chapter in edition.chapters.items():
-        if chapter.compares:
-            results, outline = chapter.results, outline_of(name)
-            try:
-                before = {each: edition.chapters[each] for each in results.others}
-                made = _made(project, results, outline, before, releases, keeper)
-                full = _chapter(project, chapter.state, results, outline, made, templates, edition.chapters)
-                chapters[name] = replace(full, compares=True)
-            except Exception as error:
-                left_out.append(_left_out(edition.project, chapter.state, error))
-                del chapters[name]
-    refuse_contradictions(edition.project.templates, {name: chapter.section for name, chapter in chapters.items()})
-    return Edition(edition.project, chapters, left_out, keeper)
+    states = [chapter.state for chapter in edition.chapters.values() if chapter.compares]
+
+    def chapter(state: State, found: Chapters) -> Chapter:
+        before = dict(takewhile(lambda item: item[0] != state.section, edition.chapters.items()))
+        floors = edition.chapters[state.section].results.floors
+        return _chapter(edition, state, floors, before, edition.chapters, releases, templates)
+
+    compared = _with_chapters(edition, states, chapter)
+    sections = {name: chapter.section for name, chapter in compared.chapters.items()}
+    refuse_contradictions(edition.project.templates, sections)
+    return compared
 
 
-def _made(
-    project: Project, results: Results, outline: Outline, before: Chapters, releases: Releases, keeper: Keeper
-) -> Made:
-    """What a section makes of its results, and of those of the sections before it, or of all releases."""
-
-    def make(reads: Reads) -> Derivation:
-        given = replace(results, others=Earlier(Noted(reads), outline), derived={})
-        return derive_section(given, {release: Noted(reads, release) for release in releases}), given.derived
-
-    places: dict[str, Mapping[str, Any]] = {"": results.others, **releases}
-    digests = {("", name): chapter.digest for name, chapter in before.items()}
-    for release, chapters in releases.items():
-        digests |= {(release, name): chapter.digest for name, chapter in chapters.items()}
-    place = project.profile, project.release, results.record.section
-    given = [_results_digest(results), repr(sorted(results.floors.items()))]
-    return keeper.made(place, outline.file, given, Reads(places, digests), make)
-
-
-def _results_digest(results: Results) -> str:
-    """Of a record and its traces."""
-    folder = results.path.parent
-    return files_digest([results.path, *traces_of(results.path, results.record)], folder) + folder.name
-
-
-def _replayed(results: Results) -> dict[str, Any] | None:
-    from report.media.packed import replayed_runs  # it takes NumPy, which takes long to import
-
-    return replayed_runs(results)
+def _with_chapters(edition: Edition, states: Sequence[State], chapter: Callable[[State, Chapters], Chapter]) -> Edition:
+    """An edition with these sections, each made of what there is by then; what can't be shown is left out."""
+    found, left_out = dict(edition.chapters), list(edition.left_out)
+    for state in states:
+        try:
+            found[state.section] = chapter(state, found)
+        except Exception as error:
+            left_out.append(_left_out(edition.project, state, error))
+            found.pop(state.section, None)
+    return replace(edition, chapters=found, left_out=left_out)
 
 
 def _chapter(
-    project: Project,
+    edition: Edition,
     state: State,
-    results: Results,
-    outline: Outline,
-    made: Made,
-    templates: Templates,
+    floors: Mapping[str, Floor],
     before: Chapters,
+    told: Chapters,
+    releases: Releases,
+    templates: Templates,
 ) -> Chapter:
-    name = state.section
-    results = replace(results, derived=dict(made.values))
+    """Derive a section and put it into words; one that compares, without ``releases``, has its results alone.
+
+    Args:
+        before: What it may read of the edition.
+        told: What its words may ask whether it holds.
+    """
+    project, name, outline = edition.project, state.section, outline_of(state.section)
+    others = {name: chapter.results for name, chapter in before.items()}
+    results = Results(state.record, project.record_path(name), others, floors=floors, label=outline.label)
+    digest = results_digest(results)
+    if outline.compares and not releases:
+        return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
+
+    def derive(read: Dependencies) -> Derivation:
+        given = replace(results, others=Tracked(read, reader=outline), derived={})
+        return derive_section(given, {release: Tracked(read, release) for release in releases}), given.derived
+
+    places: dict[str, Mapping[str, Any]] = {"": others, **releases}
+    read = Dependencies(places, _digests({"": before, **releases}))
+    given = [digest, repr(sorted(floors.items()))]
+    entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, read, derive)
+    results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
-    section = made.section.worded(name, text.name, text.words, Making(outline.source, project.rerun(name)))
-    names = _names(results, section, before)
+    section = entry.section.worded(name, text.name, text.words, Making(outline.source, project.rerun(name)))
+    names = {
+        "release": state.record.origin.release,
+        "row": results.row,
+        "rows": results.rows,
+        "value": results.derived,
+        **_things(name, section, told),
+        "claim": _finder(name, "claim", {claim.name: claim.html(name) for claim in section.claims}),
+        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
+    }
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
-    digest = sha256(repr((made.digest, outcomes, state.notes)).encode()).hexdigest()
-    return Chapter(state, results, section, names, text.prose(name, names), outline.page, digest=digest)
+    digest = sha256(repr((entry.digest, outcomes, state.notes)).encode()).hexdigest()
+    prose = text.prose(name, names)
+    if not outline.compares:
+        edition.cache.tell(project.release, section, name)
+    return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
+
+
+def _digests(places: Mapping[str, Chapters]) -> dict[tuple[str, str], str]:
+    return {(place, name): chapter.digest for place, found in places.items() for name, chapter in found.items()}
+
+
+def results_digest(results: Results) -> str:
+    """Digest a record and its traces."""
+    folder = results.path.parent
+    return files_digest([results.path, *traces_of(results.path, results.record)], folder) + folder.name
 
 
 def _left_out(project: Project, state: State, error: Exception) -> State:
@@ -274,23 +281,17 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _names(results: Results, section: Section, before: Chapters) -> dict[str, Any]:
-    name = results.record.section
-    claims = {claim.name: claim.html(name) for claim in section.claims}
+def _things(name: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
+    """What finds tables and figures of a section for its words, and says which claims hold."""
+    sections = {**{chapter: found.section for chapter, found in told.items()}, name: section}
     return {
-        "release": results.record.identity.packages["newton"],
-        "row": results.row,
-        "rows": results.rows,
-        "value": results.derived,
-        "claim": _finder(name, "claim", claims),
-        "holds": _asker({**{chapter: found.section for chapter, found in before.items()}, name: section}, name),
+        "holds": _asker(sections, name),
         "table": _finder(name, "table", section.tables),
         "figure": _finder(name, "figure", section.figures),
-        "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
 
 
-def _asker(sections: Mapping[str, Section], own: str = "") -> Callable[[str], bool]:
+def _asker(sections: Mapping[str, Section], own: str) -> Callable[[str], bool]:
     """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
     not."""
 

@@ -94,6 +94,18 @@ class Config:
     baseline: str = "the baseline"
     """What people call the case that all others are changed from."""
     changes: Changes = field(default_factory=Changes)
+    title: str = "A report"
+    """What its data are of, where nothing else of it is at hand."""
+    name: str = "report"
+    """What it is called in names of files and ids that leave the site: those of the archive and of the feed."""
+    pages: tuple[Mapping[str, Any], ...] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
+    """The pages in their order, the front page first; ``pages.py`` says what each may name."""
+    story: str = ""
+    """The package whose modules derive what texts of pages tell: ``front`` for ``front.md.j2``."""
+    extras: str = "measured_report.deriving.extras"
+    """The module that says what else this report shows; the one named here says what it may have."""
+    formulas: tuple[str, ...] = ()
+    """Patterns of names and formulas in drawings and table cells, whose numbers lead to no record."""
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -110,6 +122,10 @@ class Config:
     def option(self) -> str:
         """The variable of make that names an edition."""
         return self.package.upper()
+
+    def edition(self, release: str) -> str:
+        """What people call an edition."""
+        return f"{self.edition_name} {release}".strip()
 
     def edition_folder(self, release: str) -> str:
         """The name of the folder that has the results of an edition."""

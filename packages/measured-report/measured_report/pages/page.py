@@ -12,8 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import (
+    ChoiceLoader,
     Environment,
     FileSystemLoader,
+    PrefixLoader,
     StrictUndefined,
     Template,
     TemplateError,
@@ -21,7 +23,6 @@ from jinja2 import (
     TemplateSyntaxError,
     pass_context,
 )
-from jinja2.bccache import Bucket, BytecodeCache
 from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
@@ -30,9 +31,13 @@ from measured_report.claims import citations, words
 from measured_report.claims.citations import StatedTag, references
 from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
 from measured_report.files.cache import Cache
+from measured_report.files.config import config
 from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter
 from measured_report.parts.parts import Figure
 
+LAYOUT = Path(__file__).resolve().parents[1] / "layout"
+"""Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
+may extend ``layout/NAME``."""
 TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
 """In a text that was converted; alone in its paragraph it may be a block."""
 BLOCK = ("<figure", "<p")
@@ -90,17 +95,17 @@ class Templates:
 
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
+        own, base = FileSystemLoader(folder), FileSystemLoader(LAYOUT)
         self._layout = Environment(
-            loader=FileSystemLoader(folder),
+            loader=ChoiceLoader([own, base, PrefixLoader({"layout": base})]),
             undefined=StrictUndefined,
             autoescape=True,
             trim_blocks=True,
             lstrip_blocks=True,
-            bytecode_cache=_KeptCode(cache) if cache else None,
         )
-        self._prose = self._layout.overlay(finalize=_as_token, bytecode_cache=None)
+        self._prose = self._layout.overlay(finalize=_as_token)
         self._references = references(folder)
-        self._layout.globals["references"] = self._references
+        self._layout.globals |= {"references": self._references, "config": config()}
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
@@ -146,24 +151,6 @@ class Templates:
     def keep(self) -> None:
         """Keep what was made of texts, for the next time."""
         self._converter.keep()
-
-
-class _KeptCode(BytecodeCache):
-    """Compiled templates of HTML, in the cache of the project."""
-
-    def __init__(self, cache: Cache):
-        self._cache = cache
-
-    def load_bytecode(self, bucket: Bucket) -> None:
-        if found := self._cache.get(*self._entry(bucket)):
-            bucket.bytecode_from_string(found)
-
-    def dump_bytecode(self, bucket: Bucket) -> None:
-        self._cache.put(*self._entry(bucket), bucket.bytecode_to_string())
-
-    def _entry(self, bucket: Bucket) -> tuple[str, Any]:
-        """What it is kept as, and what it was made from."""
-        return f"layout.{bucket.key}", (version("jinja2"), bucket.checksum)
 
 
 @once

@@ -1,8 +1,14 @@
-"""The pages of a release, in their order. A section's module names its own as ``page``, beside its ``order``."""
+"""The pages of a release, in their order, as ``report.toml`` has them. A section's module names its own as ``page``.
+
+Each is a table with a ``name``, the ``label`` of what leads to it (without one its name), its ``texts`` (without any
+``pages/NAME.md.j2``), and ``compares`` for one that shows all editions side by side, where there are several, and no
+section.
+"""
 
 from dataclasses import dataclass
 
 from measured_report import ReportError
+from measured_report.files.config import FILE, config
 
 
 @dataclass(frozen=True)
@@ -10,52 +16,34 @@ class Page:
     """One page of every release."""
 
     name: str
-    label: str
+    label: str = ""
     """What leads to it is called so."""
-    texts: tuple[str, ...]
+    texts: tuple[str, ...] = ()
     """Its templates of prose; the first begins with the title of the page."""
+    compares: bool = False
 
     @property
     def file(self) -> str:
         return f"{self.name}.html"
 
 
-def _page(name: str, label: str) -> Page:
-    return Page(name, label, (f"pages/{name}.md.j2",))
+def _page(
+    name: str = "", label: str = "", texts: tuple[str, ...] = (), compares: bool = False, **other: object
+) -> Page:
+    if not name or other:
+        what = f"a page has {next(iter(other))}, which means nothing" if other else "a page has no name"
+        raise ReportError(f"{FILE}: {what}")
+    return Page(name, label or name.replace("_", " ").capitalize(), tuple(texts or [f"pages/{name}.md.j2"]), compares)
 
 
-FRONT = Page("index", "Overview", ("front.md.j2", "story.md.j2"))
-HISTORY = _page("history", "History")
-"""Where there is more than one edition: what all of them have side by side, and no section."""
-PAGES = (
-    FRONT,
-    _page("evidence", "Suspects"),
-    _page("cause", "Cause"),
-    _page("fix", "Fix"),
-    _page("cure", "Cure"),
-    _page("limits", "Limits"),
-    _page("scenes", "Other scenes"),
-    _page("error", "Error and run time"),
-    _page("cost", "Cost and speed"),
-    _page("releases", "Releases"),
-    HISTORY,
-    _page("method", "Method"),
-)
-REPLAY = "replay.html"
-"""Beside these: the kept runs, on a page by itself."""
-SHAKES = {
-    "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
-    "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
-    "held still": {"hold-60s": "shipped pads, held still"},
-}
-"""What can be chosen on the page of the replay, and the runs that it shows, by case."""
-DEFAULT = "evidence"
-"""The page of a section that names none."""
+PAGES = tuple(_page(**fields) for fields in config().pages)
+FRONT = PAGES[0]
+OF_SECTIONS = {page.name: page for page in PAGES[1:] if not page.compares}
 
 
-def page_named(name: str, place: str) -> Page:
-    """ReportError where there is no such page for sections, as ``place`` says there is."""
-    there = {page.name: page for page in PAGES if page not in (FRONT, HISTORY)}
-    if name not in there:
-        raise ReportError(f"{place} names the page {name!r}; there are: {', '.join(there)}")
-    return there[name]
+def page_of(section: str, name: str | None) -> Page:
+    """The page that the module ``section`` names, or else the first that takes sections; ReportError for no such."""
+    name = next(iter(OF_SECTIONS), "") if name is None else name
+    if name not in OF_SECTIONS:
+        raise ReportError(f"{section} names the page {name!r}; there are: {', '.join(OF_SECTIONS)}")
+    return OF_SECTIONS[name]

@@ -30,7 +30,6 @@ from matplotlib.ticker import (
     ScalarFormatter,
 )
 
-from measured_report.parts.layout import laid_out_once
 from measured_report.values.format import format_number, format_power, format_short, format_tick, whole
 from measured_report.values.quantities import Quantity
 
@@ -56,6 +55,7 @@ STYLE: dict[str, Any] = {
     "axes.titlecolor": INK,
     "axes.formatter.useoffset": False,
     "axes.titlesize": 10,
+    "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
     "axes.titlelocation": "left",
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -285,8 +285,7 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
             _label_plainly(axes.yaxis)
         if is_narrow():
             _fit_narrow(drawing)
-        with laid_out_once():
-            FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
+        FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
     svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), told))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():

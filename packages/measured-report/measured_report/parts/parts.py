@@ -41,10 +41,10 @@ class Table:
 
     def __html__(self) -> Markup:
         return Markup('<figure class="table"><figcaption>{}</figcaption>{}</figure>').format(
-            _caption(self), self.settled().frame
+            _caption(self), self.kept().frame
         )
 
-    def settled(self) -> "Table":
+    def kept(self) -> "Table":
         """The same as it is kept."""
         if isinstance(self.frame, Markup):
             return self
@@ -85,7 +85,7 @@ class Figure:
         """Whether anything of what it draws exists."""
         return any(source.value is not None for source in self.sources)
 
-    def settled(self, pictures: Pictures | None) -> "Figure":
+    def kept(self, pictures: Pictures | None) -> "Figure":
         """The same as it is kept once it is drawn: of its series no more than whether they are there."""
         sources = [
             replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
@@ -173,14 +173,14 @@ class Section:
     unmeasured: Collection[str] = ()
     """What only other records have, so that the words for it stay unsaid."""
 
-    def settled(self, pictures: Mapping[str, Pictures | None]) -> "Section":
+    def kept(self, pictures: Mapping[str, Pictures | None]) -> "Section":
         """The same as it is kept once its figures are drawn, by their names."""
-        figures = {name: figure.settled(pictures[name]) for name, figure in self.figures.items()}
+        figures = {name: figure.kept(pictures[name]) for name, figure in self.figures.items()}
         return replace(self.tabled(), figures=figures)
 
     def tabled(self) -> "Section":
         """The same with its tables as HTML, of which each is made once."""
-        tables = {name: thing.settled() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
+        tables = {name: thing.kept() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
         return replace(self, tables=tables)
 
     def worded(
@@ -208,7 +208,7 @@ class Section:
                 if hasattr(thing, "wording"):
                     wording.refuse_unknown(f"{kind} {name}", thing.numbers)
                     thing = replace(thing, wording=wording)
-                    thing = thing.settled() if kind == "claim" else thing
+                    thing = thing.checked() if kind == "claim" else thing
                 if kind == "figure":
                     thing = replace(thing, anchor=f"{anchor}-{name}", making=making)
                 found[kind][name] = thing

@@ -53,7 +53,7 @@ class _Column:
         if isinstance(value, Quantity):
             if not self._unit:  # the numbers of this column can't be compared, and have no points to align
                 return Markup('<td class="number">{}</td>').format(value)
-            return Markup('<td class="number"{}>{}</td>').format(self._pad(value), value.bare)
+            return Markup('<td class="number"{}>{}</td>').format(self._filled(value), value.bare)
         if isinstance(value, bool):
             return Markup("<td>{}</td>").format("yes" if value else "no")
         if isinstance(value, int | float) and not pd.isna(value):
@@ -61,13 +61,13 @@ class _Column:
         kind = Markup(' class="number"') if self._has_numbers else ""
         return Markup("<td{}>{}</td>").format(kind, ABSENT if pd.isna(value) or value == "" else value)
 
-    def _pad(self, value: Quantity) -> Markup:
+    def _filled(self, value: Quantity) -> Markup:
         """What is missing behind the number for its point to stand below the others."""
         count = _place_count(value)
         missing = (self._places - count) * FIGURE_SPACE
         if not missing or "×" in value.written:
             return Markup("")
-        return Markup(' data-pad="{}"').format(missing if count else POINT_SPACE + missing)
+        return Markup(' data-fill="{}"').format(missing if count else POINT_SPACE + missing)
 
 
 def _place_count(number: Quantity) -> int:

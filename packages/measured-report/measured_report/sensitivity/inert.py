@@ -1,6 +1,6 @@
 """Inert numbers: those in a claim's words that could be anything, and the words would stay.
 
-``python -m measured_report.sensitivity.inert gap`` prints those of a section, and what a claim's words name unread.
+``python -m measured_report.sensitivity.inert SECTION`` prints those of a section, and what a claim's words name unread.
 """
 
 import re
@@ -14,25 +14,13 @@ from markupsafe import Markup
 from measured_report.claims.claims import Claim
 from measured_report.parts.parts import Section
 from measured_report.records.columns import is_setting
-from measured_report.sensitivity.perturbed import FACTORS, Cell, World
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value
+from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_tracked
+from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 
 SOURCE = re.compile('data-src="([^"]*)"')
 LEAVES_TRIED = 4
-"""Of a value that is computed from more numbers than that, so many are mutated one by one, spread over all of them;
-and all of them together."""
-
-
-@dataclass(frozen=True)
-class Named:
-    """A measured number that the words of a claim name."""
-
-    section: str
-    claim: str
-    name: str
-
-    def __str__(self) -> str:
-        return f"{self.section}.{self.claim} {self.name}"
+"""Of a value that is computed from more numbers than that, so many are changed one by one, spread over all of them; and
+all of them together."""
 
 
 def named_pointers(thing: Any) -> Iterator[str]:
@@ -41,19 +29,19 @@ def named_pointers(thing: Any) -> Iterator[str]:
         yield from [thing.source] if thing.source else []
     elif isinstance(thing, Markup):
         yield from SOURCE.findall(thing)
-    elif isinstance(thing, Mapping):
-        for part in thing.values():
-            yield from named_pointers(part)
-    elif isinstance(thing, list | tuple):
-        for part in thing:
+    elif isinstance(thing, Mapping | list | tuple):
+        for part in thing.values() if isinstance(thing, Mapping) else thing:
             yield from named_pointers(part)
 
 
 @dataclass(frozen=True)
 class Survey:
-    """What the words of one section of one release name, read against what its tests do with it."""
+    """What the words of one section of one release name, against what its tests do with it.
 
-    world: World
+    Each is said as ``section.claim name``.
+    """
+
+    perturbation: Perturbation
     release: str
     section: str
     values: Mapping[str, Value]
@@ -62,7 +50,7 @@ class Survey:
     @property
     def claims(self) -> list[Claim]:
         """Those with words: where a number was not measured, that is all that is said."""
-        claims = self.world.releases[self.release][self.section].section.claims
+        claims = self.perturbation.releases[self.release][self.section].section.claims
         return [claim for claim in claims if claim.outcome.said != "cannot tell" or not _lacks_number(claim)]
 
     def measured(self, pointer: str) -> list[str]:
@@ -78,33 +66,32 @@ class Survey:
                     if self.measured(pointer):
                         yield claim, name, pointer
 
-    def unread(self) -> set[Named]:
+    def unread(self) -> set[str]:
         """What words name that their claim's test has not read, neither itself nor all that it comes from."""
         return {
-            Named(self.section, claim.name, name)
+            f"{self.section}.{claim.name} {name}"
             for claim, name, pointer in self.numbers()
             if not ({pointer} <= claim.outcome.reads or set(self.measured(pointer)) <= claim.outcome.reads)
         }
 
-    def inert(self) -> set[Named]:
+    def inert(self) -> set[str]:
         """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words."""
-        before = _shapes(self.world.section(self.release, self.section, {}, {}))
+        before = _shapes(self.perturbation.section(self.release, self.section, {}))
         tried: dict[tuple[tuple[str, ...], str], dict[str, tuple[str, str]]] = {}
 
-        def moves(claim: str, leaves: tuple[str, ...], mutation: str) -> bool:
-            key = leaves, mutation
-            if key not in tried:
-                cells = [Cell(leaf) for leaf in leaves]
-                tried[key] = _shapes(self.world.mutated(self.release, self.section, cells, mutation))
-            return tried[key].get(claim) != before[claim]
+        def moves(claim: str, leaves: tuple[str, ...], change: str) -> bool:
+            if (leaves, change) not in tried:
+                pointers = map(Pointer, leaves)
+                tried[leaves, change] = _shapes(self.perturbation.of(self.release, self.section, pointers, change))
+            return tried[leaves, change].get(claim) != before[claim]
 
         found = set()
         for claim, name, pointer in self.numbers():
             leaves = self.measured(pointer)
             single = [(leaf,) for leaf in leaves[:: -(-len(leaves) // LEAVES_TRIED)]]
             tries = [tuple(leaves), *single] if len(leaves) > 1 else single
-            if not any(moves(claim.name, each, mutation) for each in tries for mutation in FACTORS):
-                found.add(Named(self.section, claim.name, name))
+            if not any(moves(claim.name, each, change) for each in tries for change in FACTORS):
+                found.add(f"{self.section}.{claim.name} {name}")
         return found
 
 
@@ -117,26 +104,19 @@ def _shapes(section: Section) -> dict[str, tuple[str, str]]:
     return {claim.name: (claim.outcome.said, claim.wordless) for claim in section.claims}
 
 
-def surveys(world: World) -> list[Survey]:
+def surveys(perturbation: Perturbation) -> list[Survey]:
     """One for every section of every release."""
-    values = {
-        value.source: value
-        for chapters in world.releases.values()
-        for chapter in chapters.values()
-        for value in chapter.results.derived.values()
-    }
-    return [
-        Survey(world, release, section, values) for release, chapters in world.releases.items() for section in chapters
-    ]
+    releases = perturbation.releases
+    results = [chapter.results for chapters in releases.values() for chapter in chapters.values()]
+    values = {value.source: value for each in results for value in each.derived.values()}
+    return [Survey(perturbation, release, section, values) for release in releases for section in releases[release]]
 
 
 def main(sections: list[str]) -> int:
-    from measured_report.sensitivity.perturbed import tracked_world
-
-    for survey in surveys(tracked_world()):
+    for survey in surveys(of_tracked()):
         if survey.section in sections or not sections:
             for what, found in (("inert", survey.inert()), ("unread", survey.unread())):
-                for named in sorted(map(str, found)):
+                for named in sorted(found):
                     print(f"{survey.release}  {what:6}  {named}")
     return 0
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
-from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
+from measured_report.files.config import config
 from measured_report.pages.page import Templates
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.traces import traces_of
@@ -17,7 +17,6 @@ from measured_report.values.quantities import VALUES_FILE
 
 ARCHIVE = "data.zip"
 TEMPLATE = "archive.txt.j2"
-FOLDER = "shake-report-data"
 FIGURES = "figures.csv"
 DRAWN = ("release", "figure", "drawn by", "source", "value", "unit")
 
@@ -34,7 +33,7 @@ class Column:
 
 
 def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
-    """The archive of all releases; the same records and values give the same bytes.
+    """Put all releases into an archive; the same records and values give the same bytes.
 
     Nothing is compressed, since what compresses does not do so alike everywhere. ``tables`` are the rows of each
     record, by its file.
@@ -46,7 +45,7 @@ def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templ
     content = io.BytesIO()
     with ZipFile(content, "w", ZIP_STORED) as archive:
         for name in sorted(files):
-            entry = ZipInfo(f"{FOLDER}/{name}")  # of 1980, as long as nobody says otherwise
+            entry = ZipInfo(f"{config().name}-data/{name}")  # of 1980, as long as nobody says otherwise
             entry.create_system, entry.external_attr = 3, 0o644 << 16
             archive.writestr(entry, files[name])
     return content.getvalue()
@@ -54,13 +53,13 @@ def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templ
 
 def _data_files(editions: Mapping[str, Edition], tables: Mapping[str, bytes]) -> Iterator[tuple[str, bytes]]:
     """Records, as they are kept and as tables, with their traces, and values by release."""
-    for release, edition in editions.items():
+    for edition in editions.values():
         for chapter in edition.chapters.values():
             path = chapter.results.path
             for file in (path, *traces_of(path, chapter.results.record)):
                 yield f"{path.parent.name}/{file.name}", file.read_bytes()
             yield f"{path.parent.name}/{path.stem}.csv", tables[chapter.results.source]
-        yield f"newton-{release}/{VALUES_FILE}", edition.values_text.encode()
+        yield f"{edition.project.results.name}/{VALUES_FILE}", edition.values_text.encode()
 
 
 def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:
@@ -78,8 +77,7 @@ def _columns(editions: Mapping[str, Edition]) -> list[Column]:
     sections: dict[str, set[str]] = {}
     units: dict[str, str] = {}
     for edition in editions.values():
-        chapters: list[Chapter] = list(edition.chapters.values())
-        for chapter in chapters:
+        for chapter in edition.chapters.values():
             record = chapter.results.record
             units |= record.units
             for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
@@ -91,7 +89,7 @@ def _columns(editions: Mapping[str, Edition]) -> list[Column]:
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
-    """Rows as a table; what a row lacks is empty."""
+    """Write rows as a table; what a row lacks is empty."""
     columns = tuple(dict.fromkeys(column for row in rows for column in row))
     return _csv(columns, (tuple(map(row.get, columns)) for row in rows))
 

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
-from measured_report import ROOT
+from measured_report.deriving.extras import extras
+from measured_report.pages.page import LAYOUT
 from measured_report.site.check_numbers import Data, check_numbers
-from measured_report.site.reading import SCRIPT, Reading
-from report.media.replay import script
+from measured_report.site.page_reader import SCRIPT, PageReader
 
 SCHEMES = {"", "http", "https", "mailto"}
 """What a link may begin with: a page may lead anywhere, but nothing that it leads to may run in it."""
@@ -18,21 +18,21 @@ FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
 
 def check_site(site: Path) -> list[str]:
-    """What is wrong with the site in folder ``site``, a line each; empty when nothing is."""
+    """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     problems = []
-    pages = {path.resolve(): Reading(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+    pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
     data_of: dict[Path, Data] = {}
-    for path, reading in pages.items():
-        found = [*check_self_contained(reading), *_check_links(reading, path, pages, site), *_check_claims(reading)]
+    for path, page in pages.items():
+        found = [*check_self_contained(page), *_check_links(page, path, pages, site), *_check_claims(page)]
         data = data_of.setdefault(path.parent, Data(path.parent / "data"))
-        found += check_numbers(reading, data)
+        found += check_numbers(page, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for folder in {path.parent for path in pages}:
-        claims = [claim for path, reading in pages.items() if path.parent == folder for claim in reading.claims]
+        claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
         if not claims:
             problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
     for path in sorted(site.rglob("*.js")):
-        if path.name != SCRIPT or path.read_bytes() != (ROOT / "assets" / SCRIPT).read_bytes():
+        if path.name != SCRIPT or path.read_bytes() != (LAYOUT / SCRIPT).read_bytes():
             problems.append(f"{path.relative_to(site)} is not the project's script")
     for path in sorted(site.rglob("*.css")):
         if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
@@ -42,23 +42,25 @@ def check_site(site: Path) -> list[str]:
     return problems
 
 
-def check_self_contained(reading: Reading) -> list[str]:
-    """What a page runs or fetches that is not the project's, a line each."""
-    problems = [f"<{tag}> runs a script" for tag in reading.scripts]
-    problems += ["a script runs that is not the project's own" for text in reading.inline if text != script()]
-    problems += [f"{address} is fetched from elsewhere" for address in reading.fetched if _is_elsewhere(address)]
-    return problems + (["a style fetches something"] if FETCHING_STYLE.search(reading.styles) else [])
+def check_self_contained(page: PageReader) -> list[str]:
+    """Say what a page runs or fetches that is not the project's, a line each."""
+    problems = [f"<{tag}> runs a script" for tag in page.scripts]
+    problems += [
+        "a script runs that is not the project's own" for text in page.inline if text not in extras().scripts()
+    ]
+    problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
+    return problems + (["a style fetches something"] if FETCHING_STYLE.search(page.styles) else [])
 
 
-def _check_links(reading: Reading, page: Path, pages: Mapping[Path, Reading], site: Path) -> list[str]:
-    problems = [f"the id {name} is not unique" for name in sorted(set(reading.ids)) if reading.ids.count(name) > 1]
-    for address in reading.links + reading.fetched:
+def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader], site: Path) -> list[str]:
+    problems = [f"the id {name} is not unique" for name in sorted(set(page.ids)) if page.ids.count(name) > 1]
+    for address in page.links + page.fetched:
         parts = _parts(address)
-        if address in reading.links and parts.scheme not in SCHEMES:
+        if address in page.links and parts.scheme not in SCHEMES:
             problems.append(f"{address} is no address that a page may lead to")
         if parts.scheme or parts.netloc:
             continue
-        target = (page.parent / unquote(parts.path)).resolve() if parts.path else page
+        target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
         if parts.path.startswith("/") or not target.is_relative_to(site.resolve()):
             problems.append(f"{address} leaves the site")
         elif not target.exists() or (
@@ -68,10 +70,10 @@ def _check_links(reading: Reading, page: Path, pages: Mapping[Path, Reading], si
     return problems
 
 
-def _check_claims(reading: Reading) -> list[str]:
+def _check_claims(page: PageReader) -> list[str]:
     return [
         f"the claim {claim['data-claim']} has no outcome"
-        for claim in reading.claims
+        for claim in page.claims
         if claim.get("data-outcome") not in OUTCOMES
     ]
 

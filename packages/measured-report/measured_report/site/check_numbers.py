@@ -8,16 +8,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from measured_report.site.reading import Drawn, Reading
+from measured_report.deriving.extras import extras
+from measured_report.files.config import config
+from measured_report.site.page_reader import Drawn, PageReader
 from measured_report.values.format import format_code, format_most, format_number, spellings, whole
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import MOST, SAME, VALUES_FILE
-from report.names import name_of
 
-TYPED = re.compile(
-    r"kd = 2√ke|2/kd = 2·dt|dt² ke \+ 2 dt kd > 4|clamped to 2 dt|damping ratio 1\b|^[12]\. |RK4|link7|1/s|3D"
-    r"|[\d\u202f]+ worlds?|\d+ runs(?: in \d+ sections)?|\d+ dropped|Newton \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
-)
+RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
+EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
+TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 """Numbers in drawings and in their words that are names and formulas."""
 
 
@@ -35,16 +35,15 @@ class Data:
         return self._files[name]
 
     def number(self, source: str) -> tuple[float | int | None, float | None]:
-        """A number and its noise; an error where the pointer leads to none."""
+        """Return a number and its noise; an error where the pointer leads to none."""
         name, _, pointer = source.partition("#")
         kept = _resolve(self.file(name), pointer)
         if name.endswith(VALUES_FILE):
             return kept["value"], kept["noise"]
+        if not pointer.startswith("/rows/"):
+            return kept, None
         place, _, column = pointer.rpartition("/")
-        is_cell = pointer.startswith("/rows/")
-        return kept, cell_noise(
-            column, _resolve(self.file(name), place), self._floors_beside(name)
-        ) if is_cell else None
+        return kept, cell_noise(column, _resolve(self.file(name), place), self._floors_beside(name))
 
     def _floors_beside(self, name: str) -> Mapping[str, Floor]:
         noise = f"{name.rpartition('/')[0]}/{NOISE}.json"
@@ -57,7 +56,7 @@ class Data:
     @cached_property
     def rows(self) -> list[Mapping[str, Any]]:
         """Those of all records."""
-        files = [path for path in self.folder.glob("newton-*/*.json") if path.name != VALUES_FILE]
+        files = [path for path in self.folder.glob("*/*.json") if path.name != VALUES_FILE]
         return [row for path in files for row in self.file(str(path.relative_to(self.folder)))["rows"]]
 
     @cached_property
@@ -68,20 +67,20 @@ class Data:
     @cached_property
     def names(self) -> re.Pattern:
         """What cases with a number in their names are called, in whole and in parts."""
-        whole = {name_of(row["case"]) for row in self.rows if "case" in row}
+        whole = {extras().name_of(row["case"]) for row in self.rows if "case" in row}
         names = {part for name in whole for part in (name, *name.split(", ")) if re.search(r"\d", part)}
         longest_first = sorted(names, key=len, reverse=True)
         return re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)")
 
 
-def check_numbers(reading: Reading, data: Data) -> list[str]:
-    """What is wrong with the numbers of a page, a line each."""
-    return [*_check_written(reading, data), *_check_drawn(reading, data), *_check_cells(reading, data)]
+def check_numbers(page: PageReader, data: Data) -> list[str]:
+    """Say what is wrong with the numbers of a page, a line each."""
+    return [*_check_written(page, data), *_check_drawn(page, data), *_check_cells(page, data)]
 
 
-def _check_written(reading: Reading, data: Data) -> list[str]:
+def _check_written(page: PageReader, data: Data) -> list[str]:
     problems = []
-    for number in reading.numbers:
+    for number in page.numbers:
         source = number.get("data-src", "")
         try:
             kept, noise = data.number(source)
@@ -107,10 +106,10 @@ def _text(number: Mapping[str, str], kept: float | int | None, noise: float | No
     return number["text"] if is_same else text
 
 
-def _check_drawn(reading: Reading, data: Data) -> list[str]:
+def _check_drawn(page: PageReader, data: Data) -> list[str]:
     """Every number of a drawing, and of its words, is what its source says; what has none is a name or a tick."""
     problems = []
-    for drawn in reading.drawn:
+    for drawn in page.drawn:
         rest = drawn.text
         for source in drawn.sources:
             try:
@@ -128,9 +127,9 @@ def _check_drawn(reading: Reading, data: Data) -> list[str]:
     return problems
 
 
-def _check_cells(reading: Reading, data: Data) -> list[str]:
+def _check_cells(page: PageReader, data: Data) -> list[str]:
     """Words in tables have no numbers but those of names, and of words that a record has."""
-    left = ((cell, _unnamed(cell, data)) for cell in reading.cells if re.search(r"\d", cell))
+    left = ((cell, _unnamed(cell, data)) for cell in page.cells if re.search(r"\d", cell))
     return [
         f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"
         for cell, rest in left

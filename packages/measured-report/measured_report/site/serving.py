@@ -7,6 +7,7 @@ import io
 import threading
 import time
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -36,20 +37,19 @@ class _Handler(SimpleHTTPRequestHandler):
 
     def send_head(self):
         path = self.path.partition("?")[0]
-        if path == SCRIPT:
-            return self._answer(RELOAD.encode(), "text/javascript")
-        if path == BUILD:
-            return self._answer(str(self.server.build_count).encode(), "text/plain")
         file = Path(self.translate_path(path))
-        file = file / "index.html" if file.is_dir() and path.endswith("/") else file
-        if file.suffix == ".html" and file.is_file():
-            return self._answer(reloading(file.read_bytes()), "text/html; charset=utf-8")
-        return super().send_head()
-
-    def _answer(self, content: bytes, kind: str) -> io.BytesIO:
+        file = file / "index.html" if path.endswith("/") else file
+        if path == SCRIPT:
+            content, kind = RELOAD.encode(), "text/javascript"
+        elif path == BUILD:
+            content, kind = str(self.server.build_count).encode(), "text/plain"
+        elif file.suffix == ".html" and file.is_file():
+            content, kind = reloading(file.read_bytes()), "text/html; charset=utf-8"
+        else:
+            return super().send_head()
         self.send_response(HTTPStatus.OK)
-        self.send_header("Content-Type", kind)
-        self.send_header("Content-Length", str(len(content)))
+        for name, value in {"Type": kind, "Length": str(len(content))}.items():
+            self.send_header(f"Content-{name}", value)
         self.send_header("Cache-Control", "no-store")
         self.end_headers()
         return io.BytesIO(content)
@@ -82,21 +82,17 @@ class Server(ThreadingHTTPServer):
 
 
 def reloading(page: bytes) -> bytes:
-    """A page as it is served."""
+    """Return a page as it is served."""
     for strict, loose in POLICY.items():
         page = page.replace(strict, loose, 1)
     return page.replace(b"</head>", b'<script src="%s" defer></script>\n</head>' % SCRIPT.encode(), 1)
 
 
 def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
-    """When each file in some folders was changed, and its size."""
+    """Return when each file in some folders was changed, and its size."""
     found = {}
-    for folder in folders:
-        for path in folder.rglob("*"):
-            if "__pycache__" not in path.parts:
-                try:
-                    status = path.stat()
-                except OSError:  # it was removed just now
-                    continue
-                found[path] = status.st_mtime_ns, status.st_size
+    for path in (path for folder in folders for path in folder.rglob("*") if "__pycache__" not in path.parts):
+        with suppress(OSError):  # it was removed just now
+            status = path.stat()
+            found[path] = status.st_mtime_ns, status.st_size
     return found

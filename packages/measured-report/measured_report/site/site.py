@@ -13,15 +13,17 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report import ROOT
+from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.chapters import Chapter
+from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import Edition, editions_of
-from measured_report.deriving.keeping import Keeper, surroundings
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.cache import Cache
+from measured_report.files.config import FILE, config
 from measured_report.files.files import locked
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
-from measured_report.pages.page import Prose, Templates
+from measured_report.pages.page import LAYOUT, Prose, Templates
 from measured_report.pages.pages import FRONT, Page
 from measured_report.parts.drawing import draw_all
 from measured_report.records.code import cached_sources, unchanged_files
@@ -29,24 +31,28 @@ from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT, traces_of
 from measured_report.site.archive import rows_csv
-from measured_report.site.surroundings import ASSETS, citation, write_surroundings
+from measured_report.site.root_files import CARD, citation, write_root_files
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
-from report.media.replay import write_replay
+from measured_report.values.results import Results
 
-OTHER_INPUTS = ("report.toml", "CITATION.cff", "LICENSE")
+OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""
 WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 """Packages that have a part in it, besides those that decide what is drawn."""
 BUILT = "site"
 """What is kept of the last build."""
+BESIDE = ("style.css", "page.js")
+"""Files of the layout that lie beside the pages of each release."""
+ICON = "favicon.svg"
+"""A report's own, in its ``assets/``, which need not be there."""
 ID = re.compile(r' id="([^"]+)"')
 INNER_LINK = re.compile(r' href="#([^"]+)"')
 
 
 @dataclass(frozen=True)
-class Leaf:
-    """A page of one release, its figures not yet drawn."""
+class Content:
+    """What a page of one release has on it, its figures not yet drawn."""
 
     page: Page
     texts: Sequence[Prose]
@@ -78,11 +84,11 @@ class Link:
         return {chapter.name: chapter.names for chapter in chapters if self.is_shown or not chapter.compares}
 
     def address(self, page: Page) -> str:
-        """The same page of it, or its front where it has no such page."""
+        """Return that of the same page of it, or of its front where it has no such page."""
         return self.base + (page if page in self.edition.pages else FRONT).file
 
     def section(self, name: str) -> str:
-        """Address of a section; empty where it has none of that name."""
+        """Return the address of a section; empty where it has none of that name."""
         chapter = self.edition.chapters.get(name)
         return f"{self.base}{chapter.page.file}#{name}" if chapter else ""
 
@@ -112,15 +118,15 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         digest, there = _digest(project, address), digests_below(project.site)
         if kept := cache.get(BUILT, (digest, there)):
             return kept
-        site = Draft(fresh, project.site, there)
+        draft = Draft(fresh, project.site, there)
         with cached_sources(project.root), unchanged_files():
-            keeper, templates = Keeper(project.root), Templates(project.templates, cache)
-            editions = editions_of(project, templates, keeper)
-            _write_site(site, project, editions, templates, address, keeper)
+            derived, templates = DerivedCache(project.root), Templates(project.templates, cache)
+            editions = editions_of(project, templates, derived)
+            Site(draft, project.release, editions, templates, address, derived).write()
             templates.keep()
         replace(project.site, fresh)
         built = {release: _built(edition) for release, edition in editions.items()}
-        cache.put(BUILT, (digest, site.digests), built)
+        cache.put(BUILT, (digest, draft.digests), built)
     return built
 
 
@@ -128,39 +134,83 @@ def _built(edition: Edition) -> Built:
     return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
 
 
-def _write_site(
-    site: Draft, project: Project, editions: Mapping[str, Edition], templates: Templates, address: str, keeper: Keeper
-) -> None:
-    places = {release: "" if release == project.release else f"newton-{release}/" for release in editions}
-    links = {release: _links(editions, places, release) for release in editions}
-    leaves = {release: _leaves(editions[release], templates, links[release]) for release in editions}
-    chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
-    tables = {chapter.results.source: rows_csv(chapter.results.record.rows) for chapter in chapters}
+@dataclass(frozen=True)
+class Site:
+    """A site that is being written."""
 
-    def write_data() -> None:
-        for release in editions:
-            _write_data(site, f"{places[release]}data/", release, editions, tables)
-            write_replay(site, places[release], editions[release], templates)
-        write_surroundings(site, editions, places, tables, templates, address, keeper)
-        site.write(".gitkeep", "")
+    draft: Draft
+    shown: str
+    """The release whose pages are the first."""
+    editions: Mapping[str, Edition]
+    """Every release by its name, oldest first."""
+    templates: Templates
+    address: str
+    """Where it will lie; empty where that is not known."""
+    cache: DerivedCache
 
-    drawn = _draw(leaves, keeper, write_data)
-    for release in editions:
-        here = places[release]
-        names = {
-            "edition": editions[release],
-            "leaves": leaves[release],
-            "links": links[release],
-            "drawn": drawn[release],
-            "site_address": address,
-            "address": address and f"{address}{places[release]}",
-            "root": "../" if places[release] else "",
+    def write(self) -> None:
+        """Draw all figures, and write data and pages of all releases."""
+        folders = {release: f"{edition.project.results.name}/" for release, edition in self.editions.items()}
+        places = {**folders, self.shown: ""}
+        links = {release: _links(self.editions, places, release) for release in places}
+        contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
+        records = [chapter.results for edition in self.editions.values() for chapter in edition.chapters.values()]
+        tables = {results.source: rows_csv(results.record.rows) for results in records}
+
+        def write_data() -> None:
+            for release, place in places.items():
+                self._write_data(f"{place}data/", release, tables)
+                self.editions[release].extras.write(self.draft, place, self.templates)
+            write_root_files(self, places, tables)
+
+        drawn = _draw(contents, self.cache, write_data)
+        origins = json.dumps({results.source: _origin(results) for results in records}, ensure_ascii=False)
+        for release, place in places.items():
+            names = {
+                "contents": contents[release],
+                "links": links[release],
+                "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
+                "origins": origins,
+            }
+            self._write_pages(place, self.editions[release], names)
+
+    def _write_pages(self, place: str, edition: Edition, names: Mapping[str, Any]) -> None:
+        icon = edition.project.root / "assets" / ICON
+        known = {
+            "edition": edition,
+            "site_address": self.address,
+            "address": self.address and f"{self.address}{place}",
+            "root": "../" if place else "",
+            "card": CARD if CARD in self.draft.digests else "",
+            "icon": ICON if icon.is_file() else "",
             "citation": citation(),
-            "origins": json.dumps(_origins(editions), ensure_ascii=False),
-            "floors": json.dumps(_floors(editions[release])),
+            "floors": json.dumps(_floors(edition)),
+            **names,
         }
-        pages = {leaf.page.file: templates.layout("base.html.j2", {**names, "leaf": leaf}) for leaf in leaves[release]}
-        _write_pages(site, here, editions[release], _connected(pages, editions[release].chapters))
+        layout = partial(self.templates.layout, "base.html.j2")
+        pages = {content.page.file: layout({**known, "content": content}) for content in names["contents"]}
+        for file, html in _connected(pages, edition.chapters).items():
+            self.draft.write(f"{place}{file}", local(html, edition.project.release))
+        for path in (*(LAYOUT / name for name in BESIDE), *([icon] if icon.is_file() else [])):
+            self.draft.copy(f"{place}{path.name}", path)
+        for chapter in edition.chapters.values():
+            for download in chapter.section.downloads:
+                self.draft.write(f"{place}download/{download.name}", download.text)
+
+    def _write_data(self, folder: str, shown: str, tables: Mapping[str, bytes]) -> None:
+        """All that the pages of the release ``shown`` name: its own results and values, and those of the others.
+
+        ``tables`` are the rows of each record, by its file.
+        """
+        for release, edition in self.editions.items():
+            own, name = release == shown, edition.project.results.name
+            for chapter in edition.chapters.values():
+                path = chapter.results.path
+                for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
+                    self.draft.copy(f"{folder}{name}/{file.name}", file)
+                self.draft.write(f"{folder}{name}/{path.stem}.csv", tables[chapter.results.source])
+            values = edition.values_text if own else edition.uncompared_text
+            self.draft.write(f"{folder}{'' if own else f'{name}/'}{VALUES_FILE}", local(values, shown))
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -172,52 +222,41 @@ def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: st
     ]
 
 
-def _leaves(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Leaf]:
+def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
     names = {"releases": links}
-    return [Leaf(page, edition.texts(page, templates, names), chapters) for page, chapters in edition.pages.items()]
+    return [Content(page, edition.texts(page, templates, names), found) for page, found in edition.pages.items()]
 
 
 def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
-    """The words of one release's pages by file and anchor of their parts; of a figure those below it."""
-    leaves = _leaves(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
-    parts = {(leaf.page.file, part.anchor): part for leaf in leaves for part in leaf.parts}
-    return {place: _told(part) for place, part in parts.items()}
+    """Return the words of one release's pages by file and anchor of their parts; of a figure those below it."""
+    contents = _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
+    parts = {(content.page.file, part.anchor): part for content in contents for part in content.parts}
+    return {place: _undrawn(part) for place, part in parts.items()}
 
 
-def _told(part: Prose) -> Markup:
+def _undrawn(part: Prose) -> Markup:
     figures = {figure.anchor: figure.undrawn for figure in part.figures}
     return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
 
 
 def _draw(
-    leaves: Mapping[str, Sequence[Leaf]], keeper: Keeper, meanwhile: Callable[[], None]
-) -> dict[str, dict[str, Markup]]:
-    """The figures of each release by their ids; one that several pages show is drawn once, and ``meanwhile`` done."""
+    contents: Mapping[str, Sequence[Content]], cache: DerivedCache, meanwhile: Callable[[], None]
+) -> dict[tuple[str, str], Markup]:
+    """The figures by release and id; one that several pages show is drawn once, and ``meanwhile`` done."""
     placed = {
         (release, figure.anchor): figure
-        for release, found in leaves.items()
-        for leaf in found
-        for prose in leaf.parts
+        for release, found in contents.items()
+        for content in found
+        for prose in content.parts
         for figure in prose.figures
     }
-    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures} | keeper.beside.drawn()
+    pictures = {place: figure.pictures for place, figure in placed.items() if figure.pictures}
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
-    others = {
-        (release, anchor): figure
-        for release, found in leaves.items()
-        for leaf in found
-        for prose in leaf.parts
-        for anchor, figure in keeper.figures(release, prose.anchor).items()
-    }
-    to_draw = {
-        place: figure for place, figure in (others | placed).items() if figure.is_there and place not in pictures
-    }
+    wanted = cache.figures | placed
+    to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
     pictures |= zip(to_draw, draw_all(list(to_draw.values()), meanwhile), strict=True)
-    keeper.keep(pictures)
-    drawn: dict[str, dict[str, Markup]] = {release: {} for release in leaves}
-    for (release, anchor), figure in placed.items():
-        drawn[release][anchor] = figure.html(pictures.get((release, anchor)))
-    return drawn
+    cache.keep(pictures)
+    return {place: figure.html(pictures.get(place)) for place, figure in placed.items()}
 
 
 def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
@@ -236,14 +275,10 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
     return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
 
 
-def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
-    """By file of a record: what it was measured with, and when."""
-    chapters = [chapter for edition in editions.values() for chapter in edition.chapters.values()]
-    records = {chapter.results.source: chapter.results.record for chapter in chapters}
-    return {
-        source: f"Newton {record.origin.release}, {record.machine_text}, {record.time_text}"
-        for source, record in records.items()
-    }
+def _origin(results: Results) -> str:
+    """What a record was measured with, and when."""
+    record = results.record
+    return f"{config().edition(record.origin.release)}, {record.machine_text}, {record.time_text}"
 
 
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
@@ -252,45 +287,15 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}
 
 
-def _write_pages(site: Draft, folder: str, edition: Edition, pages: Mapping[str, str]) -> None:
-    for file, html in pages.items():
-        site.write(f"{folder}{file}", local(html, edition.project.release))
-    for name in ASSETS:
-        site.copy(f"{folder}{name}", edition.project.root / "assets" / name)
-    for chapter in edition.chapters.values():
-        for download in chapter.section.downloads:
-            site.write(f"{folder}download/{download.name}", download.text)
-
-
-def _write_data(
-    site: Draft, folder: str, shown: str, editions: Mapping[str, Edition], tables: Mapping[str, bytes]
-) -> None:
-    """All that the page of the release ``shown`` names: its own results and values, and those of the others.
-
-    ``tables`` are the rows of each record, by its file.
-    """
-    for release, edition in editions.items():
-        own = release == shown
-        for chapter in edition.chapters.values():
-            path = chapter.results.path
-            there = f"{folder}{path.parent.name}/"
-            for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
-                site.copy(f"{there}{file.name}", file)
-            site.write(f"{there}{path.stem}.csv", tables[chapter.results.source])
-        values = edition.values_text if own else edition.uncompared_text
-        site.write(f"{folder}{'' if own else f'newton-{release}/'}{VALUES_FILE}", local(values, shown))
-
-
 def _digest(project: Project, address: str) -> str:
     """Of all that the pages are made from."""
-    roots = {ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
+    roots = {LAYOUT.parent: ["."], ROOT: INPUTS[:-1], project.root: INPUTS}  # often the same, but for the results
     digests = [files_digest(_inputs(root, folders), root) for root, folders in roots.items()]
     place = (project.release, project.profile, project.own_release)  # and not where the folder lies
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
-    checkouts = [
-        package_version(project.of(release)) for release in project.releases
-    ]  # may be edited, and lie elsewhere
-    made_from = (place, address, package_versions(), surroundings(), versions, checkouts, digests)
+    # A checkout may be edited, and lie elsewhere.
+    checkouts = [package_version(project.of(release)) for release in project.releases]
+    made_from = (place, address, package_versions(), installed(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

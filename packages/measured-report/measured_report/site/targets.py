@@ -5,8 +5,9 @@ import re
 import secrets
 import shutil
 import subprocess
+import sys
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from measured_report import UsageError
@@ -102,57 +103,43 @@ def _remove_old(versions: Path, version: Path) -> None:
 def to_branch(copy: Path, place: str, site: Path) -> str:
     """Publish to a branch of a remote of the project's git repository, as its one commit.
 
-    Neither the working tree nor the index nor any local branch is touched. A branch that holds something else is left
-    alone.
+    The commit is made in a repository of its own, which is removed: neither the working tree nor the index nor any
+    branch is touched. A branch that holds something else is left alone.
     """
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
-    git = _Git(site.parent)
-    if remote not in git("remote").split() and not re.match(r"(https?|ssh|git|file)://|/|\.", remote):
+    ref, there = f"refs/heads/{branch}", f"{remote}, branch {branch}"
+    git = ["git", "-C", str(site.parent)]
+    if remote not in _run([*git, "remote"]).split() and not re.match(r"(https?|ssh|git|file)://|/|\.", remote):
         raise UsageError(f"TARGET=git:{place}: git knows no remote {remote}; TARGET=dir:PATH needs none")
-    ref = f"refs/heads/{branch}"
-    git("check-ref-format", "--branch", branch)
-    before = git("ls-remote", remote, ref).partition("\t")[0]
-    if before:
-        git("fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref)
-        if not git("log", "-1", "--format=%s", before).startswith(SUBJECT):
-            raise UsageError(
-                f"the branch {branch} of {remote} holds something that was not published; it was left alone"
-            )
-    (copy / ".nojekyll").touch()
+    _run([*git, "check-ref-format", "--branch", branch])
     with tempfile.TemporaryDirectory(prefix="publish-") as folder:
-        with_index = {"GIT_INDEX_FILE": f"{folder}/index"}
-        git("--work-tree", str(copy), "add", "--all", "--force", "--", str(copy), settings=with_index)
-        tree = git("write-tree", settings=with_index)
-    if before and git("rev-parse", f"{before}^{{tree}}") == tree:
-        return f"{remote}, branch {branch}, as before"
-    commit = git("commit-tree", tree, "-m", SUBJECT, settings=_author(git))
-    git("push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}")
-    return f"{remote}, branch {branch}"
+        made = ["git", "-C", folder]
+        _run([*made, "init", "--quiet", "--bare"])
+        objects = {"GIT_ALTERNATE_OBJECT_DIRECTORIES": f"{folder}/objects"}
+        before = _run([*git, "ls-remote", remote, ref]).partition("\t")[0]
+        if before:
+            _run([*git, "fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref])
+            if not _run([*git, "log", "-1", "--format=%s", before]).startswith(SUBJECT):
+                raise UsageError(
+                    f"the branch {branch} of {remote} holds something that was not published; it was left alone"
+                )
+        importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
+        _run([*importing, str(copy)], {"GIT_DIR": folder, **_author(git)})
+        commit, tree = _run([*made, "rev-parse", ref, f"{ref}^{{tree}}"]).split()
+        if before and _run([*git, "rev-parse", f"{before}^{{tree}}"]) == tree:
+            return f"{there}, as before"
+        _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}"], objects)
+    return there
 
 
-class _Git:
-    """Git in one repository; what it has against something is said in one line."""
-
-    def __init__(self, root: Path):
-        self.root = root
-
-    def __call__(self, *arguments: str, settings: Mapping[str, str] | None = None) -> str:
-        environment = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **(settings or {})}
-        # Set by a hook or another git, these would lead to another repository.
-        for name in ("GIT_DIR", "GIT_WORK_TREE"):
-            environment.pop(name, None)
-        settled = ["-c", "core.autocrlf=false", "-c", "core.safecrlf=false"]
-        return _run(["git", "-C", str(self.root), *settled, *arguments], "git", environment)
-
-
-def _author(git: _Git) -> dict[str, str]:
+def _author(git: list[str]) -> dict[str, str]:
+    """Who git says commits in the project; make, where it can't say."""
     try:
-        git("var", "GIT_COMMITTER_IDENT")
-        return {}
+        name, _, address = _run([*git, "var", "GIT_COMMITTER_IDENT"]).rpartition(">")[0].rpartition(" <")
     except UsageError:
-        who = {"NAME": "make publish", "EMAIL": "publish@localhost"}
-        return {f"GIT_{role}_{part}": value for role in ("AUTHOR", "COMMITTER") for part, value in who.items()}
+        name, address = "make publish", "publish@localhost"
+    return {"GIT_COMMITTER_NAME": name, "GIT_COMMITTER_EMAIL": address}
 
 
 def to_rsync(copy: Path, place: str, site: Path) -> str:
@@ -163,15 +150,15 @@ def to_rsync(copy: Path, place: str, site: Path) -> str:
         raise UsageError(f"{place} holds something that was not published there; it was left alone")
     options = ["--recursive", "--times", "--perms", "--checksum", "--protect-args", "--delay-updates"]
     # Pages come last, so that what they show is there before them, and what nobody names any more goes after them.
-    _run(["rsync", *options, "--exclude=*.html", f"{copy}/", place], "rsync")
-    _run(["rsync", *options, "--delete-delay", f"{copy}/", place], "rsync")
+    _run(["rsync", *options, "--exclude=*.html", f"{copy}/", place])
+    _run(["rsync", *options, "--delete-delay", f"{copy}/", place])
     return place
 
 
 def _rsync_names(place: str) -> set[str]:
     """What lies at a place already; nothing where there is no folder yet."""
     try:
-        listed = _run(["rsync", "--protect-args", "--list-only", place], "rsync")
+        listed = _run(["rsync", "--protect-args", "--list-only", place])
     except UsageError as error:
         if "No such file or directory" in str(error) or "change_dir" in str(error):
             return set()
@@ -179,17 +166,16 @@ def _rsync_names(place: str) -> set[str]:
     return {line.split(maxsplit=4)[4] for line in listed.splitlines() if len(line.split()) > 4} - {"."}
 
 
-def _run(command: list[str], name: str, environment: Mapping[str, str] | None = None) -> str:
-    """What a program prints; UsageError, with the line that says why, when it fails or is not there."""
+def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> str:
+    """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
+    name = "ghp-import" if "ghp_import" in command else command[0]
+    environment = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
+    for each in ("GIT_DIR", "GIT_WORK_TREE"):  # set by a hook or another git, these would lead to another repository
+        environment.pop(each, None)
+    pipe, environment = subprocess.PIPE, {**environment, **(settings or {})}
     try:
         done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            check=False,
-            env=environment,
-            stdin=subprocess.DEVNULL,
+            command, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe, text=True, errors="replace", env=environment
         )
     except FileNotFoundError:
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None

@@ -17,12 +17,10 @@ PLAIN_EXPONENTS = range(-4, 7)
 """Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
-LABELS = {"1": ""}
-"""Units that are written in another way than they are named."""
-
 
 def unit_label(unit: str) -> str:
-    return LABELS.get(unit, unit)
+    """A unit as it is written; a bare number has none."""
+    return "" if unit == "1" else unit
 
 
 def format_number(value: float | int | None, *, noise: float | None = None) -> str:

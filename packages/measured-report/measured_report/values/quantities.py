@@ -1,11 +1,14 @@
 """Quantities: numbers that know their unit and where they come from."""
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from markupsafe import Markup, escape
 
+from measured_report.files.config import config
 from measured_report.records.record import Origin
 from measured_report.values.format import format_code, format_most, format_number, unit_label
 
@@ -16,7 +19,29 @@ MOST, SAME = "most", "the same"
 
 def local(text: str, release: str) -> str:
     """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
-    return text.replace(f"newton-{release}/{VALUES_FILE}", VALUES_FILE)
+    return text.replace(f"{config().edition_folder(release)}/{VALUES_FILE}", VALUES_FILE)
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """Where a number of a record, or a whole trace, lies below the site's ``data/``."""
+
+    text: str
+    """Such as ``engine-1.4.0/friction.json#/rows/3/drag_n``."""
+
+    @property
+    def file(self) -> str:
+        return self.text.partition("#")[0]
+
+    @property
+    def cell(self) -> tuple[int, str] | None:
+        """Row and column; None for what is in no row."""
+        found = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
+        return (int(found[1]), found[2]) if found else None
+
+    @property
+    def is_trace(self) -> bool:
+        return "#" not in self.text
 
 
 @dataclass(frozen=True)
@@ -26,7 +51,7 @@ class Quantity:
     value: float | int | None
     unit: str
     source: str
-    """Pointer below the site's ``data/``, such as ``newton-1.4.0/friction.json#/rows/3/slip_mm``; empty for a number
+    """Pointer below the site's ``data/``, such as ``engine-1.4.0/friction.json#/rows/3/drag_n``; empty for a number
     that no file has a place for."""
     reason: str = ""
     """Why there is no number, where there is none."""
@@ -58,20 +83,19 @@ class Quantity:
     @property
     def most(self) -> Markup:
         """The number with its unit, where the words say *at most* or *within*."""
-        return self._with_unit(self._written(format_most(self.value, noise=self.noise), ("data-as", MOST)))
+        return self._with_unit(self._written(format_most(self.value, noise=self.noise), MOST))
 
     def beside(self, other: "Quantity") -> Markup:
         """The number with its unit, or *the same* where it is written like ``other``, which stands before it."""
         is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
-        return self._written(SAME, ("data-as", other.source)) if is_same and other.source else self.__html__()
+        return self._written(SAME, other.source) if is_same and other.source else self.__html__()
 
-    def _written(self, text: str, *more: tuple[str, str]) -> Markup:
+    def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
-        attributes |= dict(more)
-        if self._hint:
-            attributes["title"] = self._hint
+        attributes |= {"data-as": written_as} if written_as else {}
+        attributes |= {"title": self._hint} if self._hint else {}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
         return Markup(f"<data{written}>{escape(text)}</data>")
@@ -84,12 +108,14 @@ class Quantity:
         return self._with_unit(self.bare)
 
     def _with_unit(self, number: Markup) -> Markup:
-        label = "" if self.value is None else unit_label(self.unit)
-        return number + (Markup("&nbsp;") + label if label else "")
+        return number + (Markup("&nbsp;") + self._label if self._label else "")
 
     def __str__(self) -> str:
-        label = "" if self.value is None else unit_label(self.unit)
-        return f"{self.written} {label}".rstrip()
+        return f"{self.written} {self._label}".rstrip()
+
+    @property
+    def _label(self) -> str:
+        return "" if self.value is None else unit_label(self.unit)
 
 
 def absent(unit: str, reason: str) -> Quantity:
@@ -119,13 +145,8 @@ class Value(Quantity):
     @property
     def entry(self) -> dict:
         """What the site's values file says of it."""
-        entry = {
-            "value": self.value,
-            "unit": self.unit,
-            "noise": self.noise,
-            "formula": self.formula,
-            "sources": list(self.sources),
-        }
+        entry: dict[str, Any] = {name: getattr(self, name) for name in ("value", "unit", "noise", "formula")}
+        entry["sources"] = list(self.sources)
         return entry | ({"reason": self.reason} if self.reason else {})
 
 

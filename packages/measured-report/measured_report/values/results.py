@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from measured_report import ReportError
+from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Origin, Record
 from measured_report.records.traces import load_trace, trace_path
@@ -41,7 +42,7 @@ class Series:
 
 
 class Row:
-    """One row of a record: ``row.slip_mm`` is a Quantity; text and yes or no stay as they are.
+    """One row of a record: ``row.drag_n`` is a Quantity; text and yes or no stay as they are.
 
     What the record's other rows have and this one lacks is an absent Quantity, or no text. A row that the record lacks
     has nothing but the name of its case.
@@ -128,7 +129,7 @@ class Results:
     @property
     def edition(self) -> str:
         """Label of the edition that it belongs to."""
-        return self.path.parent.name.removeprefix("newton-")
+        return config().edition_in(self.path.parent.name)
 
     @property
     def source(self) -> str:
@@ -138,9 +139,11 @@ class Results:
     @cached_property
     def rows(self) -> list[Row]:
         """All rows but those that are damaged in what tells them apart."""
-        whole = _whole(self.record)
-        there = (index for index, is_whole in enumerate(whole) if is_whole)
-        return [Row(self.record, index, self.source, floors=self.floors) for index in there]
+        return [
+            Row(self.record, index, self.source, floors=self.floors)
+            for index, is_whole in enumerate(_whole(self.record))
+            if is_whole
+        ]
 
     @cached_property
     def row(self) -> Rows:

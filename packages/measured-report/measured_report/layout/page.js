@@ -203,7 +203,7 @@ function explain(number, origins, floors) {
   const [file, pointer] = source.split("#");
   const parts = pointer.split("/");
   const isDerived = file.endsWith("values.json");
-  const folder = file.includes("/") ? file.split("/")[0] : `newton-${metaOf("release")}`;
+  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
   const record = isDerived ? `${folder}/${parts[1]}.json` : file;
   const noise = isDerived || number.value === "" ? null : noiseOf(floors, parts.at(-1), Number(number.value));
   const exact = document.createElement("b");

@@ -1,4 +1,4 @@
-"""Reading a page of a built site, as far as it is checked."""
+"""The page reader: what a page of a built site holds, as far as it is checked."""
 
 from dataclasses import dataclass
 from html.parser import HTMLParser
@@ -27,8 +27,8 @@ class Drawn:
     """Whether it stands at an axis, where numbers are places and not measurements."""
 
 
-class Reading(HTMLParser):
-    """What a page holds, as far as it is checked."""
+class PageReader(HTMLParser):
+    """Reads the HTML of a page."""
 
     def __init__(self, html: str):
         super().__init__()

@@ -1,0 +1,55 @@
+"""Extras: what a report shows besides its sections and the words of its pages.
+
+``report.toml`` names a module that has these under the same names; without one a report has none of it.
+"""
+
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from measured_report.files.config import config
+from measured_report.files.staging import Draft
+
+if TYPE_CHECKING:
+    from measured_report.deriving.cache import DerivedCache
+    from measured_report.deriving.editions import Edition
+    from measured_report.pages.page import Templates
+    from measured_report.parts.parts import Section
+
+
+class Extras:
+    """Those of one edition."""
+
+    picture = ""
+    """Address of the picture that others show with a link to its pages, seen from them; empty: that of ``card``."""
+
+    def __init__(self, edition: "Edition"):
+        self.edition = edition
+
+    def names(self, section: "Section") -> Mapping[str, Any]:
+        """Return what texts of pages can name; ``section`` is what the report's ``story`` derived for this one."""
+        return {}
+
+    def write(self, site: Draft, folder: str, templates: "Templates") -> None:
+        """Put further files and pages into the ``folder`` of the edition's pages."""
+
+
+def card(editions: Mapping[str, "Edition"], cache: "DerivedCache") -> bytes | None:
+    """Return the picture, as PNG, that others show with a link to the site."""
+    return None
+
+
+def name_of(case: str) -> str:
+    """Return what a case is called in words."""
+    return case.replace("-", " ").replace("_", " ")
+
+
+def scripts() -> Sequence[str]:
+    """Return the texts of the scripts that a page may have in it; ``page.js`` lies beside the pages."""
+    return ()
+
+
+def extras() -> ModuleType:
+    """Import the module that the report names."""
+    return import_module(config().extras)

@@ -1,0 +1,41 @@
+"""Quick results: which of their claims full runs answer otherwise, and the mark that these get."""
+
+from collections.abc import Mapping
+
+from markupsafe import Markup
+
+from measured_report.claims.claims import Claim
+from measured_report.deriving.chapters import Chapters, Releases
+from measured_report.files.config import config
+
+MARK = Markup('<span class="badge" title="{} in full runs: {}">{} in full runs</span> ')
+
+
+def marks_of(quick: Releases, full: Releases) -> dict[str, dict[str, Markup]]:
+    """Return a mark for each claim of quick results that is another one in full runs, by edition and ``section.claim``.
+
+    That is so where the edition has full results as well, and may be so where another one has both.
+    """
+    differing = {release: _differing(quick[release], full[release]) for release in quick if release in full}
+    found: dict[str, dict[str, Markup]] = {}
+    for release in quick:
+        others = (each for each in differing if each != release and release not in full)
+        known = [(release, "otherwise"), *((each, "perhaps otherwise") for each in others)]
+        found[release] = {
+            name: MARK.format(config().edition(place), said, word)
+            for place, word in reversed(known)
+            for name, said in differing.get(place, {}).items()
+        }
+    return found
+
+
+def _differing(quick: Chapters, full: Chapters) -> dict[str, str]:
+    """What full runs say to each claim, by ``section.claim``, that has another outcome in quick ones."""
+    sides = _claims(quick), _claims(full)
+    shared = sides[0].keys() & sides[1].keys()
+    return {name: sides[1][name].text for name in shared if len({side[name].outcome.name for side in sides}) > 1}
+
+
+def _claims(chapters: Chapters) -> Mapping[str, Claim]:
+    told = (chapter for chapter in chapters.values() if not chapter.compares)
+    return {f"{chapter.name}.{claim.name}": claim for chapter in told for claim in chapter.section.claims}

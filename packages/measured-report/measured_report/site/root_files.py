@@ -1,0 +1,80 @@
+"""Files at the root of the site, which it has once: feed, site map, picture for links, and all data in one file."""
+
+import re
+import uuid
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from measured_report import ROOT
+from measured_report.changes.flips import flips_between
+from measured_report.deriving.editions import Edition
+from measured_report.deriving.extras import extras
+from measured_report.files.config import config
+from measured_report.site.archive import ARCHIVE, archived
+
+if TYPE_CHECKING:
+    from measured_report.site.site import Site
+
+CARD = "card.png"
+TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")
+CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One entry of the feed."""
+
+    id: str
+    """The same for the same news, wherever the site lies."""
+    title: str
+    text: str
+    address: str
+    """Below the site."""
+    updated: str
+
+
+def citation() -> dict[str, str]:
+    """Read what CITATION.cff says, each key's first line."""
+    found = CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    return dict(reversed(found))
+
+
+def write_root_files(site: "Site", places: Mapping[str, str], tables: Mapping[str, bytes]) -> None:
+    """Write all that the site has once; ``places`` of the editions' pages in it, and rows of records by their files."""
+    pages = (f"{places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages)
+    entries = sorted(_entries(site.editions, places), key=lambda entry: entry.updated, reverse=True)
+    names = {"address": site.address, "pages": sorted(pages), "citation": citation(), "id": _id(""), "entries": entries}
+    for file in TEMPLATES:
+        site.draft.write(file, site.templates.layout(f"{file}.j2", names))
+    site.draft.copy("license.txt", ROOT / "LICENSE")
+    if card := extras().card(site.editions, site.cache):
+        site.draft.write(CARD, card)
+    site.draft.write(ARCHIVE, archived(site.editions, tables, site.templates))
+    site.draft.write(".gitkeep", "")
+
+
+def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[Entry]:
+    before: Edition | None = None
+    for release, edition in editions.items():
+        if not edition.chapters:
+            continue
+        name, place = config().edition(release), places[release]
+        dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
+        claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
+        text = claims[0].text if claims else ""
+        yield Entry(_id(release), name, text, f"{place}index.html", max(dates.values()))
+        for flip in flips_between(before.chapters, edition.chapters) if before else ():
+            title = f"{name}: {flip.claim}, {flip.outcomes}"
+            where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
+            yield Entry(_id(f"{release}/{flip.claim}"), title, flip.after.text, where, dates[flip.section])
+        before = edition
+
+
+def _id(key: str) -> str:
+    return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'{config().name}/{key}')}"
+
+
+def _date(text: str) -> str:
+    return datetime.fromisoformat(text).isoformat(timespec="seconds")

@@ -1,0 +1,101 @@
+"""What this report shows besides its sections: cards, clips, the replay, and the picture of links to it."""
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from measured_report.deriving import extras
+from measured_report.deriving.cache import DerivedCache
+from measured_report.deriving.editions import Edition, results_digest
+from measured_report.files.staging import Draft
+from measured_report.pages.page import Templates
+from measured_report.parts.parts import Section
+from measured_report.values.quantities import Quantity
+from report.media.clips import Clips, clips_of
+from report.media.replay import REPLAY, replay_page, script
+from report.names import name_of
+from report.story.cards import cards_of
+from report.story.found import Found
+
+__all__ = ["Extras", "card", "name_of", "scripts"]
+MEDIA = Path(__file__).with_name("media")
+CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
+"""What the picture of links shows of each release, by its name there."""
+
+
+class Extras(extras.Extras):
+    """Those of one edition."""
+
+    @cached_property
+    def clips(self) -> Clips | None:
+        """Its clips; None when there are none that can be shown."""
+        return clips_of(self.edition.project)
+
+    @cached_property
+    def replay(self) -> dict[str, Any] | None:
+        """The runs of its replay; None where they are not kept."""
+        if "poses" not in self.edition.chapters:
+            return None
+        project, results = self.edition.project, self.edition.chapters["poses"].results
+
+        def make() -> dict[str, Any] | None:
+            from report.media.packed import replayed_runs  # it takes NumPy, which takes long to import
+
+            return replayed_runs(results)
+
+        name = f"{project.profile}.{project.release}.replay"
+        return self.edition.cache.value(name, MEDIA / "packed.py", [results_digest(results)], make)
+
+    @property
+    def picture(self) -> str:  # type: ignore[override]
+        """The long exposure among the clips."""
+        return self.clips.picture if self.clips else ""
+
+    def names(self, section: Section) -> Mapping[str, Any]:
+        found = Found(self.edition.chapters)
+        return {
+            "does_slip": found.does_slip,
+            "value": found.value,
+            "cell": found.cell,
+            "overview": "overview" in section.figures,
+            "cards": cards_of(self.edition.chapters),
+            "clips": self.clips,
+            "replay": REPLAY if self.replay else "",
+        }
+
+    def write(self, site: Draft, folder: str, templates: Templates) -> None:
+        """Put the clips below ``data/``, and the replay; what was not kept or not made is left out."""
+        for file in self.clips.files if self.clips else ():
+            site.copy(f"{folder}data/{self.edition.project.results.name}/{file.name}", file)
+        if self.replay:
+            poses = self.edition.chapters["poses"]
+            site.write(
+                f"{folder}{REPLAY}", replay_page(self.edition.project, poses, self.replay, self.clips, templates)
+            )
+
+
+def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
+    """Draw the slip of every edition."""
+    slips = {release: _slips(edition) for release, edition in editions.items()}
+
+    def make() -> bytes:
+        from report.media.card import draw_card  # it takes Matplotlib, which takes long to import
+
+        return draw_card(slips)
+
+    given = [f"{release} {slip}" for release, pair in slips.items() for slip in pair.items()]
+    return cache.value("card", MEDIA / "card.py", given, make)
+
+
+def _slips(edition: Edition) -> dict[str, Quantity | None]:
+    found: dict[str, Quantity | None] = {}
+    for label, case in CARD_CASES.items():
+        rows = (chapter.results.row for chapter in edition.chapters.values())
+        there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
+        found[label] = next((row.slip_mm for row in there), None)
+    return found
+
+
+def scripts() -> Sequence[str]:
+    return (script(),)
