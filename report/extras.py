@@ -9,8 +9,8 @@ from measured_report.deriving import extras
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, results_digest
 from measured_report.files.staging import Draft
-from measured_report.pages.page import Templates
-from measured_report.parts.parts import Section
+from measured_report.pages.prose import Templates
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from report.media.clips import Clips, clips_of
 from report.media.replay import REPLAY, replay_page, script

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from measured_report import ReportError
-from measured_report.claims.claims import Outcome, within
+from measured_report.claims.claim import Outcome, within
 from measured_report.deriving.editions import Edition
 from measured_report.values.quantities import Quantity, absent
 

@@ -18,13 +18,13 @@ from measured_report import ROOT
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
-from measured_report.files.files import locked
-from measured_report.pages.page import Templates
+from measured_report.files.atomic import locked
+from measured_report.pages.prose import Templates
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
-from measured_report.site.site import build
+from measured_report.site.build import build
 
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
@@ -32,9 +32,9 @@ settings.register_profile("project", deadline=None, derandomize=True)  # the sam
 settings.load_profile("project")
 
 MODULE = """
-from measured_report.claims.claims import Claim, at_least
+from measured_report.claims.claim import Claim, at_least
 from measured_report.parts.figures import new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 import pandas as pd
 
 order = 1
@@ -90,7 +90,7 @@ REPORT = """
 import sys
 from pathlib import Path
 from measured_report.editions.project import Project, own_release
-from measured_report.site.site import build
+from measured_report.site.build import build
 
 build(Project(own_release(), root=Path(sys.argv[1])))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))

@@ -9,7 +9,7 @@ import pytest
 
 from measured_report import ROOT, UsageError
 from measured_report.commands import options
-from measured_report.parts.parts import UNDRAWN
+from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 
 

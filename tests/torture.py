@@ -29,9 +29,9 @@ from batches import is_running  # noqa: E402
 from damage import RECORD_WAYS, TRACE_WAYS, damage  # noqa: E402
 from torture_study import studies  # noqa: E402
 
+from measured_report.files.atomic import RecordError, is_own_file  # noqa: E402
 from measured_report.files.cache import FOLDER as CACHE  # noqa: E402
 from measured_report.files.cache import Cache  # noqa: E402
-from measured_report.files.files import RecordError, is_own_file  # noqa: E402
 from measured_report.files.staging import remove  # noqa: E402
 from measured_report.records.identity import files_digest  # noqa: E402
 from measured_report.records.reading import load_record  # noqa: E402
@@ -54,7 +54,7 @@ def measure(conditions: Conditions) -> Measurement:
     rows = [{"case": "probe", "slip_mm": 1.0}]
     return Measurement(rows, {f"probe-{number}": {"time_s": [0.0, 1.0], "x_mm": [0.0, 1.0]} for number in range(20)})
 """,
-    "report/sections/probe.py": """from measured_report.parts.parts import Section
+    "report/sections/probe.py": """from measured_report.parts.section import Section
 
 order = 999
 

@@ -24,13 +24,13 @@ import pandas as pd
 from measured_report import ROOT
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project, own_release
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 from measured_report.sensitivity.perturbed import load_trace_once
+from measured_report.site.build import build, undrawn
 from measured_report.site.check import check_site
-from measured_report.site.site import build, undrawn
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
 SOURCES = ("experiments", "report", "templates", "assets")

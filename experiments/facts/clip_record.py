@@ -7,7 +7,7 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
-from measured_report.files.files import RecordError
+from measured_report.files.atomic import RecordError
 from measured_report.records.identity import Identity, changes, files_digest, identity_at
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record

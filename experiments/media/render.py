@@ -29,7 +29,7 @@ from experiments.media.clips import (
 from experiments.simulation.host import warp_device
 from measured_report import ReportError
 from measured_report.editions.project import PROFILES, Project, own_release
-from measured_report.files.files import atomic_file
+from measured_report.files.atomic import atomic_file
 from measured_report.measuring.machine import commit, machine
 from measured_report.records.columns import units_of
 from measured_report.records.reading import load_record

@@ -10,7 +10,7 @@ from experiments.facts.case import AS_SHIPPED, CaseError
 from experiments.poses import CUBE_POSE, JOINTS
 from experiments.simulation.scene import build_scene
 from experiments.simulation.task import FRAME_RATE
-from measured_report.files.files import RecordError
+from measured_report.files.atomic import RecordError
 from measured_report.records.traces import load_trace
 
 

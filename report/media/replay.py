@@ -12,7 +12,7 @@ from markupsafe import Markup
 from measured_report import ROOT
 from measured_report.deriving.chapters import Chapter
 from measured_report.editions.project import Project
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.values.format import format_number
 from measured_report.values.quantities import local
 from report.media.clips import Clips

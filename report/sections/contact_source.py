@@ -1,6 +1,6 @@
 """Who finds the contacts, how often, on which shape, and which engine solves them."""
 
-from measured_report.parts.parts import Section
+from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.variants import variant_section, variants_of
 

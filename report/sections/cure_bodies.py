@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most
-from measured_report.parts.parts import Section, Table
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, share, size_difference, size_share, table_of

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, at_least, at_most
+from measured_report.claims.claim import Claim, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results

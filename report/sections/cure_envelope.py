@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most
-from measured_report.parts.parts import Figure, Section
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_maps, held_slip, lost_count

@@ -7,9 +7,9 @@ from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report import ROOT
-from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import new_figure
-from measured_report.parts.parts import Download, Figure, Section
+from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.results import Results, Row, Series
 from report.names import name_of
 from report.shared.arithmetic import by_case, departure, noise_floor, other_cell, ratio, settles, share

@@ -8,9 +8,9 @@ from statistics import median
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, Outcome, at_least, at_most
+from measured_report.claims.claim import Claim, Outcome, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, some_html

@@ -6,9 +6,9 @@ from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stiffness.runs import FIX, SHIPPED, is_held

@@ -10,9 +10,9 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
-from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided
 from measured_report.parts.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import SETTLES, cell_count, extreme, noise_floor, ratio, resolved, table_of

@@ -2,8 +2,8 @@
 
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
-from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided
-from measured_report.parts.parts import Download, Section
+from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import SETTLES, Column, departure, other_cell, other_value, ratio, table_of

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most
+from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import cases_html

@@ -2,9 +2,9 @@
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.figures import SERIES, new_figure, say_value, write
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import share, table_of
 

@@ -1,7 +1,7 @@
 """Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
 
-from measured_report.claims.claims import Claim, within
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim, within
+from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import difference, ratio
 from report.shared.variants import Variants, variant_section, variants_of

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, at_least, at_most, decreases, within
+from measured_report.claims.claim import Claim, at_least, at_most, decreases, within
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, say_value, write
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
 from report.names import name_of
 from report.shared.arithmetic import by_case, noise_floor, share, spread

@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import (
     by_case,

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
-from measured_report.claims.claims import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_or_absent, table_of

@@ -7,9 +7,9 @@ from statistics import fmean
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.claims.claim import NEAR_NOISE, Claim, all_of, at_most, within
 from measured_report.parts.figures import INK, SERIES, new_figure
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from measured_report.claims.claims import Claim, at_most
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim, at_most
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.names import case_html

@@ -6,9 +6,9 @@ from typing import Any
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most, greater
+from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import HOLDS, Claim, all_of, at_least, at_most, equal_within, greater, within
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, equal_within, greater, within
 from measured_report.parts.figures import SERIES, new_figure
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.names import name_of

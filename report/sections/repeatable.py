@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from markupsafe import Markup
 
-from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.names import worlds_name

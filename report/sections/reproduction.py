@@ -8,9 +8,9 @@ from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.classes import cycle_increments
-from measured_report.claims.claims import HOLDS, Claim, Outcome, at_least, at_most
+from measured_report.claims.claim import HOLDS, Claim, Outcome, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row, Series
 from report.names import cases_html, name_of
 from report.shared.arithmetic import (

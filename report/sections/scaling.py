@@ -6,9 +6,9 @@ from itertools import takewhile
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, at_least, at_most
+from measured_report.claims.claim import Claim, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import departure, difference, excess, ratio, share, table_of

@@ -1,7 +1,7 @@
 """Is it the solver? Its convergence, its treatment of friction, and the time step."""
 
-from measured_report.claims.claims import Claim, within
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim, within
+from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import largest_size
 from report.shared.variants import Variants, variant_section, variants_of

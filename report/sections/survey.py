@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from itertools import zip_longest
 
-from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from measured_report.deriving.chapters import Releases
-from measured_report.parts.parts import Section, Table
+from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, cell_count, table_of

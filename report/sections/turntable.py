@@ -7,9 +7,9 @@ from typing import Any
 from matplotlib.figure import Figure as Drawing
 
 from measured_report import ROOT
-from measured_report.claims.claims import FAILS, Claim, all_of, at_least, at_most, greater
+from measured_report.claims.claim import FAILS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.parts import Download, Figure, Section
+from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from measured_report.claims.claims import Claim, all_of, at_least, at_most
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, departure, extreme, ratio, table_of

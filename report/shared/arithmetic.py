@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from measured_report.claims.claims import FAILS, Claim, Outcome, at_least, at_most
-from measured_report.parts.parts import Table
+from measured_report.claims.claim import FAILS, Claim, Outcome, at_least, at_most
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.figures import INK, SERIES, fold, is_narrow, new_figure, write
-from measured_report.parts.parts import Figure
+from measured_report.parts.section import Figure
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.names import name_of

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import NEAR_NOISE, Claim, Outcome, greater, within
+from measured_report.claims.claim import NEAR_NOISE, Claim, Outcome, greater, within
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of

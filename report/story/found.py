@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from measured_report.claims.claims import FAILS, HOLDS, Claim
+from measured_report.claims.claim import FAILS, HOLDS, Claim
 from measured_report.deriving.chapters import Chapters
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Series

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from measured_report.claims.claims import HOLDS, Claim, all_of, greater
+from measured_report.claims.claim import HOLDS, Claim, all_of, greater
 from measured_report.deriving.chapters import Chapters
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from report.shared.overview import overview
 from report.story.figures import draw_still
 from report.story.found import Found

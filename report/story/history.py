@@ -9,7 +9,7 @@ from measured_report.changes.flips import FlipList, decided_flips
 from measured_report.changes.history import Point, points
 from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
-from measured_report.parts.parts import Section, Table
+from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import Quantity, absent

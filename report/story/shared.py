@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
+from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
 from measured_report.values.quantities import Quantity
 from report.story.found import Found
 

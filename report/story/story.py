@@ -5,9 +5,9 @@ from dataclasses import replace
 import pandas as pd
 from markupsafe import Markup
 
-from measured_report.claims.claims import HOLDS, Claim, all_of, at_least, at_most
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.deriving.chapters import Chapters
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity
 from report.story.figures import draw_mechanism, draw_suspects, draw_walk
 from report.story.found import Found

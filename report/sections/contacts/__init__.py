@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, all_of, at_most, decided, greater
+from measured_report.claims.claim import Claim, all_of, at_most, decided, greater
 from measured_report.parts.figures import INK, SERIES, new_figure
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row, Series
 from report.names import name_of

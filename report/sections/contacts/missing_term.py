@@ -1,7 +1,7 @@
 """The acceleration that contact rows leave out: what it accounts for, and the runs that have it put back."""
 
-from measured_report.claims.claims import OPPOSITE, Claim, Outcome, all_of, at_least, at_most, greater, same_sign
-from measured_report.parts.parts import Table
+from measured_report.claims.claim import OPPOSITE, Claim, Outcome, all_of, at_least, at_most, greater, same_sign
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.names import case_html

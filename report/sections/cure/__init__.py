@@ -6,8 +6,8 @@ from itertools import pairwise
 
 from markupsafe import Markup
 
-from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
-from measured_report.parts.parts import Figure, Section
+from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.names import some_html

@@ -7,9 +7,9 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claims import Claim, at_least
+from measured_report.claims.claim import Claim, at_least
 from measured_report.parts.figures import INK, SERIES, new_figure
-from measured_report.parts.parts import Table
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.sections.cure.ways import GRASP_MM, WAYS, Way

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_most, greater, within
-from measured_report.parts.parts import Table
+from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_most, greater, within
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import worlds_name

@@ -5,8 +5,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claims import HOLDS
-from measured_report.parts.parts import Figure, Section, Table
+from measured_report.claims.claim import HOLDS
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims
 from report.sections.error_runtime.counting import counts, hit_iteration_limit

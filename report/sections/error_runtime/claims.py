@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from measured_report.claims.claims import Claim, Outcome, all_of, at_least, at_most, decided, greater
+from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided, greater
 from measured_report.values.quantities import Value
 from report.sections.error_runtime.counting import counts
 from report.sections.error_runtime.runs import (

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.claims.claims import Claim, all_of, at_least, at_most, decided, greater, within
+from measured_report.claims.claim import Claim, all_of, at_least, at_most, decided, greater, within
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 from report.sections.error_runtime.counting import counts, hit_iteration_limit

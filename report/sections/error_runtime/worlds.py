@@ -3,8 +3,8 @@
 import numpy as np
 from markupsafe import Markup
 
-from measured_report.claims.claims import Claim, all_of, contiguous, greater
-from measured_report.parts.parts import Figure
+from measured_report.claims.claim import Claim, all_of, contiguous, greater
+from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
 from measured_report.values.results import Row
 from report.sections.error_runtime.figures import draw_worlds

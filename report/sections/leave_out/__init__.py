@@ -4,8 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from measured_report.claims.claims import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.names import case_html, cases_html, worlds_name

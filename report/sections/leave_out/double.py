@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from measured_report.claims.claims import Claim, at_most
-from measured_report.parts.parts import Table
+from measured_report.claims.claim import Claim, at_most
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, cases_html

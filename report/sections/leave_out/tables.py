@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.figures import INK, SERIES, new_figure, say_value, write
-from measured_report.parts.parts import Figure, Table
+from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.claims.claims import (
+from measured_report.claims.claim import (
     HOLDS,
     Claim,
     Outcome,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.claims.claims import (
+from measured_report.claims.claim import (
     FAILS,
     OPPOSITE,
     Claim,

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.parts.parts import Figure, Section
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.sections.stiffness.cause import cause, drift_follows_timeconst, not_creep_under_load

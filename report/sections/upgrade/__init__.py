@@ -5,9 +5,9 @@ from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.changes.query import Query
-from measured_report.claims.claims import FAILS, Claim, Outcome, decided
+from measured_report.claims.claim import FAILS, Claim, Outcome, decided
 from measured_report.deriving.chapters import Releases
-from measured_report.parts.parts import Section
+from measured_report.parts.section import Section
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from measured_report.changes.costs import is_cost
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
-from measured_report.claims.claims import HOLDS, Outcome, beyond
+from measured_report.claims.claim import HOLDS, Outcome, beyond
 from measured_report.deriving.chapters import Releases
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results

@@ -10,7 +10,7 @@ from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
 from measured_report.files.config import config
 from measured_report.parts.figures import new_figure, say_value, write
-from measured_report.parts.parts import Figure, Table
+from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value

@@ -22,7 +22,7 @@ from measured_report.commands.options import FORMATS
 from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 

@@ -20,7 +20,7 @@ from measured_report.commands import command_line as build
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.stack import stack_of
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 

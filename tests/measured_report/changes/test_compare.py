@@ -11,15 +11,15 @@ from conftest import MODULE, ROWS, TEMPLATE, Toy
 from measured_report import ROOT
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.flips import flips_between
-from measured_report.claims.claims import FAILS, HOLDS, Claim, Outcome, at_most, greater
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.commands import command_line as build
 from measured_report.deriving.editions import derive_edition, editions_of
 from measured_report.editions.environment import requirements
 from measured_report.editions.project import Project
 from measured_report.editions.stack import stack_of
 from measured_report.editions.status import status_matrix
-from measured_report.pages.page import Templates
-from measured_report.parts.parts import Section
+from measured_report.pages.prose import Templates
+from measured_report.parts.section import Section
 from measured_report.records.provenance import MISSING
 from measured_report.records.reading import load_record
 from measured_report.records.record import Origin, write_record
@@ -263,7 +263,7 @@ def upgraded(toy) -> Toy:
     floor = 'results.value("{0}_floor", "chosen", lambda: 0.01, unit="{1}")'
     toy.write(
         "report/sections/noise.py",
-        "from measured_report.parts.parts import Section\n\norder = 0\n\n\ndef derive(results):\n"
+        "from measured_report.parts.section import Section\n\norder = 0\n\n\ndef derive(results):\n"
         f"    {floor.format('slip', 'mm')}\n    {floor.format('drift', 'mm/s')}\n    return Section()\n",
     )
     toy.write("templates/sections/noise.md.j2", "# Noise\n")

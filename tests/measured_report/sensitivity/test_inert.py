@@ -12,7 +12,7 @@ from conftest import TEMPLATE
 
 from measured_report import ROOT, ReportError
 from measured_report.claims.citations import references
-from measured_report.claims.claims import HOLDS
+from measured_report.claims.claim import HOLDS
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
 from measured_report.sensitivity.inert import surveys

@@ -14,7 +14,7 @@ from measured_report import ROOT
 from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project
 from measured_report.files.staging import Draft
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.reading import load_record
 from measured_report.records.traces import trace_path
 from measured_report.site.check import check_self_contained

@@ -10,9 +10,9 @@ import pytest
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.task import FRAME_RATE
 from measured_report import ROOT
-from measured_report.claims.claims import FAILS, HOLDS, Outcome
-from measured_report.pages.page import Templates
-from measured_report.pages.pages import FRONT
+from measured_report.claims.claim import FAILS, HOLDS, Outcome
+from measured_report.pages.outline import FRONT
+from measured_report.pages.prose import Templates
 from measured_report.site.check import check_site
 from report.sections.reproduction import SCENE
 from report.story.found import Found

@@ -14,10 +14,10 @@ from measured_report.deriving.editions import Edition, derive_edition
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, releases_between, stack_of
 from measured_report.editions.status import state_of
+from measured_report.files.atomic import locked
 from measured_report.files.config import config
-from measured_report.files.files import locked
 from measured_report.measuring.measure import measure
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.provenance import MISSING
 from measured_report.records.record import Record
 from measured_report.values.noise import NOISE

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from measured_report.claims.claims import Claim
+from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters
 from measured_report.files.config import config
 from measured_report.records.columns import column_of

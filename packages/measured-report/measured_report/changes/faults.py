@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from measured_report.changes.costs import cells
-from measured_report.claims.claims import Claim
+from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
 from measured_report.files.config import config

@@ -7,9 +7,9 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from measured_report.changes.costs import terms_of
-from measured_report.claims.claims import Claim
+from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters, Releases
-from measured_report.pages.pages import PAGES, Page
+from measured_report.pages.outline import PAGES, Page
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from measured_report.changes.costs import cost_terms
-from measured_report.claims.claims import NEAR_NOISE
+from measured_report.claims.claim import NEAR_NOISE
 from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of

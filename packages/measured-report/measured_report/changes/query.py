@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from measured_report.claims.claims import Claim
+from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters
 from measured_report.files.config import config
 from measured_report.records.columns import column_of

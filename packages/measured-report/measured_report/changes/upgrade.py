@@ -8,7 +8,7 @@ from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
-from measured_report.claims.claims import HOLDS
+from measured_report.claims.claim import HOLDS
 from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
 from measured_report.files.config import config

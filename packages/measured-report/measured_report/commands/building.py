@@ -20,7 +20,7 @@ from measured_report.measuring.measure import machines_besides, measure
 
 if TYPE_CHECKING:
     from measured_report.deriving.editions import Edition
-    from measured_report.site.site import Built
+    from measured_report.site.build import Built
 
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
@@ -108,7 +108,7 @@ def serve(project: Project, arguments: argparse.Namespace) -> int:
 
 def build_site(project: Project, address: str) -> tuple[bool, bool]:
     """Build the site, and say what it lacks; whether a record is damaged, and whether any is to be renewed."""
-    from measured_report.site.site import build
+    from measured_report.site.build import build
 
     releases = build(project, address)
     built = releases[project.release]

@@ -15,7 +15,7 @@ from measured_report.commands.options import EDITION, OPTIONS, flag
 from measured_report.commands.programs import programs
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
-from measured_report.files.files import recover
+from measured_report.files.atomic import recover
 from measured_report.files.suggestion import suggestion
 from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE

@@ -17,8 +17,8 @@ from measured_report.editions.environment import environment_of
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.stack import Stack, stack_of
 from measured_report.editions.status import states_of
+from measured_report.files.atomic import locked
 from measured_report.files.config import config
-from measured_report.files.files import locked
 from measured_report.files.suggestion import suggestion
 from measured_report.measuring.measure import kept_by, measure
 from measured_report.records.identity import sections
@@ -36,7 +36,7 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
     from measured_report.changes.compare import compare
     from measured_report.changes.upgrade import base_of, unmeasured, verdict
     from measured_report.deriving.editions import editions_of
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or stack_of(base_of(project) or project.own_release)
@@ -98,7 +98,7 @@ def printing_to_stderr() -> Iterator[None]:
 def bisect(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
     from measured_report.changes.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     refuse_lacking_ends(arguments, f"make bisect CLAIM={config().changes.example_claim} A=1.4.0 B=1.8.0")
     device = measuring_device(arguments.device, "quick")
@@ -153,7 +153,7 @@ def history(project: Project, arguments: argparse.Namespace) -> int:
     from measured_report.changes.history import flip_history, history
     from measured_report.changes.query import Query
     from measured_report.deriving.editions import editions_of
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     editions = editions_of(project, Templates(project.templates))
     releases = {release: edition.uncompared for release, edition in editions.items()}

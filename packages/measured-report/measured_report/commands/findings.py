@@ -16,7 +16,7 @@ def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome, what can't be trusted first; STRICT=1 makes that status 1."""
     from measured_report.changes.alarm import check, check_text
     from measured_report.deriving.editions import editions_of
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     refuse_unmeasured(project, arguments.stack)
     edition = editions_of(project, Templates(project.templates))[project.release]
@@ -31,7 +31,7 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     from measured_report.changes.alarm import diff_text
     from measured_report.changes.compare import compare
     from measured_report.deriving.editions import derive_edition
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
     stacks = arguments.a, arguments.b
@@ -48,7 +48,7 @@ def trace(project: Project, arguments: argparse.Namespace) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
     from measured_report.commands.trace import Provenance
     from measured_report.deriving.editions import editions_of
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     if not arguments.value:
         rules = config().changes
@@ -63,7 +63,7 @@ def trace(project: Project, arguments: argparse.Namespace) -> int:
 def verify(project: Project, arguments: argparse.Namespace) -> int:
     """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
     from measured_report.deriving.editions import derive_edition
-    from measured_report.pages.page import Templates
+    from measured_report.pages.prose import Templates
 
     if not config().changes.verify:
         raise UsageError("report.toml names no module that verifies the headline")

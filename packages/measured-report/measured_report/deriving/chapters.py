@@ -9,9 +9,9 @@ import msgspec
 from markupsafe import Markup
 
 from measured_report.editions.status import State
-from measured_report.pages.page import Prose
-from measured_report.pages.pages import Page
-from measured_report.parts.parts import Section
+from measured_report.pages.outline import Page
+from measured_report.pages.prose import Prose
+from measured_report.parts.section import Section
 from measured_report.values.results import Results
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report import ReportError
-from measured_report.claims.claims import HOLDS, Claim
+from measured_report.claims.claim import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.deriving.dependencies import Dependencies, Tracked
@@ -20,12 +20,12 @@ from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State, states_of
+from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
-from measured_report.files.files import RecordError, short_path
-from measured_report.pages.page import Prose, Templates, Text
-from measured_report.pages.pages import FRONT, PAGES, Page
+from measured_report.pages.outline import FRONT, PAGES, Page
+from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.parts.contradictions import refuse_contradictions
-from measured_report.parts.parts import Making, Section
+from measured_report.parts.section import Making, Section
 from measured_report.records.identity import files_digest, source_at
 from measured_report.records.traces import traces_of
 from measured_report.values.noise import NOISE, Floor, noise_floors

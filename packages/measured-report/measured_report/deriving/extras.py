@@ -14,8 +14,8 @@ from measured_report.files.staging import Draft
 if TYPE_CHECKING:
     from measured_report.deriving.cache import DerivedCache
     from measured_report.deriving.editions import Edition
-    from measured_report.pages.page import Templates
-    from measured_report.parts.parts import Section
+    from measured_report.pages.prose import Templates
+    from measured_report.parts.section import Section
 
 
 class Extras:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from markupsafe import Markup
 
-from measured_report.claims.claims import Claim
+from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.files.config import config
 

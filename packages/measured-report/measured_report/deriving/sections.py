@@ -7,8 +7,8 @@ from traceback import extract_tb
 
 from measured_report import ReportError
 from measured_report.deriving.chapters import Releases
-from measured_report.pages.pages import Page, page_of
-from measured_report.parts.parts import Section
+from measured_report.pages.outline import Page, page_of
+from measured_report.parts.section import Section
 from measured_report.records.identity import source_at
 from measured_report.values.results import Results
 

@@ -21,8 +21,8 @@ from pathlib import Path
 import measured_report
 from measured_report import ROOT, ReportError, UsageError
 from measured_report.editions.stack import Stack, release_date
+from measured_report.files.atomic import locked
 from measured_report.files.config import config, read_toml
-from measured_report.files.files import locked
 from measured_report.files.processes import end_with
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 

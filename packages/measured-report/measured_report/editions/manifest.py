@@ -7,8 +7,8 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
+from measured_report.files.atomic import RecordError, atomic_file, short_path
 from measured_report.files.config import config, read_toml
-from measured_report.files.files import RecordError, atomic_file, short_path
 
 NAME = "edition.toml"
 

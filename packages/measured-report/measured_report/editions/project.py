@@ -10,8 +10,8 @@ from pathlib import Path
 from measured_report import ROOT, ReportError
 from measured_report.editions.label import Label, read_label
 from measured_report.editions.manifest import Manifest, read_manifest
+from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
-from measured_report.files.files import RecordError
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
+from measured_report.files.atomic import RecordError
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
-from measured_report.files.files import RecordError
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import changes, identity_of, sections
 from measured_report.records.provenance import EDITED, MISSING, checkout_source, package_versions

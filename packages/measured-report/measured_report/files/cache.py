@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.files import RecordError, read_own_file
+from measured_report.files.atomic import RecordError, read_own_file
 
 FOLDER = ".cache"
 BYTE_LIMIT = 256 << 20

@@ -20,8 +20,8 @@ from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, release_date
 from measured_report.editions.status import expected_packages, records_of
+from measured_report.files.atomic import locked, refuse_unwritable
 from measured_report.files.config import config
-from measured_report.files.files import locked, refuse_unwritable
 from measured_report.files.processes import obey
 from measured_report.measuring.cluster_address import ClusterAddress
 from measured_report.records.identity import sections as all_sections

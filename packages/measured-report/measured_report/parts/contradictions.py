@@ -9,7 +9,7 @@ from pathlib import Path
 
 from measured_report import ReportError
 from measured_report.claims.citations import tomllib
-from measured_report.parts.parts import Section
+from measured_report.parts.section import Section
 
 NAME = "pairs.toml"
 KINDS = ("contradict", "needs")

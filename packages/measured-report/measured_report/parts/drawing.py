@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from markupsafe import Markup
 
 from measured_report.files.processes import workers
-from measured_report.parts.parts import Figure, Pictures
+from measured_report.parts.section import Figure, Pictures
 
 _figures: Sequence[Figure] = ()
 """What the worker processes draw; they are forks of this one, so that a figure can hold functions."""

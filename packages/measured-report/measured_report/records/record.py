@@ -10,8 +10,8 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
+from measured_report.files.atomic import RecordError, put_record, short_path
 from measured_report.files.config import config
-from measured_report.files.files import RecordError, put_record, short_path
 from measured_report.records.columns import (
     PLAIN,
     REASON,

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from measured_report.files.files import RecordError, is_own_file, read_own_file, short_path
+from measured_report.files.atomic import RecordError, is_own_file, read_own_file, short_path
 from measured_report.records.columns import PLAIN, column_of, number_problem, text_problem
 from measured_report.records.record import CASE, DIGITS, Record, Seal
 

@@ -11,8 +11,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claims import Claim
-from measured_report.parts.parts import Section
+from measured_report.claims.claim import Claim
+from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
 from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_tracked
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value

@@ -11,8 +11,8 @@ import pandas as pd
 from measured_report.deriving.chapters import Chapters
 from measured_report.deriving.editions import derive_section, editions_of
 from measured_report.editions.project import Project, own_release
-from measured_report.pages.page import Templates
-from measured_report.parts.parts import Section
+from measured_report.pages.prose import Templates
+from measured_report.parts.section import Section
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace

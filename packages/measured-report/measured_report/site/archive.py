@@ -10,7 +10,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.traces import traces_of
 from measured_report.values.quantities import VALUES_FILE

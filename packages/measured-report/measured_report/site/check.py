@@ -6,7 +6,7 @@ from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.deriving.extras import extras
-from measured_report.pages.page import LAYOUT
+from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader
 

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from measured_report import ReportError, UsageError
-from measured_report.files.files import locked
+from measured_report.files.atomic import locked
 from measured_report.site.check import check_site
 from measured_report.site.targets import MARK, TARGETS
 

@@ -15,7 +15,7 @@ from measured_report.files.config import config
 from measured_report.site.archive import ARCHIVE, archived
 
 if TYPE_CHECKING:
-    from measured_report.site.site import Site
+    from measured_report.site.build import Site
 
 CARD = "card.png"
 TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")

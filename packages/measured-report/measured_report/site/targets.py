@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from measured_report import UsageError
-from measured_report.files.files import locked
+from measured_report.files.atomic import locked
 from measured_report.files.staging import remove, replace
 from measured_report.records.identity import files_digest
 

@@ -17,7 +17,7 @@ from measured_report.deriving import dependencies
 from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import editions_of
 from measured_report.files.cache import FOLDER, Cache
-from measured_report.pages.page import LAYOUT, Templates
+from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
@@ -25,7 +25,7 @@ from measured_report.records.traces import packed
 
 READER = """
 from report.shared.arithmetic import other_value
-from measured_report.parts.parts import Section
+from measured_report.parts.section import Section
 from measured_report.values.results import Results
 
 order = 2
@@ -39,7 +39,7 @@ def derive(results):
     return Section()
 """
 ALONE = """
-from measured_report.parts.parts import Section
+from measured_report.parts.section import Section
 
 order = 3
 page = "limits"
@@ -206,7 +206,7 @@ import sys
 from pathlib import Path
 import report.sections
 from measured_report.editions.project import Project
-from measured_report.site.site import build
+from measured_report.site.build import build
 
 root = Path(sys.argv[1])
 report.sections.__path__ = [str(root / "report/sections"), *report.sections.__path__]
@@ -310,7 +310,7 @@ ELSEWHERE = """
 import sys
 from pathlib import Path
 from measured_report.editions.project import Project, own_release
-from measured_report.site.site import build
+from measured_report.site.build import build
 
 build(Project("1.5.0", root=Path(sys.argv[1]), own_release=own_release()))
 """

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
-from measured_report.claims.claims import (
+from measured_report.claims.claim import (
     FAILS,
     HOLDS,
     Claim,

@@ -179,7 +179,7 @@ BARE = """
 from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.site.check import check_site
-from measured_report.site.site import build
+from measured_report.site.build import build
 
 build(Project("1.4.0", root=Path.cwd()))
 print(*check_site(Path("site")), sep="\\n", end="")

@@ -33,7 +33,7 @@ from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter
-from measured_report.parts.parts import Figure
+from measured_report.parts.section import Figure
 
 LAYOUT = Path(__file__).resolve().parents[1] / "layout"
 """Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which

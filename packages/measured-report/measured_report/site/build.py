@@ -19,12 +19,12 @@ from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
+from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config
-from measured_report.files.files import locked
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
-from measured_report.pages.page import LAYOUT, Prose, Templates
-from measured_report.pages.pages import FRONT, Page
+from measured_report.pages.outline import FRONT, Page
+from measured_report.pages.prose import LAYOUT, Prose, Templates
 from measured_report.parts.drawing import draw_all
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest

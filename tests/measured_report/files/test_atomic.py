@@ -19,9 +19,9 @@ from markupsafe import Markup
 from measured_report import ROOT, ReportError
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.environment import requirements
+from measured_report.files.atomic import RecordError, locked, recover
 from measured_report.files.cache import FOLDER
-from measured_report.files.files import RecordError, locked, recover
-from measured_report.pages.page import Templates
+from measured_report.pages.prose import Templates
 from measured_report.parts.drawing import draw_all
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record
@@ -140,7 +140,7 @@ def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch
 
 
 def test_who_comes_second_waits_and_says_so(tmp_path):
-    code = "import sys; from pathlib import Path; from measured_report.files.files import locked\n"
+    code = "import sys; from pathlib import Path; from measured_report.files.atomic import locked\n"
     command = [sys.executable, "-c", f"{code}with locked(Path(sys.argv[1])): pass", tmp_path]
     with locked(tmp_path):
         second = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
