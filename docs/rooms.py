@@ -1,41 +1,46 @@
 """The rooms of the project and who reads whom, drawn from the imports: ``python docs/rooms.py`` renews the picture."""
 
 import ast
-from collections.abc import Iterator
-from graphlib import TopologicalSorter
+from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 ARCHITECTURE = ROOT / "docs" / "architecture.md"
 START, END = "```mermaid\n", "```\n"
 GENERATOR = "measured_report"
-FOLDERS = {
-    "experiments": ROOT,
-    "report": ROOT,
-    GENERATOR: ROOT / "packages" / "measured-report",
-    "newton_lint": ROOT / "packages" / "newton-lint",
+PLACES = {"": ROOT, GENERATOR: ROOT / "packages/measured-report", "newton_lint": ROOT / "packages/newton-lint"}
+FOLDERS = ("experiments", "report", GENERATOR, "newton_lint")
+OUTSIDE = {
+    "build": "build.py",
+    "experiments": "experiments/<br>the sections, simulation, scenes, media",
+    "experiments.facts": "experiments/facts/<br>plain Python for both sides",
+    "report": "report/<br>sections, story, names",
+    "newton_lint": "newton_lint/<br>the lint",
 }
-"""Where each top-level package lies."""
+"""Rooms beside the generator's, by the start of their modules' names, and what they are called in the picture."""
+Arrows = frozenset[tuple[str, str]]
 
-Graph = dict[str, set[str]]
 
-
-def modules() -> dict[str, Path]:
-    """Find every module of the project, by its name."""
+@cache
+def modules() -> Mapping[str, Path]:
+    """Every module of the project, by its name."""
     found = {"build": ROOT / "build.py"}
-    for folder, base in FOLDERS.items():
-        for path in sorted((base / folder).rglob("*.py")):
-            found[".".join(path.relative_to(base).with_suffix("").parts).removesuffix(".__init__")] = path
+    for folder in FOLDERS:
+        root = PLACES.get(folder, ROOT)
+        for path in sorted((root / folder).rglob("*.py")):
+            found[".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__")] = path
     return found
 
 
-def imports() -> Graph:
-    """Read which of the project's modules each of them imports, wherever in it the import stands."""
-    known = modules()
-    return {
-        name: set(_named(ast.parse(path.read_text(encoding="utf-8")))) & known.keys() - {name}
-        for name, path in known.items()
-    }
+@cache
+def imports() -> Mapping[str, frozenset[str]]:
+    """The project's modules that each of its modules imports, wherever in it the import stands."""
+    found = {}
+    for name, path in modules().items():
+        named = set(_named(ast.parse(path.read_text(encoding="utf-8"))))
+        found[name] = frozenset(each for each in named if each in modules() and each != name)
+    return found
 
 
 def _named(tree: ast.Module) -> Iterator[str]:
@@ -48,40 +53,55 @@ def _named(tree: ast.Module) -> Iterator[str]:
 
 
 def room_of(module: str) -> str:
-    """Name the room of a module: a folder of the generator, or else its top-level package."""
-    return ".".join(module.split(".")[: 2 if module.startswith(f"{GENERATOR}.") else 1])
+    """The room that a module is in: a folder of the generator, or one of those outside; empty for a bare package."""
+    parts = module.split(".")
+    if parts[0] == GENERATOR:
+        return parts[1] if len(parts) > 1 else ""
+    return max((room for room in OUTSIDE if module == room or module.startswith(f"{room}.")), key=len)
 
 
-def rooms() -> Graph:
-    """Say which rooms each room imports; the packages themselves, which all may name, are left out."""
-    found: Graph = {room_of(module): set() for module in modules() if module != GENERATOR}
-    for module, names in imports().items():
-        if module != GENERATOR:
-            found[room_of(module)] |= {room_of(name) for name in names - FOLDERS.keys()} - {room_of(module)}
-    return found
+def arrows() -> Arrows:
+    """Pairs of rooms of which the first imports the second; packages themselves, which all may name, left out."""
+    pairs = ((room_of(module), room_of(named)) for module, found in imports().items() for named in found)
+    return frozenset(pair for pair in pairs if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2])
 
 
-def floors(graph: Graph) -> dict[str, int]:
-    """Count how many floors of rooms each stands on; CycleError where there is a circle."""
-    found: dict[str, int] = {}
-    for room in TopologicalSorter(graph).static_order():
-        found[room] = 1 + max((found[below] for below in graph[room]), default=0)
-    return found
+def inside(found: Arrows) -> Arrows:
+    """Those between the generator's own rooms."""
+    return frozenset(pair for pair in found if not {*pair} & {*OUTSIDE})
+
+
+def floors(found: Arrows) -> dict[str, int]:
+    """How many rooms lie below each, one on the other; ValueError where they go round in a circle."""
+    heights: dict[str, int] = {}
+    waiting = {room for pair in found for room in pair}
+    while waiting:
+        ready = {room for room in waiting if all(low in heights for high, low in found if high == room)}
+        if not ready:
+            raise ValueError(f"rooms that import each other: {', '.join(sorted(waiting))}")
+        heights |= {room: 1 + max((heights[low] for high, low in found if high == room), default=0) for room in ready}
+        waiting -= ready
+    return heights
+
+
+def reduced(found: Arrows) -> list[tuple[str, str]]:
+    """The arrows that do not follow from others."""
+
+    def leads(start: str, end: str, without: tuple[str, str]) -> bool:
+        steps = (low for high, low in found if high == start and (high, low) != without)
+        return any(low == end or leads(low, end, without) for low in steps)
+
+    return sorted(pair for pair in found if not leads(*pair, pair))
 
 
 def picture() -> str:
-    """Draw the rooms in Mermaid's language, without the arrows that a longer way says already."""
-    graph, below = rooms(), {}
-    for room in TopologicalSorter(graph).static_order():
-        below[room] = graph[room].union(*(below[each] for each in graph[room]))
-    direct = {room: found - set().union(*(below[each] for each in found)) for room, found in graph.items()}
-    lines = [f'    {_id(room)}["{room.removeprefix(f"{GENERATOR}.")}"]' for room in sorted(graph)]
-    lines += [f"    {_id(room)} --> {_id(each)}" for room in sorted(graph) for each in sorted(direct[room])]
-    return "\n".join(["flowchart TD", *lines]) + "\n"
-
-
-def _id(room: str) -> str:
-    return room.replace(".", "_")
+    """The rooms as a diagram in Mermaid's language; an arrow that others imply is left out."""
+    found = arrows()
+    own = sorted({room for pair in inside(found) for room in pair})
+    lines = ["flowchart TD", f"    subgraph {GENERATOR}", *(f"        {room}" for room in own), "    end"]
+    lines += [f'    {room.replace(".", "_")}["{words}"]' for room, words in OUTSIDE.items()]
+    lines += [f"    {one.replace('.', '_')} --> {other.replace('.', '_')}" for one, other in reduced(found)]
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
