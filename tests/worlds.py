@@ -29,8 +29,9 @@ from measured_report.records.columns import REASON, column_of, is_number, units_
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 from measured_report.sensitivity.perturbed import load_trace_once
-from measured_report.site.build import build, undrawn
+from measured_report.site.build import build
 from measured_report.site.check import check_site
+from measured_report.site.pages import undrawn
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
 SOURCES = ("experiments", "report", "templates", "assets")

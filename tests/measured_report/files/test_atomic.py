@@ -27,7 +27,7 @@ from measured_report.records.reading import load_record
 from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
 from measured_report.site.check import check_site
-from measured_report.site.root_files import CARD
+from measured_report.site.pages import CARD
 
 
 def refusal(path: Path, trace: Path | None = None) -> str:

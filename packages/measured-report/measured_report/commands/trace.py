@@ -16,7 +16,7 @@ from measured_report.files.suggestion import suggestion
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters, is_setting
 from measured_report.records.record import Record
-from measured_report.site.build import undrawn
+from measured_report.site.pages import undrawn
 from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value

@@ -1,11 +1,9 @@
 """Files at the root of the site, which it has once: feed, site map, picture for links, and all data in one file."""
 
-import re
 import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TYPE_CHECKING
 
 from measured_report import ROOT
 from measured_report.changes.flips import flips_between
@@ -13,13 +11,9 @@ from measured_report.deriving.editions import Edition
 from measured_report.deriving.extras import extras
 from measured_report.files.config import config
 from measured_report.site.archive import ARCHIVE, archived
+from measured_report.site.pages import CARD, Site, citation
 
-if TYPE_CHECKING:
-    from measured_report.site.build import Site
-
-CARD = "card.png"
 TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")
-CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -35,23 +29,19 @@ class Entry:
     updated: str
 
 
-def citation() -> dict[str, str]:
-    """Read what CITATION.cff says, each key's first line."""
-    found = CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    return dict(reversed(found))
-
-
-def write_root_files(site: "Site", places: Mapping[str, str], tables: Mapping[str, bytes]) -> None:
-    """Write all that the site has once; ``places`` of the editions' pages in it, and rows of records by their files."""
-    pages = (f"{places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages)
-    entries = sorted(_entries(site.editions, places), key=lambda entry: entry.updated, reverse=True)
+def write_root_files(site: Site) -> None:
+    """Write all that the site has once."""
+    pages = (
+        f"{site.places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages
+    )
+    entries = sorted(_entries(site.editions, site.places), key=lambda entry: entry.updated, reverse=True)
     names = {"address": site.address, "pages": sorted(pages), "citation": citation(), "id": _id(""), "entries": entries}
     for file in TEMPLATES:
         site.draft.write(file, site.templates.layout(f"{file}.j2", names))
     site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := extras().card(site.editions, site.cache):
         site.draft.write(CARD, card)
-    site.draft.write(ARCHIVE, archived(site.editions, tables, site.templates))
+    site.draft.write(ARCHIVE, archived(site.editions, site.tables, site.templates))
     site.draft.write(".gitkeep", "")
 
 
