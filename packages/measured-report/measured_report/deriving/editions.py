@@ -15,7 +15,7 @@ from measured_report.claims.claim import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.deriving.dependencies import Dependencies, Tracked
-from measured_report.deriving.extras import Extras, extras
+from measured_report.deriving.extras import Extras
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
 from measured_report.editions.project import Project
@@ -71,7 +71,7 @@ class Edition:
     @cached_property
     def extras(self) -> Extras:
         """What the report shows of it besides."""
-        return extras().Extras(self)
+        return import_module(config().extras).Extras(self)
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page, or of all for the front page, that have not been measured."""
