@@ -13,7 +13,6 @@ from measured_report.files.staging import Draft
 
 if TYPE_CHECKING:
     from measured_report.deriving.cache import DerivedCache
-    from measured_report.deriving.editions import Edition
     from measured_report.pages.prose import Templates
     from measured_report.parts.section import Section
 
@@ -24,7 +23,7 @@ class Extras:
     picture = ""
     """Address of the picture that others show with a link to its pages, seen from them; empty: that of ``card``."""
 
-    def __init__(self, edition: "Edition"):
+    def __init__(self, edition: Any):  # an Edition, whose module reads this one
         self.edition = edition
 
     def names(self, section: "Section") -> Mapping[str, Any]:
@@ -35,7 +34,7 @@ class Extras:
         """Put further files and pages into the ``folder`` of the edition's pages."""
 
 
-def card(editions: Mapping[str, "Edition"], cache: "DerivedCache") -> bytes | None:
+def card(editions: Mapping[str, Any], cache: "DerivedCache") -> bytes | None:
     """Return the picture, as PNG, that others show with a link to the site."""
     return None
 
