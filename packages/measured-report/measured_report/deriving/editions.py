@@ -26,7 +26,8 @@ from measured_report.pages.outline import FRONT, PAGES, Page
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Making, Section
-from measured_report.records.identity import files_digest, source_at
+from measured_report.records.code import files
+from measured_report.records.identity import files_digest
 from measured_report.records.traces import traces_of
 from measured_report.values.noise import NOISE, Floor, noise_floors
 from measured_report.values.results import Results, ResultsError
@@ -112,7 +113,7 @@ class Edition:
         It has ``derive(chapters)``, or ``derive(releases, shown)``, which is told which of them it is for.
         """
         file = file_of(config().story, name) if config().story else None
-        arguments = source_at(file, name).top.get("derive", 0) if file else 0
+        arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not arguments:
             return Section()
         is_all = arguments > 1

@@ -9,7 +9,7 @@ from measured_report import ReportError
 from measured_report.deriving.chapters import Releases
 from measured_report.pages.outline import Page, page_of
 from measured_report.parts.section import Section
-from measured_report.records.identity import source_at
+from measured_report.records.code import files
 from measured_report.values.results import Results
 
 
@@ -46,7 +46,7 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"there is no report/sections/{section}.py, nor a folder of that name")
     root = file.parents[3 if file.name == "__init__.py" else 2]
     name = file.relative_to(root).as_posix()
-    says = source_at(file, name).top
+    says = files().source(file, name).top
     if not isinstance(says.get("order"), int):
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:

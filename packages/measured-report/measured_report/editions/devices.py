@@ -5,7 +5,7 @@ import subprocess
 from pathlib import Path
 
 from measured_report import ROOT, UsageError
-from measured_report.records.identity import module_of, source_at
+from measured_report.records.code import files, roots_of
 from measured_report.records.record import Record
 
 DEVICES = ("cuda", "cpu")
@@ -13,12 +13,11 @@ NO_CUDA = "this machine has no CUDA device; DEVICE=cpu measures on its CPU"
 
 
 def has_cuda() -> bool:
-    """Whether this machine has an NVIDIA GPU that works."""
     return bool(_gpus())
 
 
 def _gpus() -> list[str]:
-    """The names of this machine's GPUs; none where the driver does not answer."""
+    """The names of this machine's NVIDIA GPUs; none where the driver does not answer."""
     query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
     try:
         done = subprocess.run(query, capture_output=True, text=True, check=False)
@@ -28,19 +27,14 @@ def _gpus() -> list[str]:
 
 
 def needs_gpu(section: str, root: Path = ROOT) -> bool:
-    """Whether a section's numbers depend on the device: those of one with ``NEEDS_GPU = False`` are the same on any.
-
-    It is measured on the CPU wherever that is asked for, and its record stands with those of a GPU.
-    """
-    file = Path(module_of(section, root))
-    return bool(source_at(file, file.relative_to(root).as_posix()).top.get("NEEDS_GPU", True))
+    """Whether a section's numbers depend on the device: one with ``NEEDS_GPU = False`` stands with those of a GPU."""
+    graph = files().graph(roots_of(root))
+    file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
+    return bool(graph.source(file).top.get("NEEDS_GPU", True))
 
 
 def measuring_device(asked: str | None, profile: str) -> str | None:
-    """The device to measure on; None when measuring here has to be asked for.
-
-    A CPU never takes the place of a GPU unasked: full measurements would take hours on it.
-    """
+    """The device to measure on; None where it has to be asked for, since full measurements take hours on a CPU."""
     if asked == "cpu":
         return asked
     if has_cuda():

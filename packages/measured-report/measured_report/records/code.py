@@ -35,29 +35,11 @@ SOURCES = "sources"
 
 
 class Files:
-    """Sources, and which files the names of modules mean, each looked at once."""
+    """Sources, graphs of them, and the packages that are installed, each looked at once."""
 
     def __init__(self) -> None:
+        self.source, self.graph = cache(read_source), cache(Graph)
         self.versions: dict[str, str] = {}
-        for method in (self.source, self.graph, self._names_in):
-            setattr(self, method.__name__, cache(method))
-
-    def source(self, path: str, name: str) -> Source:
-        return read_source(Path(path), name)
-
-    def graph(self, roots: tuple[str, ...]) -> "Graph":
-        return Graph(roots, self)
-
-    def module(self, root: str, parts: Sequence[str]) -> str:
-        """The file below ``root`` of the module that is named so; empty where there is none."""
-        folder, last = "/".join([root, *parts[:-1]]), parts[-1]
-        there = self._names_in(folder)
-        if last in there and "__init__.py" in self._names_in(f"{folder}/{last}"):
-            return f"{folder}/{last}/__init__.py"
-        return f"{folder}/{last}.py" if f"{last}.py" in there else ""
-
-    def _names_in(self, folder: str) -> set[str]:
-        return {path.name for path in Path(folder).glob("*")}
 
 
 _files: ContextVar[Files | None] = ContextVar("files", default=None)
@@ -95,10 +77,9 @@ def cached_sources(root: Path = ROOT) -> Iterator[None]:
 class Graph:
     """The definitions of the modules below some folders, and what their names mean."""
 
-    def __init__(self, roots: tuple[str, ...], files: Files):
+    def __init__(self, roots: tuple[str, ...]):
         self.roots = roots
-        self._files = files
-        for method in (self.source, self.imported, self.reached, self.digest, self.meanings):
+        for method in (self.source, self.imported, self.reached, self.digest, self.meanings, self._names_in):
             setattr(self, method.__name__, cache(method))
 
     def name_of(self, path: str) -> str:
@@ -106,7 +87,7 @@ class Graph:
         return path[max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :]
 
     def source(self, path: str) -> Source:
-        return self._files.source(path, self.name_of(path))
+        return read_source(Path(path), self.name_of(path))
 
     def imported(self, path: str) -> list[str]:
         """The files that the source at ``path`` may import."""
@@ -115,7 +96,17 @@ class Graph:
 
     def module(self, parts: Sequence[str]) -> str:
         """The file of a module; empty where it is none of this project."""
-        return next(filter(None, (self._files.module(root, parts) for root in self.roots)), "")
+        for place in ("/".join([root, *parts]) for root in self.roots):
+            folder, _, last = place.rpartition("/")
+            there = self._names_in(folder)
+            if last in there and "__init__.py" in self._names_in(place):
+                return f"{place}/__init__.py"
+            if f"{last}.py" in there:
+                return f"{place}.py"
+        return ""
+
+    def _names_in(self, folder: str) -> set[str]:
+        return {path.name for path in Path(folder).glob("*")}
 
     def closure(self, start: str, without: str = "") -> list[str]:
         """The file ``start`` and all that it may import, directly or not; ``without`` is a package that is left out."""
@@ -133,12 +124,9 @@ class Graph:
         Raises:
             ReportError: Nothing of this project has that name.
         """
-        found = self.found(name)
-        if isinstance(found, str):
+        nodes = self.found(name)
+        if isinstance(nodes, str):
             raise ReportError(f"there is no {name}")
-        return {node: self.digest(node) for node in self._run(found) if self.definitions(node)}
-
-    def _run(self, nodes: Sequence[Node]) -> set[Node]:
         loaded = {file for first in {file for file, _ in nodes} for file in self.closure(first, CARRIED)}
         waiting = [*nodes, *(node for file in loaded for node in self._effects(file))]
         found: set[Node] = set()
@@ -147,7 +135,7 @@ class Graph:
             if node not in found:
                 found.add(node)
                 waiting += (each for meaning in self.meanings(node) if isinstance(meaning, list) for each in meaning)
-        return found
+        return {node: self.digest(node) for node in found if self.definitions(node)}
 
     def definitions(self, node: Node) -> tuple[Definition, ...]:
         return self.source(node[0]).definitions.get(node[1], ())

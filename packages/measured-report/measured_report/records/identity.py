@@ -9,7 +9,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from measured_report import ROOT
-from measured_report.records.code import Source, digest_of, files, roots_of
+from measured_report.records.code import digest_of, files, roots_of
 from measured_report.records.provenance import package_changes, package_versions
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
@@ -47,7 +47,8 @@ def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[st
         by_file.setdefault(graph.name_of(file), set()).add(digest)
     code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
     named = {asset for node in reached for each in graph.definitions(node) for asset in each.assets}
-    assets = {asset: _sha256(root / asset) for asset in sorted(named) if (root / asset).is_file()}
+    there = (asset for asset in sorted(named) if (root / asset).is_file())
+    assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in there}
     return Identity(
         code=digest_of(sorted({*reached.values()})),
         config=digest_of([profile, sorted(assets.values())]),
@@ -55,11 +56,6 @@ def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[st
         profile=profile,
         files=dict(sorted({**code, **assets}.items())),
     )
-
-
-def module_of(section: str, root: Path = ROOT) -> str:
-    """The file of the module that measures a section, or where it should be."""
-    return files().graph(roots_of(root)).module(["experiments", section]) or f"{root}/experiments/{section}.py"
 
 
 def changes(recorded: Identity, current: Identity) -> list[str]:
@@ -83,15 +79,6 @@ def sections(root: Path = ROOT) -> list[str]:
     folder = root / "report" / "sections"
     found = {path.stem for path in folder.glob("*.py")} | {path.parent.name for path in folder.glob("*/__init__.py")}
     return sorted(found - {"__init__"})
-
-
-def source_at(path: Path, name: str) -> Source:
-    """Read what the module at ``path`` says; see ``read_source``."""
-    return files().source(str(path), name)
-
-
-def _sha256(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def files_digest(paths: Iterable[Path], root: Path) -> str:

@@ -6,7 +6,6 @@ import hashlib
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 ASSETS = "assets/"
@@ -46,42 +45,32 @@ class Source:
     definitions: Mapping[str, tuple[Definition, ...]]
 
 
-@dataclass(frozen=True)
 class Reader:
-    """Reads the syntax tree of one module."""
+    """Reads the syntax tree of one module of a package."""
 
-    tree: ast.Module
-    package: tuple[str, ...]
+    def __init__(self, tree: ast.Module, package: tuple[str, ...]):
+        self._tree, self._package = tree, package
+        aside = (_imports_alone, _is_text, _is_aside)
+        self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
+        there = (node for node in tree.body if not isinstance(node, DEFINING))
+        self._imports = {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
+        self._names = {*self._imports, *(name for node in self._statements for name in _bound(node))}
 
     def source(self) -> Source:
-        nodes = list(ast.walk(self.tree))
+        nodes = list(ast.walk(self._tree))
         definitions: dict[str, list[Definition]] = {}
         for node in self._statements:
             names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
             for place, name in enumerate(names):
                 definitions.setdefault(name, []).append(self._definition(node, place))
         return Source(
-            digest=hashlib.sha256(ast.dump(self.tree).encode()).hexdigest(),
+            digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
             assets=tuple(_named_assets(nodes)),
             top=dict(self._top()),
             imports=self._imports,
             definitions={name: tuple(found) for name, found in definitions.items()},
         )
-
-    @cached_property
-    def _statements(self) -> list[ast.stmt]:
-        """What stands at the top level and is run when the module is imported."""
-        return [node for node in self.tree.body if not (_imports_alone(node) or _is_text(node) or _is_aside(node))]
-
-    @cached_property
-    def _imports(self) -> dict[str, str]:
-        there = (node for node in self.tree.body if not isinstance(node, DEFINING))
-        return {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
-
-    @cached_property
-    def _names(self) -> frozenset[str]:
-        return frozenset(self._imports) | {name for node in self._statements for name in _bound(node)}
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
@@ -98,7 +87,7 @@ class Reader:
         )
 
     def _top(self) -> Iterator[tuple[str, Any]]:
-        for node in self.tree.body:
+        for node in self._tree.body:
             if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
                 yield from ((target.id, node.value.value) for target in node.targets if isinstance(target, ast.Name))
             elif isinstance(node, ast.FunctionDef):
@@ -111,7 +100,7 @@ class Reader:
                 what = alias.name if alias.asname else alias.name.partition(".")[0]
                 yield alias.asname or what, what, alias.name
         elif isinstance(node, ast.ImportFrom):
-            start = self.package[: len(self.package) - node.level + 1] if node.level else ()
+            start = self._package[: len(self._package) - node.level + 1] if node.level else ()
             module = ".".join((*start, *([node.module] if node.module else [])))
             for alias in node.names:
                 what = f"{module}.{alias.name}"
