@@ -7,12 +7,15 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from typing import TYPE_CHECKING
 
 from measured_report.files.config import config
 
+if TYPE_CHECKING:
+    from packaging.version import Version
+
 _VERSION = r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?"
 VERSION = re.compile(_VERSION)
-COMPONENTS = 3
 
 
 @dataclass(frozen=True)
@@ -30,9 +33,8 @@ class Label:
     """Where it was measured, when the label without it is of another machine."""
 
     def __str__(self) -> str:
-        short = {package: name for name, package in short_names().items()}
-        parts = [self.package_version, *(f"{short[package]}-{version}" for package, version in self.pins)]
-        return "+".join(parts) + (f"@{self.machine}" if self.machine else "")
+        pins = (f"+{config().short_names.get(package, package)}-{version}" for package, version in self.pins)
+        return self.package_version + "".join(pins) + (f"@{self.machine}" if self.machine else "")
 
     @property
     def package_version(self) -> str:
@@ -40,11 +42,11 @@ class Label:
         return f"{self.version}+{self.source}" if self.source else self.version
 
     @property
-    def order(self) -> tuple:
+    def order(self) -> "Version":
         """Sorts by version, as packages are: a development version and a candidate stand before the release."""
         from packaging.version import Version  # which a Python that makes the environment lacks
 
-        return (Version(self.version),)
+        return Version(self.version)
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:
         """Whether these versions of packages are the ones that the label names."""
@@ -53,16 +55,17 @@ class Label:
 
 def read_label(text: str) -> Label | None:
     """The label that a text is; None when it is none. ``1.8`` is 1.8.0."""
-    found = _pattern().fullmatch(text)
+    names = short_names()
+    found = re.fullmatch(
+        rf"({_VERSION})(?:\+([a-z][0-9a-f]{{7}}(?:\.edited)?))?"
+        rf"((?:\+(?:{'|'.join(map(re.escape, names)) or '(?!)'})-{_VERSION})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
+        text,
+    )
     if not found:
         return None
-    pins = [part.rpartition("-")[::2] for part in found["pins"].split("+") if part]
-    return Label(
-        version=full_version(found["version"]),
-        source=(found["source"] or "").removeprefix("+"),
-        pins=tuple(sorted((short_names()[name], version) for name, version in pins)),
-        machine=found["machine"] or "",
-    )
+    version, source, told, machine = found.groups(default="")
+    pins = (part.rpartition("-") for part in told.split("+")[1:])
+    return Label(full_version(version), source, tuple(sorted((names[name], pin) for name, _, pin in pins)), machine)
 
 
 @cache
@@ -71,17 +74,7 @@ def short_names() -> Mapping[str, str]:
     return {config().short_names.get(package, package): package for package in config().packages[1:]}
 
 
-@cache
-def _pattern() -> re.Pattern[str]:
-    names = "|".join(map(re.escape, short_names())) or "(?!)"
-    return re.compile(
-        rf"(?P<version>{_VERSION})(?P<source>\+[a-z][0-9a-f]{{7}}(?:\.edited)?)?"
-        rf"(?P<pins>(?:\+(?:{names})-{_VERSION})*)(?:@(?P<machine>[a-z0-9][a-z0-9-]{{0,60}}))?"
-    )
-
-
 def full_version(version: str) -> str:
     """The version with three numbers at least."""
     numbers = re.match(r"[0-9]+(?:\.[0-9]+)*", version)[0]
-    missing = COMPONENTS - len(numbers.split("."))
-    return numbers + ".0" * missing + version[len(numbers) :]
+    return numbers + ".0" * (2 - numbers.count(".")) + version[len(numbers) :]

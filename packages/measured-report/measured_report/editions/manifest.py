@@ -4,8 +4,10 @@
 """
 
 import json
-from dataclasses import dataclass
 from pathlib import Path
+
+import msgspec
+from msgspec import Struct
 
 from measured_report.files.atomic import RecordError, atomic_file, short_path
 from measured_report.files.config import config, read_toml
@@ -13,8 +15,7 @@ from measured_report.files.config import config, read_toml
 NAME = "edition.toml"
 
 
-@dataclass(frozen=True)
-class Manifest:
+class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     """What is known of an edition besides its records."""
 
     asked: str
@@ -32,16 +33,13 @@ def read_manifest(results: Path) -> Manifest | None:
         return None
     try:
         found = read_toml(path)
-        manifest = Manifest(found.pop(config().package), found.pop("date"), tuple(found.pop("sections")))
-        if found or not all(isinstance(text, str) for text in (manifest.asked, manifest.date, *manifest.sections)):
-            raise TypeError("a field is no text, or unknown")
-        return manifest
-    except (KeyError, TypeError, ValueError, OSError) as error:
+        return msgspec.convert({"asked": found.pop(config().package), **found}, Manifest)
+    except (KeyError, ValueError, OSError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
 
 def write_manifest(results: Path, manifest: Manifest) -> None:
     fields = {config().package: manifest.asked, "date": manifest.date, "sections": manifest.sections}
+    lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
     with atomic_file(results / NAME) as path:
-        lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
         path.write_text("".join(lines), encoding="utf-8")

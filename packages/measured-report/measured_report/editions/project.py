@@ -2,7 +2,6 @@
 
 import re
 import shlex
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,8 +15,6 @@ from measured_report.files.config import config
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
 """Folders that the site is made from."""
-NEWEST = "9999"
-"""Sorts behind all dates."""
 
 
 @dataclass(frozen=True)
@@ -69,21 +66,17 @@ class Project:
     @property
     def releases(self) -> list[str]:
         """The editions that have results, and this one, by version and date."""
-        return sorted({self.release, *self._found()}, key=lambda release: self.of(release).order)
-
-    def _found(self) -> Iterator[str]:
-        for folder in {path.parent for path in self.results.parent.glob(config().edition_folder("*/*.json"))}:
-            name = config().edition_in(folder.name)
-            if read_label(name):
-                yield name
+        there = {path.parent.name for path in self.results.parent.glob(config().edition_folder("*/*.json"))}
+        found = filter(read_label, map(config().edition_in, there))
+        return sorted({self.release, *found}, key=lambda release: self.of(release).order)
 
     @property
     def order(self) -> tuple:
         """Sorts editions by version, those of one version by date, and what is pinned after the same without."""
         label, manifest = self.label, self.manifest
         # A release has its place by its version; a commit that was not measured yet is taken for the newest.
-        date = ((manifest and manifest.date) or NEWEST) if label.source else ""
-        return *label.order, date, label.source, label.pins, label.machine
+        date = ((manifest and manifest.date) or "9999") if label.source else ""
+        return label.order, date, label.source, label.pins, label.machine
 
     def of(self, release: str) -> "Project":
         """The report of another edition."""

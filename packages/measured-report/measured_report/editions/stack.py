@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from measured_report import UsageError
-from measured_report.editions.label import VERSION, Label, full_version, read_label, short_names
+from measured_report.editions.label import VERSION, Label, full_version, read_label
 from measured_report.files.config import config
 from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
 
@@ -112,7 +112,7 @@ def _own_version(project: str, asked: str, option: str) -> str:
 
 def _read_pins(text: str) -> Sequence[tuple[str, str]]:
     pins = [word.partition("==")[::2] for word in text.split()]
-    if not all(package in short_names().values() and VERSION.fullmatch(version) for package, version in pins):
+    if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
         example = " ".join(f"{package}==1.19.0" for package in config().packages[1:3])
         raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
     return [(package, full_version(version)) for package, version in pins]
@@ -128,7 +128,7 @@ def release_date(stack: Stack) -> str:
 
 def releases_between(older: Label, newer: Label) -> list[str]:
     """The releases of the index between two, oldest first; candidates and development versions are none."""
-    found = [read_label(version) for version in releases_of(config().package)]
+    found = (read_label(version) for version in releases_of(config().package))
     return [str(label) for label in found if older.order < label.order < newer.order]
 
 

@@ -37,7 +37,6 @@ class State:
 
     @property
     def words(self) -> str:
-        """The notes in one line."""
         return in_words(self.notes)
 
 
@@ -46,12 +45,17 @@ def states_of(project: Project) -> list[State]:
     with unchanged_files():
         states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
-        return [_compared(project, state, packages) for state in states]
+        for index, state in enumerate(states):
+            if state.record:
+                now = identity_of(state.section, project.profile, project.root, packages)
+                if changed := changes(state.record.identity, now):
+                    states[index] = replace(state, kind="stale", notes=tuple(changed))
+    return states
 
 
 def state_of(project: Project, section: str) -> State:
     """The state of one section."""
-    return _compared(project, _read_state(project, section), expected_packages(project))
+    return next(state for state in states_of(project) if state.section == section)
 
 
 def _read_state(project: Project, section: str) -> State:
@@ -63,14 +67,6 @@ def _read_state(project: Project, section: str) -> State:
         return State(section, "fresh", load_record(path, Cache(project.root)))
     except RecordError as error:
         return State(section, "damaged", notes=(str(error),))
-
-
-def _compared(project: Project, state: State, packages: Mapping[str, str]) -> State:
-    """Compare a section's record with the code that there is now: it is stale where that, or a package, differs."""
-    if not state.record:
-        return state
-    changed = changes(state.record.identity, identity_of(state.section, project.profile, project.root, packages))
-    return replace(state, kind="stale", notes=tuple(changed)) if changed else state
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
@@ -120,14 +116,12 @@ def status_matrix(project: Project) -> str:
     return _aligned(lines)
 
 
-def status_table(states: Iterable[State], profile: str) -> str:
-    """The state of every section of one release, with all that changed; what did for several has a number there and is
-    said once, below."""
-    shown = list(states)
-    shared = _shared_changes([state for state in shown if state.kind == "stale"])
+def status_table(states: Sequence[State], profile: str) -> str:
+    """The state of every section of one release; what changed for several has a number there and is said below."""
+    shared = _shared_changes([state for state in states if state.kind == "stale"])
     numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
     lines = [HEADINGS]
-    for state in shown:
+    for state in states:
         record = state.record
         where, when = (record.processor, record.time_text) if record else ("–", "–")
         marks = [mark for mark, notes in numbered.items() if notes[0] in state.notes]
@@ -137,17 +131,13 @@ def status_table(states: Iterable[State], profile: str) -> str:
     return "\n".join([_aligned(lines), *(["", *said] if said else [])])
 
 
-def _shared_changes(states: Iterable[State]) -> list[list[str]]:
+def _shared_changes(states: Sequence[State]) -> list[list[str]]:
     """The changes that several sections have, those of the same sections together; what most have comes first."""
-    sections_of: dict[str, list[str]] = {}
-    for state in states:
-        for note in state.notes:
-            sections_of.setdefault(note, []).append(state.section)
     changes_of: dict[tuple[str, ...], list[str]] = {}
-    for note, names in sorted(sections_of.items()):
-        changes_of.setdefault(tuple(names), []).append(note)
-    shared = [names for names in changes_of if len(names) > 1]
-    return [changes_of[names] for names in sorted(shared, key=len, reverse=True)]
+    for note in sorted({note for state in states for note in state.notes}):
+        names = tuple(state.section for state in states if note in state.notes)
+        changes_of.setdefault(names, []).append(note)
+    return [changes_of[names] for names in sorted(changes_of, key=len, reverse=True) if len(names) > 1]
 
 
 def in_words(notes: Iterable[str]) -> str:
