@@ -109,7 +109,7 @@ def test_with_names_packages(tmp_path):
 def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, capsys):
     (tmp_path / "pyproject.toml").write_text("")
     monkeypatch.setattr(environment, "release_date", lambda stack: "2026-06-11")
-    [(command, _)] = environment._fill_from_requirements(
+    [command] = environment._from_requirements(
         tmp_path, stack_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"], "uv", tmp_path
     )
     assert command[command.index("--exclude-newer") + 1] == "2026-06-12"

@@ -24,6 +24,7 @@ from measured_report.editions.stack import Stack, release_date
 from measured_report.files.atomic import locked
 from measured_report.files.config import config, read_toml
 from measured_report.files.processes import end_with
+from measured_report.files.staging import remove
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
@@ -31,8 +32,6 @@ NAME = re.compile(r"[A-Za-z0-9-]+")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
-NEVER = "2100-01-01"
-"""No package is newer than that."""
 READY = ".ready"
 """In an environment: the digest of what it was made from."""
 
@@ -41,7 +40,7 @@ def own_environment(root: Path = ROOT) -> None:
     """Make ``.venv`` as the lock says, unless it is there already."""
     sources = [root / "pyproject.toml", root / "uv.lock"]
     folder = root / ".venv"
-    _make(folder, ".venv", b"".join(path.read_bytes() for path in sources), partial(_fill_from_lock, root), root)
+    _make(folder, ".venv", b"".join(path.read_bytes() for path in sources), partial(_from_lock, root), root)
     # Make goes by times: what was made is newer than what it was made from, whatever the clock says.
     newest = max(path.stat().st_mtime for path in [*sources, folder / READY])
     os.utime(folder / READY, (newest, newest))
@@ -92,7 +91,7 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     if stack.checkout:
         source += (stack.checkout / "pyproject.toml").read_bytes()
     if stack.checkout or not (folder / READY).exists():
-        _make(folder, f"{option}={stack.asked}", source, partial(_fill_from_requirements, root, stack, rest), root)
+        _make(folder, f"{option}={stack.asked}", source, partial(_from_requirements, root, stack, rest), root)
     _refuse_other(folder / "bin" / "python", stack, root)
     return folder / "bin" / "python"
 
@@ -138,17 +137,16 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
     own = [requirement for requirement in asked if NAME.match(requirement)[0] not in packages]
-    return own + [
-        f"{config().requirement_of(name)}=={version}" for name, version in packages.items() if version != MISSING
-    ]
+    known = {name: version for name, version in packages.items() if version != MISSING}
+    return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
 
 
-def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> None:
+def _make(folder: Path, name: str, source: bytes, commands: Callable[[str, Path], list[list[str]]], root: Path) -> None:
     """Make the environment ``folder``, which was asked for as ``name``: aside, and then put in place.
 
     Args:
         source: What it is made from; when it was made from the same before, it is there.
-        fill: Gives the commands, and settings for each, that install what it needs.
+        commands: Gives those that install what it needs.
     """
     digest = hashlib.sha256(source).hexdigest()
     new, old = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old"))
@@ -157,28 +155,22 @@ def _make(folder: Path, name: str, source: bytes, fill: "Fill", root: Path) -> N
         if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
             return
         try:
-            _remove(new, old)  # of one that was killed
+            remove(new)  # of one that was killed
             with _installer(root, name) as uv:
                 # Its programs are found from where they lie, so that it can be moved.
                 _run([uv, "venv", "--relocatable", "--python", sys.executable, str(new)], name)
-                for command, settings in fill(uv, new):
-                    _run(command, name, settings)
+                for command in commands(uv, new):
+                    _run(command, name, UV_PROJECT_ENVIRONMENT=str(new))
             (new / READY).write_text(digest, encoding="utf-8")
+            remove(old)
             if os.path.lexists(folder):
                 os.rename(folder, old)
             os.rename(new, folder)
         except OSError as error:
             raise UsageError(f"{name} cannot be installed: {folder}: {error.strerror}") from None
         finally:
-            _remove(new, old)
-
-
-def _remove(*folders: Path) -> None:
-    for folder in folders:
-        if folder.is_symlink():
-            folder.unlink()
-        else:
-            shutil.rmtree(folder, ignore_errors=True)
+            remove(new)
+            remove(old)
 
 
 @contextmanager
@@ -188,21 +180,21 @@ def _installer(root: Path, name: str) -> Iterator[str]:
     uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
     try:
         if not uv:
-            _remove(tools)  # of one that was killed
+            remove(tools)  # of one that was killed
             _run([sys.executable, "-m", "venv", str(tools)], name)
             _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
         yield uv or str(tools / "bin" / "uv")
     finally:
-        _remove(tools)
+        remove(tools)
 
 
-def _fill_from_lock(root: Path, uv: str, new: Path) -> "Commands":
-    yield [uv, "sync", "--frozen", "--project", str(root)], {"UV_PROJECT_ENVIRONMENT": str(new)}
-    # Environments of other releases need it, and what the documents say to type.
-    yield [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"], {}
+def _from_lock(root: Path, uv: str, new: Path) -> list[list[str]]:
+    # Environments of other releases need uv, and what the documents say to type.
+    own_uv = [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"]
+    return [[uv, "sync", "--frozen", "--project", str(root)], own_uv]
 
 
-def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> "Commands":
+def _from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> list[list[str]]:
     """Install what was asked for and the rest: packages that nobody named are those of the day on which it came out."""
     pins = dict(stack.label.pins)
     overrides = new / "overrides.txt"
@@ -214,13 +206,13 @@ def _fill_from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: s
         after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
         options += ["--exclude-newer", after]
         named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
-        options += [word for name in named for word in ("--exclude-newer-package", f"{name}={NEVER}")]
+        options += [word for name in named for word in ("--exclude-newer-package", f"{name}=2100-01-01")]
     extras = config().requirement.removeprefix(config().package)
     asked = ["--editable", f"{stack.checkout}{extras}"] if stack.checkout else [stack.requirement]
-    yield [uv, "pip", "install", *options, *rest, *asked], {}
+    return [[uv, "pip", "install", *options, *rest, *asked]]
 
 
-def _run(command: list[str], name: str, settings: Mapping[str, str] | None = None) -> None:
+def _run(command: list[str], name: str, **settings: str) -> None:
     """Run a program, which takes a while, and pass on what it says of its progress."""
     with subprocess.Popen(
         command,
@@ -228,7 +220,7 @@ def _run(command: list[str], name: str, settings: Mapping[str, str] | None = Non
         stdout=subprocess.PIPE,
         text=True,
         errors="replace",
-        env={**os.environ, **(settings or {})},
+        env={**os.environ, **settings},
         preexec_fn=partial(end_with, os.getpid()),
     ) as program:
         lines = []
@@ -240,10 +232,6 @@ def _run(command: list[str], name: str, settings: Mapping[str, str] | None = Non
         said = [line for line in lines if line]
         offline = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
         raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}{offline}")
-
-
-Commands = Iterator[tuple[list[str], Mapping[str, str]]]
-Fill = Callable[[str, Path], Commands]
 
 
 if __name__ == "__main__":

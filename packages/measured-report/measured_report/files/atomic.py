@@ -131,18 +131,13 @@ def _put_in_place(folder: Path) -> None:
         record = folder / f"{whole.name[1 : -len(WHOLE)]}.json"
         # The record goes last: what waits is whole as long as it is there.
         with suppress(FileNotFoundError):
-            _remove_others(record, json.loads((whole / record.name).read_bytes()).get("traces"))
+            cases = json.loads((whole / record.name).read_bytes()).get("traces")
+            for path in record.parent.glob(f"{record.stem}.*.csv.gz") if cases is not None else ():
+                if path.name[len(record.stem) + 1 : -len(".csv.gz")] not in cases:  # that of a case that is no more
+                    path.unlink()
         for path in sorted(whole.iterdir(), key=lambda path: path.name == record.name):
             os.replace(path, folder / path.name)
         whole.rmdir()
-
-
-def _remove_others(record: Path, cases: Mapping[str, object] | None) -> None:
-    """Remove the traces beside ``record`` of cases that are no more; None: it does not say which there are."""
-    if cases is not None:
-        for path in record.parent.glob(f"{record.stem}.*.csv.gz"):
-            if path.name[len(record.stem) + 1 : -len(".csv.gz")] not in cases:
-                path.unlink()
 
 
 def refuse_unwritable(results: Path) -> None:

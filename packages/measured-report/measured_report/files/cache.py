@@ -21,6 +21,14 @@ BYTE_LIMIT = 256 << 20
 DIGEST_SIZE = hashlib.sha256().digest_size
 
 
+class _Writing(pickle.Pickler):
+    """Can be told ``persistent_id``, which the plain one of Python 3.13 cannot."""
+
+
+class _Reading(pickle.Unpickler):
+    """Can be told ``persistent_load``."""
+
+
 @dataclass(frozen=True)
 class Cache:
     """The cache of the project at ``root``."""
@@ -39,7 +47,9 @@ class Cache:
             content = memoryview(read_own_file(self.root / FOLDER / name, BYTE_LIMIT))
             if hashlib.sha256(content[DIGEST_SIZE:]).digest() == content[:DIGEST_SIZE]:
                 with suppress(Exception):  # what was whole once may name code that is no more
-                    reading = _Reading(content[DIGEST_SIZE:], find)
+                    reading = _Reading(io.BytesIO(content[DIGEST_SIZE:]))
+                    if find:
+                        reading.persistent_load = find
                     return reading.load() if reading.load() == key else None
         return None
 
@@ -53,7 +63,9 @@ class Cache:
             name_of: The name of a part of it that is not to be kept with it; None for what is.
         """
         buffer = io.BytesIO()
-        writing = _Writing(buffer, name_of)
+        writing = _Writing(buffer, pickle.HIGHEST_PROTOCOL)
+        if name_of:
+            writing.persistent_id = name_of
         writing.dump(key)
         writing.dump(value)
         content = buffer.getvalue()
@@ -79,17 +91,3 @@ class Cache:
         for part in (self.root / FOLDER).glob("*.part"):
             with suppress(OSError):
                 part.unlink()
-
-
-class _Writing(pickle.Pickler):
-    def __init__(self, file: io.BytesIO, name_of: Callable[[Any], Any] | None):
-        super().__init__(file, protocol=pickle.HIGHEST_PROTOCOL)
-        if name_of:
-            self.persistent_id = name_of  # type: ignore[method-assign]
-
-
-class _Reading(pickle.Unpickler):
-    def __init__(self, content: memoryview, find: Callable[[Any], Any] | None):
-        super().__init__(io.BytesIO(content))
-        if find:
-            self.persistent_load = find  # type: ignore[method-assign]

@@ -112,7 +112,7 @@ def _move_into(folder: Path, fresh: Path) -> None:
     files = sorted((path for path in fresh.rglob("*") if path.is_file()), key=lambda path: path.suffix == ".html")
     for path in files:
         place = folder / path.relative_to(fresh)
-        if _is_same(path, place):
+        if is_own_file(place) and filecmp.cmp(path, place, shallow=False):
             continue
         if place.is_dir() and not place.is_symlink():
             shutil.rmtree(place)
@@ -127,10 +127,6 @@ def _move_into(folder: Path, fresh: Path) -> None:
                 path.rmdir()
         elif path.relative_to(folder) not in kept:
             path.unlink()
-
-
-def _is_same(one: Path, other: Path) -> bool:
-    return is_own_file(other) and filecmp.cmp(one, other, shallow=False)
 
 
 def remove(path: Path) -> None:

@@ -25,12 +25,10 @@ _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", 
 UNITS = _LENGTHS | _TIMES | _OTHERS
 """Unit by the end of a column's name; the longest end that fits counts."""
 
-PLAIN_TYPES = bool, int, float, str, type(None)
 PLAIN = "1"
 """The unit of a number whose column names none."""
 LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
-LARGEST_OF_OTHERS = 1e18
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
 SAID = ("given_beside", "better", "resolution", "rate_of")
@@ -77,7 +75,7 @@ def column_of(name: str) -> Column:
     """What is known of the column of that name."""
     found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
     unit = _unit(name)
-    largest = LARGEST.get(unit, LARGEST_OF_OTHERS)
+    largest = LARGEST.get(unit, 1e18)
     signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
     said: dict[str, Any] = {
@@ -127,11 +125,6 @@ def is_number(value: Any) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-@cache
-def is_column(name: str) -> bool:
-    return bool(COLUMN.fullmatch(name))
-
-
 def number_problem(name: str, value: int | float) -> str:
     """What is wrong with a number in the column ``name``, in words; empty when nothing is."""
     known = column_of(name)
@@ -146,14 +139,11 @@ def number_problem(name: str, value: int | float) -> str:
 
 def cell_problem(value: Any) -> str:
     """What is wrong with anything but a number of a known column, in words; empty when nothing is."""
-    if not isinstance(value, PLAIN_TYPES):
+    if not isinstance(value, bool | int | float | str | None):
         return f"is a {type(value).__name__}, not a plain number or text"
-    return text_problem(value) if isinstance(value, str) else ""
-
-
-def text_problem(text: str) -> str:
-    """What is wrong with a text, in words; empty when nothing is."""
-    if len(text) > TEXT_LIMIT:
+    if not isinstance(value, str):
+        return ""
+    if len(value) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
-    found = UNPRINTABLE.search(text)
+    found = UNPRINTABLE.search(value)
     return f"has the character U+{ord(found[0]):04X}, which is no text" if found else ""

@@ -25,17 +25,14 @@ def package_versions() -> dict[str, str]:
     """Version of each package that is installed here; of the first with its code, where that is not an index's."""
     found = files().versions
     if not found:
-        found.update((package, _version(package)) for package in config().packages)
-        if source := source_of(config().package):
+        for package in config().packages:
+            try:
+                found[package] = metadata.version(package)
+            except metadata.PackageNotFoundError:
+                found[package] = MISSING
+        if found[config().package] != MISSING and (source := _source()):
             found[config().package] += f"+{source}"
     return dict(found)
-
-
-def _version(package: str) -> str:
-    try:
-        return metadata.version(package)
-    except metadata.PackageNotFoundError:
-        return MISSING
 
 
 def package_changes(
@@ -46,13 +43,9 @@ def package_changes(
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]
 
 
-def source_of(package: str) -> str:
+def _source() -> str:
     """The part of a version that says which code is installed here; empty for a package from an index."""
-    try:
-        said = metadata.distribution(package).read_text("direct_url.json")
-    except metadata.PackageNotFoundError:
-        return ""
-    found = json.loads(said) if said else {}
+    found = json.loads(metadata.distribution(config().package).read_text("direct_url.json") or "{}")
     if "vcs_info" in found:
         return f"g{found['vcs_info']['commit_id'][:SHORT_COMMIT]}"
     address = found.get("url", "")

@@ -13,12 +13,12 @@ from msgspec import Meta
 from measured_report.files.atomic import RecordError, put_record, short_path
 from measured_report.files.config import config
 from measured_report.records.columns import (
+    COLUMN,
     PLAIN,
     REASON,
     cell_problem,
     column_of,
     columns_of,
-    is_column,
     is_number,
     number_problem,
     units_of,
@@ -99,11 +99,7 @@ class Record:
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
         """What must be the same for two times to be compared."""
-        return tuple(self.machine.get(part) for part in SPEED_PARTS)
-
-
-SPEED_PARTS = ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")
-"""Of a machine, and of how it was used: what decides how fast it is."""
+        return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
 
 
 DIGITS = ".9g"
@@ -124,13 +120,11 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
     put_record(path, {**files, path.name: _text(record).encode()})
 
 
-def _shortened(value: Any) -> Any:
-    return float(f"{value:{DIGITS}}") if isinstance(value, float) else value
-
-
 def _text(record: Record) -> str:
     data = {"schema": SCHEMA, **asdict(record)}
-    rows = [{column: _shortened(value) for column, value in row.items()} for row in data.pop("rows")]
+    rows = data.pop("rows")
+    for row in rows:
+        row |= {column: float(f"{value:{DIGITS}}") for column, value in row.items() if isinstance(value, float)}
     if record.traces is None:
         del data["traces"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
@@ -142,7 +136,7 @@ def check_record(record: Record, place: str) -> None:
     """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
     if not record.rows:
         raise RecordError(f"{place} has no rows")
-    known = {name: column_of(name) for name in record.units if is_column(name)}
+    known = {name: column_of(name) for name in record.units if COLUMN.fullmatch(name)}
     ranges = {name: (column.least, column.largest) for name, column in known.items()}
     for index, row in enumerate(record.rows):
         case = row.get("case")
@@ -158,7 +152,7 @@ def check_record(record: Record, place: str) -> None:
 
 
 def _problem(record: Record, row: Mapping[str, Any], column: str, value: Any) -> str:
-    if not is_column(column):
+    if not COLUMN.fullmatch(column):
         return "is no column name (lower-case words joined by _)"
     if is_number(value):
         return "has no unit" if column not in record.units else number_problem(column, value)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError, is_own_file, read_own_file, short_path
-from measured_report.records.columns import PLAIN, column_of, number_problem, text_problem
+from measured_report.records.columns import PLAIN, cell_problem, column_of, number_problem
 from measured_report.records.record import CASE, DIGITS, Record, Seal
 
 if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fresh needs none of it
@@ -121,7 +121,7 @@ def _check_column(column: str, cells: "pd.Series") -> None:
     elif column_of(column).unit != PLAIN:
         raise ValueError(f"{column} is not all numbers")
     else:
-        problems = (text_problem(value) or _mixed(value) for value in values.unique() if isinstance(value, str))
+        problems = (cell_problem(value) or _mixed(value) for value in values.unique() if isinstance(value, str))
     if problem := next(filter(None, problems), ""):
         raise ValueError(f"{column} {problem}")
 
