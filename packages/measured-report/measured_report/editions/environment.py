@@ -71,10 +71,8 @@ def add_cluster(python: Path, root: Path = ROOT) -> None:
 def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
     """The Python that has a stack; its environment is made when it is not there.
 
-    Args:
-        stack: What was asked for.
-        packages: Version by package that its earlier measurements were made with, to be installed again; a package
-            that is ``missing`` there gets the version that the release asked for when it came out.
+    ``packages`` are the versions that its earlier measurements were made with, to be installed again; one that is
+    ``missing`` there gets the version that the release asked for when it came out.
     """
     package, option = config().package, config().option
     if stack.label.is_installed_with(package_versions()):
@@ -128,9 +126,7 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
 def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     """The requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
 
-    Args:
-        root: The project's folder.
-        packages: Version by package; one that is ``missing`` is left to the others, which know which one they take.
+    One that is ``missing`` is left to the others, which know which one they take.
     """
     for name, version in packages.items():
         if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
@@ -142,12 +138,8 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
 
 
 def _make(folder: Path, name: str, source: bytes, commands: Callable[[str, Path], list[list[str]]], root: Path) -> None:
-    """Make the environment ``folder``, which was asked for as ``name``: aside, and then put in place.
-
-    Args:
-        source: What it is made from; when it was made from the same before, it is there.
-        commands: Gives those that install what it needs.
-    """
+    """Make the environment ``folder``, asked for as ``name``: aside, and then put in place, unless it is there, made
+    from the same ``source``. ``commands`` install what it needs."""
     digest = hashlib.sha256(source).hexdigest()
     new, old = (folder.with_name(f"{folder.name}{ending}") for ending in (".new", ".old"))
     with locked(root):

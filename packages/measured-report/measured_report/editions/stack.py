@@ -16,7 +16,7 @@ from measured_report.files.config import config
 from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
 
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
-WHEEL_ADDRESS = re.compile(rf"https?://[^\s@]+/{WHEEL.pattern}")
+WEB_ADDRESS = re.compile(r"https?://[^\s@]+")
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
@@ -54,33 +54,30 @@ def _found(asked: str, option: str) -> Stack:
     if not asked:
         raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.8.0 does")
     path, _, reference = asked.rpartition("@")
-    if (there := WHEEL_ADDRESS.fullmatch(asked)) and _is_own(there["package"]):
-        return Stack(Label(full_version(there["version"]), address_source(asked)), f"{requirement} @ {asked}", asked)
+    here = Path(asked).expanduser().resolve()
+    wheel = WHEEL.fullmatch(here.name)
+    if wheel and wheel["package"].replace("_", "-").lower() == package:
+        version = full_version(wheel["version"])
+        if WEB_ADDRESS.fullmatch(asked):
+            return Stack(Label(version, address_source(asked)), f"{requirement} @ {asked}", asked)
+        if here.is_file():
+            return Stack(Label(version, wheel_source(here)), f"{requirement} @ {here.as_uri()}", str(here))
     if asked.startswith("git+"):
-        address = path.removeprefix("git+") if ADDRESS.fullmatch(path.removeprefix("git+")) else ""
-        if address and REFERENCE.fullmatch(reference):
+        address = path.removeprefix("git+")
+        if ADDRESS.fullmatch(address) and REFERENCE.fullmatch(reference):
             return _commit(address, reference, asked, option)
         raise UsageError(f"{option}={asked} names no commit; {option}=git+https://HOST/{package}.git@main does")
-    here = Path(asked).expanduser().resolve()
     if (here / "pyproject.toml").is_file():
         source = checkout_source(here)
         version = _own_version((here / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
         label = Label(version, ".".join(source.split(".")[:2]))
         return Stack(label, str(here), str(here), git(here, "show", "-s", "--format=%cs", "HEAD"), here)
-    if (wheel := WHEEL.fullmatch(here.name)) and _is_own(wheel["package"]) and here.is_file():
-        label = Label(full_version(wheel["version"]), wheel_source(here))
-        return Stack(label, f"{requirement} @ {here.as_uri()}", str(here))
     repository = Path(path).expanduser().resolve()
     if path and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
     raise UsageError(
         f"{option}={asked} is no release number, checkout, wheel or git+https://…@ref; {option}=1.8.0 is one"
     )
-
-
-def _is_own(name: str) -> bool:
-    """Whether a name, as a wheel or a project has it, is that of the package."""
-    return name.replace("_", "-").lower() == config().package
 
 
 def _commit(address: str, reference: str, asked: str, option: str) -> Stack:

@@ -70,15 +70,11 @@ def _read_state(project: Project, section: str) -> State:
 
 
 def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
-    """Find the package versions that the records of an edition should have been measured with.
+    """Find the package versions that the records of an edition, maybe read already, should have been measured with.
 
     Of the one that is installed here these are the versions that are. Another one need not be installed to be judged:
     its newest record says which versions of the other packages belong to it, so that a section measured with others
     before is stale. A checkout counts as it lies there now.
-
-    Args:
-        project: The edition.
-        records: Its records, where they were read already.
     """
     label, installed = project.label, package_versions()
     if label.is_installed_with(installed):

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from measured_report.files.atomic import RecordError, read_own_file
+from measured_report.files.atomic import read_own_file
 
 FOLDER = ".cache"
 BYTE_LIMIT = 256 << 20
@@ -36,31 +36,23 @@ class Cache:
     root: Path
 
     def get(self, name: str, key: Any, find: Callable[[Any], Any] | None = None) -> Any:
-        """What is kept as ``name`` of what ``key`` says; None when there is nothing whole.
+        """What is kept as ``name`` and was made from ``key``; None when there is nothing whole.
 
-        Args:
-            name: What it is called.
-            key: What it was made from.
-            find: Finds what ``put`` was told to name.
+        ``find`` finds what ``put`` was told to name.
         """
-        with suppress(RecordError, OSError):
+        with suppress(Exception):  # what was whole once may name code that is no more
             content = memoryview(read_own_file(self.root / FOLDER / name, BYTE_LIMIT))
             if hashlib.sha256(content[DIGEST_SIZE:]).digest() == content[:DIGEST_SIZE]:
-                with suppress(Exception):  # what was whole once may name code that is no more
-                    reading = _Reading(io.BytesIO(content[DIGEST_SIZE:]))
-                    if find:
-                        reading.persistent_load = find
-                    return reading.load() if reading.load() == key else None
+                reading = _Reading(io.BytesIO(content[DIGEST_SIZE:]))
+                if find:
+                    reading.persistent_load = find
+                return reading.load() if reading.load() == key else None
         return None
 
     def put(self, name: str, key: Any, value: Any, name_of: Callable[[Any], Any] | None = None) -> None:
-        """Keep ``value`` whole or not at all; where nothing can be written it is not kept.
+        """Keep ``value``, made from ``key``, whole or not at all; where nothing can be written it is not kept.
 
-        Args:
-            name: What it is called.
-            key: What it was made from.
-            value: What was made.
-            name_of: The name of a part of it that is not to be kept with it; None for what is.
+        ``name_of`` gives the name of a part of it that is not to be kept with it; None for what is.
         """
         buffer = io.BytesIO()
         writing = _Writing(buffer, pickle.HIGHEST_PROTOCOL)
@@ -82,12 +74,13 @@ class Cache:
 
     def remove(self, start: str) -> None:
         """Remove what is kept as a name that begins so."""
-        for entry in (self.root / FOLDER).glob(f"{glob.escape(start)}*"):
-            with suppress(OSError):
-                entry.unlink()
+        self._remove(f"{glob.escape(start)}*")
 
     def sweep(self) -> None:
         """Remove what processes that were killed have left; one that is just being written is then not kept."""
-        for part in (self.root / FOLDER).glob("*.part"):
+        self._remove("*.part")
+
+    def _remove(self, pattern: str) -> None:
+        for entry in (self.root / FOLDER).glob(pattern):
             with suppress(OSError):
-                part.unlink()
+                entry.unlink()

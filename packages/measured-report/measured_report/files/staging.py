@@ -35,12 +35,9 @@ def staging_folder(folder: Path) -> Iterator[Path]:
 
 
 class Draft:
-    """A folder that is being made; files that are the same where it will be put stay those that are there.
+    """A folder that is being made to take the place of ``before``; files that are the same stay those that are there.
 
-    Args:
-        folder: The folder, which is not there yet.
-        before: The one whose place it will take.
-        there: What ``digests_below`` says of that one.
+    ``there`` is what ``digests_below`` says of that one.
     """
 
     def __init__(self, folder: Path, before: Path, there: Mapping[str, str]):

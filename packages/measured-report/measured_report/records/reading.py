@@ -46,12 +46,8 @@ class _Measured(Struct):
 def load_record(path: Path, cache: Cache | None = None) -> Record:
     """The record at ``path``, or RecordError, one line with its release and file, when it is damaged in any way.
 
-    The traces that it seals are there and are the ones that were measured with it. A record from before traces were
-    sealed says nothing of them, and is read without.
-
-    Args:
-        path: Where it lies.
-        cache: Has records that were found whole before: one that holds the same is not checked again.
+    The traces that it seals are there and are the ones that were measured with it. What ``cache`` has, since it was
+    found whole before, is not checked again.
     """
     content = read_own_file(path, BYTE_LIMIT)
     entry, made_from = f"record.{'.'.join(path.parts[-3:])}", (_own_code(), hashlib.sha256(content).digest())
@@ -67,8 +63,8 @@ def load_record(path: Path, cache: Cache | None = None) -> Record:
 @once
 def _own_code() -> bytes:
     """What decides what is found whole, and how it is read."""
-    names = ("reading.py", "record.py", "columns.py", "identity.py")
-    files = [*map(Path(__file__).with_name, names), ROOT / FILE]
+    files = [Path(__file__).with_name(f"{name}.py") for name in ("reading", "record", "columns", "identity")]
+    files.append(ROOT / FILE)
     return hashlib.sha256(b"".join(file.read_bytes() for file in files if file.is_file())).digest()
 
 
@@ -90,7 +86,9 @@ def _checked(content: bytes, path: Path) -> Record:
         if datetime.fromisoformat(date).tzinfo is None:
             raise ValueError(f"the date {date} has no time zone")
     except (ValueError, RecursionError, msgspec.ValidationError) as error:
-        raise RecordError(f"{place} is no whole record: {_line(error)}") from None
+        # In one line, without characters that could do anything to whoever reads it.
+        said = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
+        raise RecordError(f"{place} is no whole record: {said:.300}") from None
     if record.section != path.stem:
         raise RecordError(f"{place} is a record of {record.section!r}")
     for name, value in [*record.machine.items(), *record.measured.items()]:
@@ -111,15 +109,9 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) < len(pairs):
         keys = [key for key, _ in pairs]
-        raise ValueError(f"{next(key for key in keys if keys.count(key) > 1)!r:.80} is there twice")
+        raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
     return found
 
 
 def _refuse(constant: str) -> None:
     raise ValueError(f"{constant} is no number")
-
-
-def _line(error: Exception) -> str:
-    """An error in one line, without characters that could do anything to whoever reads it."""
-    text = UNPRINTABLE.sub("?", " ".join(str(error).split()))
-    return f"{text:.300}" or type(error).__name__

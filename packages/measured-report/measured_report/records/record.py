@@ -103,16 +103,11 @@ class Record:
 
 
 DIGITS = ".9g"
-"""Of a number: as many as tell any two of single precision apart. What the last of them leave out is far below what
-any of these numbers repeats to."""
+"""Of a number: as many as tell any two of single precision apart, far below what any of these repeats to."""
 
 
 def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
-    """Put ``record`` and its traces at ``path``: all of them whole, or none.
-
-    Args:
-        traces: Seal and content of each trace by its case; None: those stay that are there.
-    """
+    """Put ``record`` and its traces, by case, at ``path``: all of them whole, or none; None: those there stay."""
     if traces is not None:
         record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
     check_record(record, short_path(path))

@@ -110,7 +110,6 @@ class Reader:
 IMPORTS = (ast.Import, ast.ImportFrom)
 DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
-SCOPES = (*DEFINING, *COMPREHENSIONS, ast.Lambda)
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
@@ -119,7 +118,7 @@ def _bound(node: ast.AST) -> Iterator[str]:
         yield node.name
     elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
         yield node.id
-    elif not isinstance(node, SCOPES):
+    elif not isinstance(node, (*COMPREHENSIONS, ast.Lambda)):
         for child in ast.iter_child_nodes(node):
             yield from _bound(child)
 
