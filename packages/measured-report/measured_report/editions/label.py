@@ -7,12 +7,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import Any
 
 from measured_report.files.config import config
-
-if TYPE_CHECKING:
-    from packaging.version import Version
 
 _VERSION = r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?"
 VERSION = re.compile(_VERSION)
@@ -42,7 +39,7 @@ class Label:
         return f"{self.version}+{self.source}" if self.source else self.version
 
     @property
-    def order(self) -> "Version":
+    def order(self) -> Any:
         """Sorts by version, as packages are: a development version and a candidate stand before the release."""
         from packaging.version import Version  # which a Python that makes the environment lacks
 

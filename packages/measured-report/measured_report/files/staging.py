@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from measured_report.files.atomic import is_own_file, locked
+from measured_report.files.atomic import atomic_file, is_own_file, locked
 
 AT_FDCWD, RENAME_EXCHANGE = -100, 2
 """From linux/fcntl.h and linux/fs.h."""
@@ -113,10 +113,8 @@ def _move_into(folder: Path, fresh: Path) -> None:
             continue
         if place.is_dir() and not place.is_symlink():
             shutil.rmtree(place)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        part = place.with_name(f".{place.name}.part")
-        shutil.copyfile(path, part)
-        os.replace(part, place)
+        with atomic_file(place) as part:
+            shutil.copyfile(path, part)
     kept = {path.relative_to(fresh) for path in files}
     for path in sorted(folder.rglob("*"), reverse=True):
         if path.is_dir() and not path.is_symlink():

@@ -31,7 +31,6 @@ Node = tuple[str, str]
 _known: dict[str, Source] = {}
 """By the digest of their names and texts: every section imports the same few modules."""
 SOURCES = "sources"
-"""Their name in the cache."""
 
 
 class Files:
@@ -119,11 +118,7 @@ class Graph:
         return list(found)
 
     def reached(self, name: str) -> dict[Node, str]:
-        """What may be run when what has this dotted name is: digests of it, and of what importing its files does.
-
-        Raises:
-            ReportError: Nothing of this project has that name.
-        """
+        """What may be run when what has this dotted name is: digests of it, and of what importing its files does."""
         nodes = self.found(name)
         if isinstance(nodes, str):
             raise ReportError(f"there is no {name}")
@@ -177,17 +172,13 @@ class Graph:
             return CARRIED
         for end in range(len(parts), 0, -1):
             if file := self.module(parts[:end]):
-                return self._in_module(file, parts[end:])
+                source, (first, *rest) = self.source(file), parts[end:] or [""]
+                if first in source.definitions:
+                    return [(file, first)]
+                if first in source.imports:
+                    return self.found(".".join([source.imports[first], *rest]))
+                return [(file, each) for each in source.definitions]  # whoever has a module may ask it for anything
         return name
-
-    def _in_module(self, file: str, attributes: Sequence[str]) -> list[Node] | str:
-        source = self.source(file)
-        first = attributes[0] if attributes else ""
-        if first in source.definitions:
-            return [(file, first)]
-        if first in source.imports:
-            return self.found(".".join([source.imports[first], *attributes[1:]]))
-        return [(file, name) for name in source.definitions]  # whoever has a module may ask it for anything
 
 
 def roots_of(root: Path) -> tuple[str, ...]:

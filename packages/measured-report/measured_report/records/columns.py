@@ -10,7 +10,7 @@ The name ends in their unit; all else is declared in ``report.toml``, for column
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
 from importlib import import_module
@@ -135,6 +135,20 @@ def number_problem(name: str, value: int | float) -> str:
     if -known.largest <= value < known.least:
         return f"is {value:g}, and can't be negative"
     return f"is beyond {known.largest:g}{'' if known.unit == PLAIN else f' {known.unit}'}"
+
+
+def problem_in(row: Mapping[str, Any], name: str, units: Collection[str]) -> str:
+    """What is wrong with a row's cell in the column ``name``, in words, where the columns in ``units`` hold numbers."""
+    value = row[name]
+    if not COLUMN.fullmatch(name):
+        return "is no column name (lower-case words joined by _)"
+    if is_number(value):
+        return number_problem(name, value) if name in units else "has no unit"
+    if name in units and value is None and not row.get(name + REASON):
+        return f"is null without a {name}{REASON}"
+    if isinstance(value, bool | str) and (name in units or column_of(name).unit != PLAIN):
+        return f"is {value!r:.40}, not a number"
+    return cell_problem(value)
 
 
 def cell_problem(value: Any) -> str:

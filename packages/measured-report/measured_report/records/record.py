@@ -12,17 +12,7 @@ from msgspec import Meta
 
 from measured_report.files.atomic import RecordError, put_record, short_path
 from measured_report.files.config import config
-from measured_report.records.columns import (
-    COLUMN,
-    PLAIN,
-    REASON,
-    cell_problem,
-    column_of,
-    columns_of,
-    is_number,
-    number_problem,
-    units_of,
-)
+from measured_report.records.columns import COLUMN, column_of, columns_of, problem_in, units_of
 from measured_report.records.identity import Digest, Identity
 from measured_report.records.provenance import MISSING
 
@@ -131,8 +121,8 @@ def check_record(record: Record, place: str) -> None:
     """RecordError, with the first thing that is wrong, when the rows of ``record`` can't be kept at ``place``."""
     if not record.rows:
         raise RecordError(f"{place} has no rows")
-    known = {name: column_of(name) for name in record.units if COLUMN.fullmatch(name)}
-    ranges = {name: (column.least, column.largest) for name, column in known.items()}
+    known = filter(COLUMN.fullmatch, record.units)
+    ranges = {name: (column_of(name).least, column_of(name).largest) for name in known}
     for index, row in enumerate(record.rows):
         case = row.get("case")
         if not case or not isinstance(case, str):
@@ -141,21 +131,9 @@ def check_record(record: Record, place: str) -> None:
             # Nearly all are numbers that may be there, and every build reads every record.
             if type(value) in (float, int) and column in ranges and ranges[column][0] <= value <= ranges[column][1]:
                 continue
-            if problem := _problem(record, row, column, value):
+            if problem := problem_in(row, column, record.units):
                 raise RecordError(f"{place}: {column:.80} of {case!r:.80} {problem}")
     _check_columns(record, place)
-
-
-def _problem(record: Record, row: Mapping[str, Any], column: str, value: Any) -> str:
-    if not COLUMN.fullmatch(column):
-        return "is no column name (lower-case words joined by _)"
-    if is_number(value):
-        return "has no unit" if column not in record.units else number_problem(column, value)
-    if column in record.units and value is None and not row.get(column + REASON):
-        return f"is null without a {column}{REASON}"
-    if isinstance(value, bool | str) and (column in record.units or column_of(column).unit != PLAIN):
-        return f"is {value!r:.40}, not a number"
-    return cell_problem(value)
 
 
 def _check_columns(record: Record, place: str) -> None:

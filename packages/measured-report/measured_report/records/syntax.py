@@ -5,7 +5,7 @@ import copy
 import hashlib
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 ASSETS = "assets/"
@@ -75,8 +75,11 @@ class Reader:
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
         inner = {name: what for each in ast.walk(node) for name, what, _ in self._named(each)}
-        tree = Canonical()
-        text = tree.top(node, self._names | inner.keys())
+        tree, scope = Canonical(), self._names | inner.keys()
+        if isinstance(node, DEFINING):
+            text = [part for part in tree.plain(node, scope) if part != ("name", repr(node.name))]
+        else:
+            text = tree.plain(node, scope, frozenset(_bound(node)))
         decorators = (_chain(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
         return Definition(
             tree=digest_of([text, place]),
@@ -151,7 +154,6 @@ def _chain(node: ast.AST) -> str:
     return ".".join([node.id, *reversed(attributes)]) if isinstance(node, ast.Name) else ""
 
 
-@dataclass
 class Canonical:
     """Makes plain tuples of a syntax tree, without comments, docstrings and positions.
 
@@ -159,17 +161,11 @@ class Canonical:
     to be fresh under another.
     """
 
-    gaps: list[str] = field(default_factory=list)
-    """What stands in the gaps, in order."""
-
-    def top(self, node: ast.stmt, scope: Collection[str]) -> Any:
-        """A statement of a module, whose own names do not count; those in ``scope`` become gaps."""
-        own = frozenset(_bound(node))
-        if isinstance(node, DEFINING):
-            return tuple(part for part in self.plain(node, scope) if part != ("name", repr(node.name)))
-        return self.plain(node, scope, own)
+    def __init__(self) -> None:
+        self.gaps: list[str] = []
 
     def plain(self, node: Any, scope: Collection[str], own: Collection[str] = ()) -> Any:
+        """Tuples for a node, whose ``own`` names do not count; those in ``scope`` become gaps."""
         if isinstance(node, list):
             kept = (each for each in node if not (_is_text(each) or isinstance(each, IMPORTS)))
             return tuple(self.plain(each, scope, own) for each in kept)
@@ -181,7 +177,9 @@ class Canonical:
             self.gaps.append(chain)
             return GAP, type(node.ctx).__name__, *chain.split(".")[1:]
         if isinstance(node, ast.Raise):
-            return "Raise", self.plain(_silent(node.exc), scope), self.plain(node.cause, scope)
+            # What is raised, without what it says.
+            raised = _Silence().visit(copy.deepcopy(node.exc)) if isinstance(node.exc, ast.Call) else node.exc
+            return "Raise", self.plain(raised, scope), self.plain(node.cause, scope)
         if isinstance(node, ast.Assert):
             return "Assert", self.plain(node.test, scope)
         if isinstance(node, ast.JoinedStr):
@@ -215,11 +213,6 @@ def _inner(node: ast.AST, scope: Collection[str]) -> Collection[str]:
     parameters = {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
     outside = {name for each in ast.walk(node) if isinstance(each, ast.Global) for name in each.names}
     return frozenset(scope) - ((parameters | {name for each in body for name in _bound(each)}) - outside)
-
-
-def _silent(node: ast.AST | None) -> ast.AST | None:
-    """What is raised, without what it says."""
-    return _Silence().visit(copy.deepcopy(node)) if isinstance(node, ast.Call) else node
 
 
 class _Silence(ast.NodeTransformer):
