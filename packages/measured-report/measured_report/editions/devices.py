@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+from contextlib import suppress
 from pathlib import Path
 
 from measured_report import ROOT, UsageError
@@ -19,11 +20,9 @@ def has_cuda() -> bool:
 def _gpus() -> list[str]:
     """The names of this machine's NVIDIA GPUs; none where the driver does not answer."""
     query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
-    try:
-        done = subprocess.run(query, capture_output=True, text=True, check=False)
-    except OSError:
-        return []
-    return done.stdout.splitlines() if done.returncode == 0 else []
+    with suppress(OSError, subprocess.CalledProcessError):
+        return subprocess.check_output(query, stderr=subprocess.DEVNULL, text=True).splitlines()
+    return []
 
 
 def needs_gpu(section: str, root: Path = ROOT) -> bool:

@@ -11,8 +11,7 @@ from typing import Any
 
 from measured_report.files.config import config
 
-_VERSION = r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?"
-VERSION = re.compile(_VERSION)
+VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
 
 
 @dataclass(frozen=True)
@@ -52,10 +51,10 @@ class Label:
 
 def read_label(text: str) -> Label | None:
     """The label that a text is; None when it is none. ``1.8`` is 1.8.0."""
-    names = short_names()
+    names, version = short_names(), VERSION.pattern
     found = re.fullmatch(
-        rf"({_VERSION})(?:\+([a-z][0-9a-f]{{7}}(?:\.edited)?))?"
-        rf"((?:\+(?:{'|'.join(map(re.escape, names)) or '(?!)'})-{_VERSION})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
+        rf"({version})(?:\+([a-z][0-9a-f]{{7}}(?:\.edited)?))?"
+        rf"((?:\+(?:{'|'.join(map(re.escape, names)) or '(?!)'})-{version})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
         text,
     )
     if not found:

@@ -21,7 +21,6 @@ REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
 INDEX = "https://pypi.org/simple"
-INDEX_VARIABLES = ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")
 
 
 @dataclass(frozen=True)
@@ -125,7 +124,7 @@ def release_date(stack: Stack) -> str:
 
 def releases_between(older: Label, newer: Label) -> list[str]:
     """The releases of the index between two, oldest first; candidates and development versions are none."""
-    found = (read_label(version) for version in releases_of(config().package))
+    found = map(read_label, releases_of(config().package))
     return [str(label) for label in found if older.order < label.order < newer.order]
 
 
@@ -139,10 +138,9 @@ def releases_of(package: str) -> list[str]:
 @cache
 def _index_dates(package: str) -> Mapping[str, str]:
     """The day of each version that the index has, which is asked as PEP 700 has it; none where it can't be reached."""
-    index = next(filter(None, map(os.environ.get, INDEX_VARIABLES)), INDEX)
-    request = urllib.request.Request(
-        f"{index.rstrip('/')}/{package}/", headers={"Accept": "application/vnd.pypi.simple.v1+json"}
-    )
+    told = filter(None, map(os.environ.get, ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")))
+    address = f"{next(told, INDEX).rstrip('/')}/{package}/"
+    request = urllib.request.Request(address, headers={"Accept": "application/vnd.pypi.simple.v1+json"})
     try:
         with urllib.request.urlopen(request, timeout=30) as answer:
             files = json.load(answer)["files"]

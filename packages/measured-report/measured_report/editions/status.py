@@ -15,8 +15,6 @@ from measured_report.records.provenance import EDITED, MISSING, checkout_source,
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record
 
-HEADINGS = ("section", "state", "measured on", "date", "profile", "what changed")
-
 
 @dataclass(frozen=True)
 class State:
@@ -116,7 +114,7 @@ def status_table(states: Sequence[State], profile: str) -> str:
     """The state of every section of one release; what changed for several has a number there and is said below."""
     shared = _shared_changes([state for state in states if state.kind == "stale"])
     numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
-    lines = [HEADINGS]
+    lines = [("section", "state", "measured on", "date", "profile", "what changed")]
     for state in states:
         record = state.record
         where, when = (record.processor, record.time_text) if record else ("–", "–")

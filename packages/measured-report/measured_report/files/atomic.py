@@ -14,7 +14,7 @@ from pathlib import Path
 
 from measured_report import ReportError
 
-WHOLE, NEW, PART = ".whole", ".new", ".part"
+WHOLE, NEW = ".whole", ".new"
 """How the folders of files end that wait to be put in place, and that are still being written."""
 
 
@@ -47,9 +47,8 @@ def read_own_file(path: Path, byte_limit: int) -> bytes:
     except FileNotFoundError:
         raise RecordError(f"there is no {place}") from None
     except OSError as error:
-        reason = (
-            "is a link, not a file of its own" if error.errno == errno.ELOOP else f"can't be read: {error.strerror}"
-        )
+        is_link = error.errno == errno.ELOOP
+        reason = "is a link, not a file of its own" if is_link else f"can't be read: {error.strerror}"
         raise RecordError(f"{place} {reason}") from None
     if len(content) > byte_limit:
         raise RecordError(f"{place} has more than {byte_limit >> 20} MiB")
@@ -107,7 +106,7 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
 def atomic_file(path: Path) -> Iterator[Path]:
     """A path to write to, which takes the place of ``path`` once the block has ended well."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}{PART}")
+    temporary = path.with_name(f".{path.name}.part")
     try:
         yield temporary
         with temporary.open("rb") as file:

@@ -11,8 +11,7 @@ from multiprocessing import active_children, get_context
 
 from measured_report import ReportError
 
-PR_SET_PDEATHSIG = 1
-"""From linux/prctl.h: which signal a process gets when the one that started it ends."""
+PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the one that started it ends
 
 
 @contextmanager
@@ -43,18 +42,14 @@ def _begin(parent: int, begin: Callable[[], None] | None) -> None:
 
 
 def obey(parent: int) -> None:
-    """Let this process, which is to become a program, end with ``parent`` and leave Ctrl-C to it.
-
-    Of a Ctrl-C while it imports what it needs a Python program would say more than anybody wants to know.
-    """
+    """Let this process, which is to become a program, end with ``parent`` and leave Ctrl-C to it."""
     end_with(parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def end_with(parent: int) -> None:
     """Let this process end as soon as the process ``parent``, which started it, has; on Linux alone."""
-    prctl = getattr(ctypes.CDLL(None), "prctl", None)
-    if prctl:
+    if prctl := getattr(ctypes.CDLL(None), "prctl", None):
         prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
         if os.getppid() != parent:  # it ended before this was said
             os._exit(1)

@@ -13,8 +13,7 @@ from pathlib import Path
 
 from measured_report.files.atomic import atomic_file, is_own_file, locked
 
-AT_FDCWD, RENAME_EXCHANGE = -100, 2
-"""From linux/fcntl.h and linux/fs.h."""
+AT_FDCWD, RENAME_EXCHANGE = -100, 2  # from linux/fcntl.h and linux/fs.h
 
 
 @contextmanager
@@ -118,7 +117,7 @@ def _move_into(folder: Path, fresh: Path) -> None:
     kept = {path.relative_to(fresh) for path in files}
     for path in sorted(folder.rglob("*"), reverse=True):
         if path.is_dir() and not path.is_symlink():
-            if not any(path.iterdir()):
+            with suppress(OSError):  # of one that is not empty
                 path.rmdir()
         elif path.relative_to(folder) not in kept:
             path.unlink()

@@ -104,8 +104,8 @@ def is_setting(pointer: str) -> bool:
 
 def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:
     """The parameters of a row's case that differ from their defaults."""
-    default = {name: value for name, value in parameters().items() if value is not MISSING}
-    return {name: cell for name, cell in row.items() if name in default and cell != default[name]}
+    default = parameters()
+    return {name: cell for name, cell in row.items() if default.get(name, MISSING) not in (MISSING, cell)}
 
 
 def units_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:

@@ -19,7 +19,7 @@ from measured_report.files.config import FILE, config
 from measured_report.records.columns import UNPRINTABLE, cell_problem
 from measured_report.records.identity import Identity
 from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record
-from measured_report.records.traces import check_seals
+from measured_report.records.traces import sealed_content, trace_path
 
 BYTE_LIMIT = 32 << 20
 
@@ -56,7 +56,8 @@ def load_record(path: Path, cache: Cache | None = None) -> Record:
         record = _checked(content, path)
         if cache:
             cache.put(entry, made_from, record)
-    check_seals(path, record)
+    for case, seal in (record.traces or {}).items():
+        sealed_content(trace_path(path, case), seal)
     return record
 
 

@@ -67,8 +67,7 @@ class Record:
     @property
     def machine_text(self) -> str:
         """The processor, and the driver that it runs with."""
-        driver = self.machine.get("driver")
-        return self.processor + (f" (driver {driver})" if driver else "")
+        return self.processor + (f" (driver {self.machine['driver']})" if self.machine.get("driver") else "")
 
     @property
     def machine_in_full(self) -> str:

@@ -55,19 +55,14 @@ def load_trace(path: Path, seal: Seal | None = None) -> "pd.DataFrame":
 
     Without a ``seal``, as for a record from before traces were sealed, it may be any whole trace.
     """
-    frame = _read(_sealed(path, seal), path)
+    frame = _read(sealed_content(path, seal), path)
     if seal and len(frame) != seal.row_count:
         raise RecordError(f"{short_path(path)} has {len(frame)} rows, and its record says {seal.row_count}")
     return frame
 
 
-def check_seals(path: Path, record: Record) -> None:
-    """RecordError unless the traces that the record at ``path`` seals are there, as they were measured with it."""
-    for case, seal in (record.traces or {}).items():
-        _sealed(trace_path(path, case), seal)
-
-
-def _sealed(path: Path, seal: Seal | None) -> bytes:
+def sealed_content(path: Path, seal: Seal | None) -> bytes:
+    """What the trace at ``path`` holds; RecordError unless it is the one that ``seal`` is of."""
     content = read_own_file(path, PACKED_BYTE_LIMIT)
     if seal and hashlib.sha256(content).hexdigest() != seal.digest:
         raise RecordError(f"{short_path(path)} is not the trace that was measured with {path.name.split('.')[0]}.json")
@@ -78,7 +73,10 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
     import pandas as pd
 
     try:
-        text = _unpacked(content).decode("utf-8")
+        unpacking = zlib.decompressobj(wbits=31)
+        text = unpacking.decompress(content, BYTE_LIMIT).decode("utf-8")
+        if not unpacking.eof or unpacking.unused_data:
+            raise ValueError(f"it ends early, or holds more than {BYTE_LIMIT >> 20} MiB, or something behind its end")
         lines = list(csv.reader(io.StringIO(text), strict=True))
         _check_cells(lines)
         if found := NO_NUMBER.search(text):
@@ -91,14 +89,6 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
     except (EOFError, ValueError, csv.Error, zlib.error) as error:
         raise RecordError(f"{short_path(path)} is no whole trace: {' '.join(str(error).split())}") from None
     return frame
-
-
-def _unpacked(content: bytes) -> bytes:
-    unpacking = zlib.decompressobj(wbits=31)
-    text = unpacking.decompress(content, BYTE_LIMIT)
-    if not unpacking.eof or unpacking.unused_data:
-        raise ValueError(f"it ends early, or holds more than {BYTE_LIMIT >> 20} MiB, or something behind its end")
-    return text
 
 
 def _check_cells(lines: list[list[str]]) -> None:
