@@ -17,7 +17,7 @@ from importlib import import_module
 from itertools import chain
 from typing import Any, TypeGuard
 
-from measured_report.files.config import Declared, config
+from measured_report.files.config import config
 
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
@@ -55,10 +55,10 @@ class Column:
     largest: float
     """The range of the numbers that are believed."""
     kinds: frozenset[str]
-    given_beside: str
-    better: str
-    resolution: float
-    rate_of: str
+    given_beside: str = ""
+    better: str = ""
+    resolution: float = 0.0
+    rate_of: str = ""
 
     @property
     def is_setting(self) -> bool:
@@ -74,20 +74,14 @@ class Column:
 def column_of(name: str) -> Column:
     """What is known of the column of that name."""
     found = [each for each in config().columns if name in each.names or re.fullmatch(each.pattern, name)]
-    unit = _unit(name)
+    words = PERCENTILE.sub("", name).split("_")
+    ends = ("_".join(words[start:]) for start in range(len(words)))
+    unit = next((UNITS[end] for end in ends if end in UNITS), PLAIN)
     largest = LARGEST.get(unit, 1e18)
     signed = next((each.signed for each in found if each.signed is not None), unit not in NEVER_NEGATIVE)
     kinds = {each.kind for each in found if each.kind} | ({"parameter"} if name in parameters() else set())
-    said: dict[str, Any] = {
-        what: next(filter(None, (getattr(each, what) for each in found)), getattr(Declared, what)) for what in SAID
-    }
+    said = {what: getattr(each, what) for each in reversed(found) for what in SAID if getattr(each, what)}
     return Column(name, unit, -largest if signed else 0.0, largest, frozenset(kinds), **said)
-
-
-def _unit(name: str) -> str:
-    words = PERCENTILE.sub("", name).split("_")
-    ends = ("_".join(words[start:]) for start in range(len(words)))
-    return next((UNITS[end] for end in ends if end in UNITS), PLAIN)
 
 
 @cache

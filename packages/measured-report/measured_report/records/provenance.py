@@ -52,20 +52,19 @@ def _source() -> str:
     path = Path(unquote(urlparse(address).path))
     if "dir_info" in found:
         return checkout_source(path)
-    if address and not address.startswith("file:"):
-        return address_source(address)
-    return wheel_source(path) if address else ""
+    if address.startswith("file:"):
+        return wheel_source(path)
+    return address_source(address) if address else ""
 
 
 def checkout_source(folder: Path) -> str:
     """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
     module = config().package.replace("-", "_")
     code = _digest(sorted((folder / module).rglob("*.py")), folder)
-    commit = git(folder, "rev-parse", f"--short={SHORT_COMMIT}", "HEAD")
+    commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
     if not commit:
         return f"x{code}"
-    edited = git(folder, "status", "--porcelain", "--", module)
-    return f"g{commit[:SHORT_COMMIT]}{EDITED}.{code}" if edited else f"g{commit[:SHORT_COMMIT]}"
+    return f"g{commit}{EDITED}.{code}" if git(folder, "status", "--porcelain", "--", module) else f"g{commit}"
 
 
 def wheel_source(path: Path) -> str:

@@ -74,11 +74,11 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
 
     try:
         unpacking = zlib.decompressobj(wbits=31)
-        text = unpacking.decompress(content, BYTE_LIMIT).decode("utf-8")
+        unpacked = unpacking.decompress(content, BYTE_LIMIT)
         if not unpacking.eof or unpacking.unused_data:
             raise ValueError(f"it ends early, or holds more than {BYTE_LIMIT >> 20} MiB, or something behind its end")
-        lines = list(csv.reader(io.StringIO(text), strict=True))
-        _check_cells(lines)
+        text = unpacked.decode("utf-8")
+        _check_cells(list(csv.reader(io.StringIO(text), strict=True)))
         if found := NO_NUMBER.search(text):
             raise ValueError(f"{found[0].strip(',')} is no number")
         # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
