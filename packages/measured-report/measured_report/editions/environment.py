@@ -78,10 +78,8 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     if stack.label.is_installed_with(package_versions()):
         return Path(sys.executable)
     if not stack.requirement:
-        raise UsageError(
-            f"{option}={stack.label} does not say where its code is; "
-            f"a path or git+https://HOST/{package}.git@COMMIT does"
-        )
+        place = f"a path or git+https://HOST/{package}.git@COMMIT"
+        raise UsageError(f"{option}={stack.label} does not say where its code is; {place} does")
     folder = environment_of(stack, root)
     others = {name: version for name, version in packages.items() if name != package}
     rest = requirements(root, {package: MISSING, **others, **dict(stack.label.pins)})
@@ -111,9 +109,8 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
     )
     done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise UsageError(
-            f"{config().option}={stack.asked}: {python} does not run; remove its folder and it is made anew"
-        )
+        asked = f"{config().option}={stack.asked}"
+        raise UsageError(f"{asked}: {python} does not run; remove its folder and it is made anew")
     installed = json.loads(done.stdout)
     wanted = {**dict(stack.label.pins), config().package: stack.label.package_version}
     for package, version in wanted.items():

@@ -74,9 +74,8 @@ def _found(asked: str, option: str) -> Stack:
     repository = Path(path).expanduser().resolve()
     if path and repository.is_dir() and REFERENCE.fullmatch(reference):
         return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
-    raise UsageError(
-        f"{option}={asked} is no release number, checkout, wheel or git+https://…@ref; {option}=1.8.0 is one"
-    )
+    kinds = "release number, checkout, wheel or git+https://…@ref"
+    raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.8.0 is one")
 
 
 def _commit(address: str, reference: str, asked: str, option: str) -> Stack:
@@ -97,12 +96,10 @@ def _commit(address: str, reference: str, asked: str, option: str) -> Stack:
 
 def _own_version(project: str, asked: str, option: str) -> str:
     """The version that the text of a pyproject.toml names."""
-    found = OWN_VERSION.search(project)
-    if not found or f'name = "{config().package}"' not in project or not VERSION.fullmatch(found[1]):
-        raise UsageError(
-            f"{option}={asked} is no checkout of {config().edition_name}: its pyproject.toml names no "
-            f"{config().package} with a version"
-        )
+    found, package = OWN_VERSION.search(project), config().package
+    if not found or f'name = "{package}"' not in project or not VERSION.fullmatch(found[1]):
+        lacking = f"its pyproject.toml names no {package} with a version"
+        raise UsageError(f"{option}={asked} is no checkout of {config().edition_name}: {lacking}")
     return full_version(found[1])
 
 

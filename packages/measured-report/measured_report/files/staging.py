@@ -71,12 +71,9 @@ class Draft:
 
 def digests_below(folder: Path) -> dict[str, str]:
     """Digests of the files below a folder, by their names there; links, and what else is no file, are passed over."""
-    found = {}
-    for place, _, names in os.walk(folder):
-        for path in map(Path(place).joinpath, names):
-            if is_own_file(path):
-                found[path.relative_to(folder).as_posix()] = hashlib.sha256(path.read_bytes()).hexdigest()
-    return found
+    files = [path for place, _, names in os.walk(folder) for path in map(Path(place).joinpath, names)]
+    own = filter(is_own_file, files)
+    return {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in own}
 
 
 def replace(folder: Path, fresh: Path) -> None:

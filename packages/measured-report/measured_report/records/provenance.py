@@ -35,9 +35,7 @@ def package_versions() -> dict[str, str]:
     return dict(found)
 
 
-def package_changes(
-    before: Mapping[str, str | None], after: Mapping[str, str | None], names: Sequence[str] = ()
-) -> list[str]:
+def package_changes(before: Mapping[str, str], after: Mapping[str, str], names: Sequence[str] = ()) -> list[str]:
     """Which packages are of another version than before, each with both."""
     versions = {name: (before.get(name), after.get(name)) for name in names or config().packages}
     return [f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new]

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-from collections.abc import Mapping
 from dataclasses import fields
 from datetime import datetime
 from functools import cache as once
@@ -73,15 +72,16 @@ def _checked(content: bytes, path: Path) -> Record:
     place = short_path(path)
     try:
         data = json.loads(content.decode("utf-8"), object_pairs_hook=_unique, parse_constant=_refuse)
-        schema = data.get("schema") if isinstance(data, dict) else SCHEMA
+        schema = data.pop("schema", None) if isinstance(data, dict) else SCHEMA
         if type(schema) is not int or schema != SCHEMA:
             raise RecordError(f"{place} has schema {schema!r:.40}, not {SCHEMA}")
         record = msgspec.convert(data, Record)
-        _refuse_others(data, "schema", *(field.name for field in fields(Record)))
-        _refuse_others(data["identity"], *(field.name for field in fields(Identity)))
-        _refuse_others(data["identity"]["packages"], *config().packages)
-        for seal in (data.get("traces") or {}).values():
-            _refuse_others(seal, *(field.name for field in fields(Seal)))
+        seals = (data.get("traces") or {}).values()
+        kinds = [(data, Record), (data["identity"], Identity), *((seal, Seal) for seal in seals)]
+        known = [(part, {each.name for each in fields(kind)}) for part, kind in kinds]
+        for part, names in [*known, (data["identity"]["packages"], {*config().packages})]:
+            if others := part.keys() - names:
+                raise ValueError(f"nothing here is called {min(others)!r:.80}")
         msgspec.convert(record.machine, _Machine)
         date = msgspec.convert(record.measured, _Measured).date
         if datetime.fromisoformat(date).tzinfo is None:
@@ -97,12 +97,6 @@ def _checked(content: bytes, path: Path) -> Record:
             raise RecordError(f"{place}: {name} {problem}")
     check_record(record, place)
     return record
-
-
-def _refuse_others(data: Mapping[str, Any], *known: str) -> None:
-    """ValueError for any key that is not ``known``."""
-    if others := data.keys() - {*known}:
-        raise ValueError(f"nothing here is called {min(others)!r:.80}")
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
