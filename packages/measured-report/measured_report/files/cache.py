@@ -45,7 +45,7 @@ class Cache:
             if hashlib.sha256(content[DIGEST_SIZE:]).digest() == content[:DIGEST_SIZE]:
                 reading = _Reading(io.BytesIO(content[DIGEST_SIZE:]))
                 if find:
-                    reading.persistent_load = find
+                    reading.persistent_load = find  # type: ignore[method-assign]
                 return reading.load() if reading.load() == key else None
         return None
 
@@ -57,7 +57,7 @@ class Cache:
         buffer = io.BytesIO()
         writing = _Writing(buffer, pickle.HIGHEST_PROTOCOL)
         if name_of:
-            writing.persistent_id = name_of
+            writing.persistent_id = name_of  # type: ignore[method-assign]
         writing.dump(key)
         writing.dump(value)
         content = buffer.getvalue()
