@@ -20,9 +20,9 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
 
     asked: str
     """As the command that measured it named its package: a release, a path or an address."""
-    date: str = ""
+    date: str
     """Of the release or the commit, as 2026-11-11; empty where it is not known."""
-    sections: tuple[str, ...] = ()
+    sections: tuple[str, ...]
     """Those that have been measured."""
 
 
