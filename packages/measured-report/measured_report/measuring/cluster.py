@@ -24,7 +24,7 @@ from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
 from measured_report import ROOT, ReportError
 from measured_report.measuring import worker
 from measured_report.measuring.cluster_address import ClusterAddress, read_cluster
-from measured_report.measuring.executors import Host, Task, WorkerProcess
+from measured_report.measuring.executors import Host, Task
 from measured_report.measuring.outcome import BatchOutcome, Failed, Lost
 from measured_report.measuring.process import carrying_digest, prepare
 from measured_report.records.identity import Identity
@@ -62,21 +62,16 @@ def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
 
 
 def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
-    there = len(worker.gpus()) if device == "cuda" else os.cpu_count() or 1
-    count = cluster.process_count or there
-    if device == "cuda" and count > there:
-        raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
-    options: dict[str, Any] = {
-        "threads_per_worker": count,
-        "memory_limit": 0,
-        "dashboard_address": None,
-        "silence_logs": QUIET,
-    }
+    gpus = [uuid for uuid, _ in worker.gpus()] if device == "cuda" else []
+    thread_count = count = cluster.process_count or (len(gpus) if device == "cuda" else os.cpu_count() or 1)
+    settings = {}
     if device == "cuda":
-        gpus = [uuid for uuid, _ in worker.gpus()[:count]]
-        options["env"] = {"CUDA_VISIBLE_DEVICES": ",".join(gpus)}
-        options["threads_per_worker"] = max(count, len(worker.shared_processes(gpus)))
-    return LocalCluster(n_workers=1, host="127.0.0.1", **options)
+        if count > len(gpus):
+            raise ReportError(f"CLUSTER={cluster.asked}: this host has {len(gpus)} GPUs, and {count} are asked for")
+        settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpus[:count])
+        thread_count = max(count, len(worker.shared_processes(gpus[:count])))
+    options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET, "env": settings}
+    return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
 
 
 def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
@@ -135,9 +130,8 @@ class ClusterExecutor:
     def hosts(self) -> list[Host]:
         """The hosts that may measure; of several workers on one the first does so."""
         first: dict[str, Host] = {}
-        for host in list(self._workers.values()):
-            if host:
-                first.setdefault(host.name, host)
+        for host in filter(None, list(self._workers.values())):
+            first.setdefault(host.name, host)
         return list(first.values())
 
     def gather(self, patience_s: float | None) -> None:
@@ -150,11 +144,10 @@ class ClusterExecutor:
             if not self._workers and patience_s and time.monotonic() - begun > patience_s:
                 raise ReportError(f"no worker is there after {patience_s:.0f} s")
 
-    def start(self, task: Task, process: WorkerProcess) -> None:
-        name, part = process
-        address = next(address for address, host in self._workers.items() if host and host.name == name)
+    def start(self, task: Task, process: tuple[str, str]) -> None:
+        address = next(address for address, host in self._workers.items() if host and host.name == process[0])
         call = _call(task.batch.function, *task.batch.arguments)
-        self._submit(task, address, worker.measure, self.device, part, call)
+        self._submit(task, address, worker.measure, self.device, process[1], call)
 
     def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:
         """Yield what has ended within a moment."""
@@ -207,9 +200,9 @@ class ClusterExecutor:
 
     def _submit(self, task: Task | None, address: str, function: Callable, *arguments: Any) -> None:
         """Let one worker call a function, once."""
-        only = {"workers": [address], "allow_other_workers": False, "pure": False, "retries": 0}
         key = f"{task.name if task else 'introduction'}-{uuid.uuid4().hex}"
-        self._running[self.client.submit(function, *arguments, key=key, **only)] = task, address
+        future = self.client.submit(function, *arguments, key=key, workers=[address], pure=False)
+        self._running[future] = task, address
 
 
 def _call(function: Callable, *arguments: Any) -> bytes:
