@@ -3,14 +3,13 @@
 import argparse
 import io
 import os
+import pkgutil
 import signal
 import sys
 from collections.abc import Mapping
+from functools import partial
 
 from measured_report import ReportError, UsageError
-from measured_report.commands.building import page, publish, report, rerun, serve, status, test
-from measured_report.commands.editions import bisect, history, newest, retire, upgrade
-from measured_report.commands.findings import check, diff, trace, verify
 from measured_report.commands.options import EDITION, OPTIONS, flag
 from measured_report.commands.programs import programs
 from measured_report.editions.project import Project, own_release
@@ -22,24 +21,24 @@ from measured_report.records.columns import UNPRINTABLE
 
 AGAIN_S = 0.01
 COMMANDS = {
-    report: (EDITION, "with", "device", "cluster", "profile", "address"),
-    page: (EDITION, "with", "profile", "address"),
-    rerun: ("section", EDITION, "with", "device", "cluster", "profile", "address"),
-    status: (EDITION, "with", "profile"),
-    upgrade: (EDITION, "with", "since", "device", "profile", "format"),
-    bisect: ("claim", "value", "a", "b", "device"),
-    history: ("claim", "value", "profile"),
-    newest: (),
-    retire: (EDITION, "with", "address"),
-    check: (EDITION, "with", "profile", "format", "strict"),
-    diff: ("a", "b", "profile", "format", "values"),
-    trace: ("value", EDITION, "profile"),
-    verify: (EDITION, "device"),
-    publish: ("target",),
-    serve: ("port", EDITION, "profile"),
-    test: (EDITION, "with", "fast"),
+    "building:report": (EDITION, "with", "device", "cluster", "profile", "address"),
+    "building:page": (EDITION, "with", "profile", "address"),
+    "building:rerun": ("section", EDITION, "with", "device", "cluster", "profile", "address"),
+    "building:status": (EDITION, "with", "profile"),
+    "editions:upgrade": (EDITION, "with", "since", "device", "profile", "format"),
+    "editions:bisect": ("claim", "value", "a", "b", "device"),
+    "editions:history": ("claim", "value", "profile"),
+    "editions:newest": (),
+    "editions:retire": (EDITION, "with", "address"),
+    "findings:check": (EDITION, "with", "profile", "format", "strict"),
+    "findings:diff": ("a", "b", "profile", "format", "values"),
+    "findings:trace": ("value", EDITION, "profile"),
+    "findings:verify": (EDITION, "device"),
+    "building:publish": ("target",),
+    "building:serve": ("port", EDITION, "profile"),
+    "building:test": (EDITION, "with", "fast"),
 }
-"""What there is to run in every report, and the options that each has."""
+"""What there is to run in every report, ``module:function`` beside this one, and the options that each has."""
 
 
 def main() -> int:
@@ -106,16 +105,21 @@ def _parse_arguments() -> argparse.Namespace:
     given = _given_to_make()
     parser = _Parser(prog="build.py", description="What make calls; make help says what there is.", allow_abbrev=False)
     parser.set_defaults(edition=None, pins="", profile="full")
-    commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    known = [(run.__name__, run, run.__doc__, options) for run, options in COMMANDS.items()]
+    commands = parser.add_subparsers(required=True)
+    known = [(place.partition(":")[2], partial(_run, place), "", options) for place, options in COMMANDS.items()]
     known += [(name, program.run, program.help, program.options) for name, program in programs().items()]
     for name, run, said, options in known:
-        command = commands.add_parser(name, help=said, description=said, allow_abbrev=False)
+        command = commands.add_parser(name, description=said, allow_abbrev=False)
         command.set_defaults(run=run)
         for option in options:
             default = {"default": given[option]} if option in given else {}
             command.add_argument(f"--{option}", **{**OPTIONS[option], **default})
     return parser.parse_args()
+
+
+def _run(place: str, project: Project, arguments: argparse.Namespace) -> int:
+    """Run a command, and import what it alone needs."""
+    return pkgutil.resolve_name(f"measured_report.commands.{place}")(project, arguments)
 
 
 def _given_to_make() -> Mapping[str, str]:
