@@ -1,6 +1,7 @@
 """Commands that make something: measured sections, the site, its tests, and what serves or publishes it."""
 
 import argparse
+import pkgutil
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -8,7 +9,7 @@ from dataclasses import replace
 from functools import partial
 
 from measured_report import ReportError, UsageError
-from measured_report.commands.programs import add_tests_cluster, made_states
+from measured_report.commands.programs import add_tests_cluster, programs
 from measured_report.editions.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
 from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
@@ -67,7 +68,8 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.stack)
     print(status_matrix(project))
     print(f"\n{config().package} {project.release}")
-    print(status_table([*states_of(project), *made_states(project)], project.profile))
+    made = [pkgutil.resolve_name(each.state)(project) for each in programs(project.root).values() if each.state]
+    print(status_table([*states_of(project), *made], project.profile))
     return 0
 
 

@@ -19,7 +19,6 @@ from measured_report.files.suggestion import suggestion
 from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
 
-AGAIN_S = 0.01
 COMMANDS = {
     "building:report": (EDITION, "with", "device", "cluster", "profile", "address"),
     "building:page": (EDITION, "with", "profile", "address"),
@@ -83,13 +82,12 @@ def main() -> int:
 def interrupt_again(unraisable: "sys.UnraisableHookArgs") -> None:
     """Raise Ctrl-C a moment later where Python can't, as in a callback of an import, and would drop it."""
     if isinstance(unraisable.exc_value, KeyboardInterrupt):
-        signal.setitimer(signal.ITIMER_REAL, AGAIN_S)
+        signal.setitimer(signal.ITIMER_REAL, 0.01)
     else:
         sys.__unraisablehook__(unraisable)
 
 
 def _drop_output() -> None:
-    """Let what could not be written not be tried again at the end."""
     if sys.stdout:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -105,11 +103,11 @@ def _parse_arguments() -> argparse.Namespace:
     given = _given_to_make()
     parser = _Parser(prog="build.py", description="What make calls; make help says what there is.", allow_abbrev=False)
     parser.set_defaults(edition=None, pins="", profile="full")
-    commands = parser.add_subparsers(required=True)
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
     known = [(place.partition(":")[2], partial(_run, place), "", options) for place, options in COMMANDS.items()]
     known += [(name, program.run, program.help, program.options) for name, program in programs().items()]
     for name, run, said, options in known:
-        command = commands.add_parser(name, description=said, allow_abbrev=False)
+        command = commands.add_parser(name, help=said, description=said, allow_abbrev=False)
         command.set_defaults(run=run)
         for option in options:
             default = {"default": given[option]} if option in given else {}

@@ -95,7 +95,7 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
     refuse_lacking_ends(arguments, f"make bisect CLAIM={config().changes.example_claim} A=1.4.0 B=1.8.0")
     device = measuring_device(arguments.device, "quick")
-    query, templates = _query_of_section(arguments), Templates(project.templates)
+    query, templates = _query(arguments, is_of_section=True), Templates(project.templates)
     search = Bisection(replace(project, profile="quick"), query, device, templates)
     try:
         search.ends(arguments.a, arguments.b)
@@ -121,18 +121,19 @@ def newest(project: Project, arguments: argparse.Namespace) -> int:
     package = config().package
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
-    latest = [read_label(release) for release in releases_of(package)[-1:]]
-    if not latest:
+    newest_known = max((each.label for each in known), key=lambda label: label.order)
+    releases = releases_of(package)
+    if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
-    if all(label.order > each.label.order for label in latest for each in known):
-        print(f"{package}={latest[0]}\nwith=")
+    latest = read_label(releases[-1])
+    if latest.order > newest_known.order:
+        print(f"{package}={latest}\nwith=")
         return 0
-    version = max((each.label for each in known), key=lambda label: label.order).version
     for other, *_ in config().changes.together:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
         for newer in releases_of(other)[-1:]:
             if newer not in used:
-                print(f"{package}={version}\nwith={other}=={newer}")
+                print(f"{package}={newest_known.version}\nwith={other}=={newer}")
                 return 0
     return 0
 
@@ -171,18 +172,13 @@ def retire(project: Project, arguments: argparse.Namespace) -> int:
     return int(build_site(project.of(project.own_release), arguments.address)[0])
 
 
-def _query(arguments: argparse.Namespace) -> Query:
-    """Return what CLAIM or VALUE asks; UsageError unless it is one of them."""
+def _query(arguments: argparse.Namespace, *, is_of_section: bool = False) -> Query:
+    """Return what CLAIM or VALUE asks, if ``is_of_section`` of one that there is: what that has is not known yet."""
     if bool(arguments.claim) == bool(arguments.value):
         examples = " and ".join(Query("", is_claim).example for is_claim in (True, False))
         raise UsageError(f"one of {examples} is needed")
-    return Query(arguments.claim or arguments.value, bool(arguments.claim))
-
-
-def _query_of_section(arguments: argparse.Namespace) -> Query:
-    """Return what is asked, of a section that there is: whether that has it is known once it is measured."""
-    query = _query(arguments)
-    if query.section not in sections() or query.section == query.text:
+    query = Query(arguments.claim or arguments.value, bool(arguments.claim))
+    if is_of_section and (query.section not in sections() or query.section == query.text):
         hint = suggestion(query.section, sections())
         raise UsageError(f"{query.given} is in no section{hint}; {query.example} is")
     return query

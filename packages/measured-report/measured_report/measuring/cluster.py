@@ -37,11 +37,8 @@ SETTINGS = {
     # Dask ends for good what has no worker so long after it lost one, even where the next one is just starting.
     "distributed.deploy.lost-worker-timeout": "365d",
 }
-QUIET = logging.CRITICAL
-"""What is wrong is said here."""
+QUIET = logging.CRITICAL  # what is wrong is said here
 CONNECT_S = 30.0
-ORPHANED_S = 60.0
-"""How long a scheduler that was started here outlives it, if nobody could stop it."""
 
 
 @contextlib.contextmanager
@@ -81,7 +78,8 @@ def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
         [hosts[0], *hosts],
         remote_python=[pythons[0], *pythons],
         worker_options={"memory_limit": 0, "death_timeout": str(CONNECT_S)},
-        scheduler_options={"port": 0, "dashboard": False, "idle_timeout": f"{ORPHANED_S:.0f}s"},
+        # The scheduler outlives this process for a while where nobody could stop it.
+        scheduler_options={"port": 0, "dashboard": False, "idle_timeout": "60s"},
     )
 
 
@@ -98,11 +96,9 @@ def _python_in(folder: str) -> str:
 def cluster_executor(
     cluster: ClusterAddress, device: str, processor: str | None, identities: Mapping[str, Identity]
 ) -> Iterator["ClusterExecutor"]:
-    """Open an executor of the cluster's workers, as far as they may measure this.
+    """Open an executor of those of the cluster's workers that measure each section by its identity.
 
-    Args:
-        processor: What a GPU must be called in a label; None for any.
-        identities: What each section must be measured by.
+    A GPU must be called ``processor`` in a label, unless that is None.
     """
     with connected(cluster, device) as client:
         executor = ClusterExecutor(client, device, processor, identities)

@@ -10,7 +10,6 @@ from measured_report.measuring.batch import Batch
 from measured_report.measuring.machine import kind_of
 from measured_report.measuring.outcome import BatchOutcome, run_batch
 
-POLL_S = 0.5
 WHOLE = "whole"
 """The one batch of a section that has declared none."""
 
@@ -75,5 +74,5 @@ class LocalExecutor:
 
     def wait(self) -> Iterable[tuple[Task, BatchOutcome]]:
         """Yield what has ended; a process that was killed takes the others with it."""
-        for future in futures.wait(self._running, timeout=POLL_S, return_when=futures.FIRST_COMPLETED).done:
+        for future in futures.wait(self._running, timeout=0.5, return_when=futures.FIRST_COMPLETED).done:
             yield self._running.pop(future), future.result()

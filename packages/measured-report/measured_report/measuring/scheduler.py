@@ -19,14 +19,10 @@ PATIENCE_S = 120.0
 def next_start(
     ready: Sequence[tuple[Task, tuple | None]], hosts: Sequence[Host], busy: Mapping[tuple[str, str], Task]
 ) -> tuple[Task, Host, tuple[str, str]] | None:
-    """Choose what is to be started next, and where; None when nothing can be.
+    """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
     Where more than one batch runs at a time the longest goes first, and what must be alone on its host goes when
-    nothing else is left to run there.
-
-    Args:
-        ready: Tasks, each with the kind of machine that its section is bound to, if it is.
-        busy: What runs, by its worker process.
+    nothing else is left to run there. None when nothing can be started beside what is ``busy``.
     """
     in_turn = sum(len(host.shared or host.processes) for host in hosts) == 1
     for host in hosts:

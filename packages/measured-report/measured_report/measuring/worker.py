@@ -29,7 +29,6 @@ POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
-NOWHERE = "/nonexistent"
 SHARE_COUNT = 6
 """Processes that share a GPU: a few worlds leave most of it idle."""
 CORES_EACH = 2
@@ -88,10 +87,7 @@ _processes_lock = threading.Lock()
 def introduce(device: str, processor: str | None, thread_count: int, call: bytes) -> tuple[str, Host | Lost | Failed]:
     """Say what this worker is called and, once its first process has made a call, what processes it has.
 
-    Args:
-        processor: What a GPU must be called in a label; None for any.
-        thread_count: How many processes there may be.
-        call: Prepares the host.
+    A GPU must be called ``processor`` in a label, unless that is None; there may be ``thread_count`` processes.
     """
     node, there = platform.node(), gpus() if device == "cuda" else []
     names = [uuid for uuid, name in there if processor in (None, slug(name))]
@@ -120,7 +116,7 @@ def measure(device: str, name: str, call: bytes) -> BatchOutcome:
     gpu, is_shared, _ = name.partition("/")
     settings = {"CUDA_VISIBLE_DEVICES": gpu} if device == "cuda" else {}
     if settings and not is_shared:
-        settings[MPS] = NOWHERE  # only one that shares its GPU finds the daemon
+        settings[MPS] = "/nonexistent"  # only one that shares its GPU finds the daemon
     with _processes_lock:
         mine = _processes.setdefault((device, name), Process(device, settings))
     return mine.ask(call, _still_wanted())
