@@ -77,8 +77,8 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     add_tests_cluster(python, project)
-    chosen = ["-m", "words and not slow"] if arguments.fast else []
-    return subprocess.run([python, "-m", "pytest", *chosen], cwd=project.root, check=False).returncode
+    command = [python, "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:

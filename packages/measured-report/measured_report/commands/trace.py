@@ -73,12 +73,11 @@ class Provenance:
 
     def _cell(self, pointer: str) -> Quantity | None:
         """Return the number of a record that a pointer leads to."""
-        place = Pointer(pointer)
-        if not place.cell or place.file not in self._records:
+        file, cell = Pointer(pointer).file, Pointer(pointer).cell
+        if not cell or file not in self._records:
             return None
-        column = place.cell[1]
-        cells = [row[column] for row in self._records[place.file].results.rows if column in row]
-        return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer), None)
+        found = (row[cell[1]] for row in self._records[file].results.rows if cell[1] in row)
+        return next((each for each in found if isinstance(each, Quantity) and each.source == pointer), None)
 
     def _of_value(self, found: Quantity) -> Iterator[str]:
         if isinstance(found, Value):
@@ -99,9 +98,8 @@ class Provenance:
         if not (found and found.noise):
             return ""
         index, column = cell.cell
-        if f"{column}_p5" in self._records[cell.file].results.record.rows[index]:
-            whence = "its frames"
-        else:
+        whence = "its frames"
+        if f"{column}_p5" not in self._records[cell.file].results.record.rows[index]:
             runs = self._records[f"{cell.file.partition('/')[0]}/{NOISE}.json"].results.record.rows
             whence = f"section {NOISE}, n {len(runs)}"
         return f", noise {_in_unit(found.noise, found.unit)} ({whence})"
@@ -119,9 +117,8 @@ class Provenance:
         if not places:
             yield f"  printed     nowhere on the pages of {config().package} {release}"
         for section, chapter in self._chapters.items():
-            for claim in chapter.section.claims:
-                if found.source in claim.outcome.reads:
-                    yield f"  decides     {section}.{claim.name}: {claim.outcome.said}"
+            claims = (claim for claim in chapter.section.claims if found.source in claim.outcome.reads)
+            yield from (f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims)
 
     def _of_record(self, file: str, cells: Sequence[Pointer]) -> Iterator[str]:
         """Describe the rows and traces of a file that a number comes from, and what measured them."""

@@ -18,10 +18,7 @@ KIND = ("device", "gpu", "driver", "cpu", "cores")
 
 @cache
 def machine(kind: str) -> dict[str, str | None]:
-    """The machine that measures, as far as a reader needs it to judge a number.
-
-    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
-    """
+    """The machine that measures; host and GPU, with the times of two records, tell whether they ran side by side."""
     device, driver = host().device(kind), None
     if kind == "cuda":
         driver = said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
@@ -51,10 +48,7 @@ def cpu_name() -> str:
 
 
 def commit() -> str | None:
-    """The commit that is checked out, with a mark when the working tree differs from it.
-
-    Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
-    """
+    """The commit that is checked out, marked where the tree differs; of a mere copy the environment's GIT_COMMIT."""
     if told := os.environ.get("GIT_COMMIT"):
         return told
     found = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")

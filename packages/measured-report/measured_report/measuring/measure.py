@@ -26,12 +26,9 @@ from measured_report.files.processes import obey
 from measured_report.measuring.cluster_address import ClusterAddress
 from measured_report.records.identity import sections as all_sections
 
-UNFIT = 2
-"""Exit status of a measurement that could not begin, because of what was asked for."""
-STOP_S = 4.0
-"""How long a measurement has to stop after a Ctrl-C."""
-BATCH = re.compile(r"(?:batch|alone)_(.+)_s")
-"""Under what a record has the time of a batch."""
+UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
+STOP_S = 4.0  # how long a measurement has to stop after a Ctrl-C
+BATCH = re.compile(r"(?:batch|alone)_(.+)_s")  # under what a record has the time of a batch
 
 
 def measure(
@@ -133,10 +130,7 @@ def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """The report that the results of ``machine`` belong to: one of its own where others' are kept already.
-
-    Sections that need no GPU count as measured on any machine.
-    """
+    """The report that results of ``machine`` belong to: its own where others' are there that needed a GPU, as these."""
     label, asked = project.label, f"{config().option}={project.release}"
     if not any(needs_gpu(section, project.root) for section in sections):
         return project

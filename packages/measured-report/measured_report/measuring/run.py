@@ -74,8 +74,7 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     """The runs of the sections that were asked for; ReportError where they can't be measured here."""
     project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
     arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
-    modules = {section: section_module(section) for section in arguments.section}
-    known = json.loads(arguments.seconds)
+    modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
 
 

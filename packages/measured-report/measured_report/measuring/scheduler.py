@@ -75,10 +75,8 @@ class Scheduler:
 
     def _start(self) -> None:
         """Start all that can be."""
-        runs = self.runs.values()
-        while found := next_start(
-            [(task, run.kind) for run in runs for task in run.tasks()], self.executor.hosts, self.busy
-        ):
+        runs, hosts = self.runs.values(), self.executor.hosts
+        while found := next_start([(task, run.kind) for run in runs for task in run.tasks()], hosts, self.busy):
             task, host, process = found
             run = self.runs[task.section]
             run.kind = run.kind or host.kind
