@@ -17,7 +17,7 @@ from measured_report.changes.alarm import check, check_text, diff_text
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
-from measured_report.commands import command_line as build
+from measured_report.commands import findings
 from measured_report.commands.options import FORMATS
 from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project, own_release
@@ -128,10 +128,10 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         newer.write("experiments/other.py", "")
         for side in (toy, newer):
             write_record(side.project.record_path("other"), side.record(section="other"))
-        assert build.diff(toy.project, arguments) == 0
+        assert findings.diff(toy.project, arguments) == 0
         capsys.readouterr()
         change(newer.record_path)
-        assert build.diff(toy.project, arguments) == 1
+        assert findings.diff(toy.project, arguments) == 1
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
 
 
@@ -236,7 +236,7 @@ def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
     for form in FORMATS:
-        assert build.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        assert findings.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
         assert "toy" in capsys.readouterr().out
-        assert build.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
+        assert findings.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out

@@ -16,7 +16,7 @@ from measured_report.changes.bisect import Bisection, bisect_commits, bisect_rel
 from measured_report.changes.flips import decided_flips
 from measured_report.changes.history import flip_history, history
 from measured_report.changes.query import Query
-from measured_report.commands import command_line as build
+from measured_report.commands import editions as commands
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.stack import stack_of
@@ -175,7 +175,7 @@ def test_a_history_has_every_edition_and_says_what_moved(told):
 )
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search, asked, near):
     with pytest.raises(UsageError, match=near) as refused:
-        build.history(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
+        commands.history(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
     assert "\n" not in str(refused.value)
 
 
@@ -222,11 +222,11 @@ def test_a_retired_edition_leaves_no_link(toy, search, capsys):
     side = toy.project.of("1.6.9")
     write_manifest(side.results, Manifest("1.6.9"))
     (toy.project.root / ".venv-newton-1.6.9").mkdir()
-    assert build.retire(side, Namespace(stack=stack, address="")) == 0
+    assert commands.retire(side, Namespace(stack=stack, address="")) == 0
     assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
     site = toy.project.site
     assert not (site / "newton-1.6.9").exists() and "1.6.9" not in toy.front and check_site(site) == []
     with pytest.raises(UsageError, match="neither results"):
-        build.retire(side, Namespace(stack=stack, address=""))
+        commands.retire(side, Namespace(stack=stack, address=""))
     with pytest.raises(UsageError, match="stays"):
-        build.retire(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))
+        commands.retire(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))

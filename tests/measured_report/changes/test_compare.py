@@ -12,7 +12,7 @@ from measured_report import ROOT
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.flips import flips_between
 from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
-from measured_report.commands import command_line as build
+from measured_report.commands import building, findings
 from measured_report.deriving.editions import derive_edition, editions_of
 from measured_report.editions.environment import requirements
 from measured_report.editions.project import Project
@@ -115,7 +115,7 @@ def test_the_check_follows_links_to_other_pages(toy, newer):
 
 def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
-    assert build.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
     assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
@@ -124,13 +124,13 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
 
 def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
     arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="all")
-    assert build.diff(toy.project, arguments) == 1
+    assert findings.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
     flips, _, moves = said.partition("toy: 1 values moved (1 better)")
     assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in flips
     assert "soft  slip_mm: 6.4 mm → 0.40 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
-    assert build.diff(toy.project, arguments) == 0
+    assert findings.diff(toy.project, arguments) == 0
 
 
 def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, newer):

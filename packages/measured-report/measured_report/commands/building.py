@@ -1,26 +1,22 @@
 """Commands that make something: measured sections, the site, its tests, and what serves or publishes it."""
 
 import argparse
+import pkgutil
 import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 from measured_report import ReportError, UsageError
-from measured_report.commands.programs import add_tests_cluster, made_states
+from measured_report.commands.programs import add_tests_cluster, programs
 from measured_report.editions.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
 from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack
-from measured_report.editions.status import expected_packages, states_of, status_matrix, status_table
+from measured_report.editions.status import State, expected_packages, states_of, status_matrix, status_table
 from measured_report.files.config import config
 from measured_report.measuring.measure import machines_besides, measure
-
-if TYPE_CHECKING:
-    from measured_report.deriving.editions import Edition
-    from measured_report.site.build import Built
 
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
@@ -72,7 +68,8 @@ def status(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.stack)
     print(status_matrix(project))
     print(f"\n{config().package} {project.release}")
-    print(status_table([*states_of(project), *made_states(project)], project.profile))
+    made = [pkgutil.resolve_name(each.state)(project) for each in programs(project.root).values() if each.state]
+    print(status_table([*states_of(project), *made], project.profile))
     return 0
 
 
@@ -80,8 +77,8 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     add_tests_cluster(python, project)
-    chosen = ["-m", "words and not slow"] if arguments.fast else []
-    return subprocess.run([python, "-m", "pytest", *chosen], cwd=project.root, check=False).returncode
+    command = [python, "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
+    return subprocess.run(command, cwd=project.root, check=False).returncode
 
 
 def publish(project: Project, arguments: argparse.Namespace) -> int:
@@ -99,9 +96,8 @@ def serve(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.stack)
     server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
-    # In a process of its own, since what changes may be the program.
-    command = [sys.executable, "build.py", "page", f"--{config().package}", arguments.stack.asked]
-    command += ["--profile", project.profile]
+    options = [f"--{config().package}", arguments.stack.asked, "--profile", project.profile]
+    command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0
 
@@ -120,7 +116,7 @@ def build_site(project: Project, address: str) -> tuple[bool, bool]:
     if lacking:
         print(_hint(project, lacking[0]))
     print(f"built {project.site / 'index.html'}")
-    return say_damage(releases.values()), bool(lacking)
+    return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)
 
 
 def _hint(project: Project, section: str) -> str:
@@ -129,15 +125,13 @@ def _hint(project: Project, section: str) -> str:
         return f"{project.rerun(section)} measures one of them"
     if not needs_gpu(section, project.root) or not machines_besides(project, "cpu"):
         return f"{project.rerun(section, 'cpu')} measures one of them"
-    hint = f"{project.rerun(section)} measures one of them on a GPU"
-    if project.label.machine:
-        return hint
-    return f"{hint}; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
+    own = f"; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
+    return f"{project.rerun(section)} measures one of them on a GPU{'' if project.label.machine else own}"
 
 
-def say_damage(releases: "Iterable[Edition | Built]") -> bool:
+def say_damage(states: Iterable[State]) -> bool:
     """Name each record that can't be trusted; whether there is one."""
-    damaged = [state for release in releases for state in release.left_out if state.kind == "damaged"]
+    damaged = [state for state in states if state.kind == "damaged"]
     for state in damaged:
         print(f"damaged: {state.words}", file=sys.stderr)
     return bool(damaged)

@@ -3,14 +3,13 @@
 import argparse
 import io
 import os
+import pkgutil
 import signal
 import sys
 from collections.abc import Mapping
+from functools import partial
 
 from measured_report import ReportError, UsageError
-from measured_report.commands.building import page, publish, report, rerun, serve, status, test
-from measured_report.commands.editions import bisect, history, newest, retire, upgrade
-from measured_report.commands.findings import check, diff, trace, verify
 from measured_report.commands.options import EDITION, OPTIONS, flag
 from measured_report.commands.programs import programs
 from measured_report.editions.project import Project, own_release
@@ -20,26 +19,25 @@ from measured_report.files.suggestion import suggestion
 from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
 
-AGAIN_S = 0.01
 COMMANDS = {
-    report: (EDITION, "with", "device", "cluster", "profile", "address"),
-    page: (EDITION, "with", "profile", "address"),
-    rerun: ("section", EDITION, "with", "device", "cluster", "profile", "address"),
-    status: (EDITION, "with", "profile"),
-    upgrade: (EDITION, "with", "since", "device", "profile", "format"),
-    bisect: ("claim", "value", "a", "b", "device"),
-    history: ("claim", "value", "profile"),
-    newest: (),
-    retire: (EDITION, "with", "address"),
-    check: (EDITION, "with", "profile", "format", "strict"),
-    diff: ("a", "b", "profile", "format", "values"),
-    trace: ("value", EDITION, "profile"),
-    verify: (EDITION, "device"),
-    publish: ("target",),
-    serve: ("port", EDITION, "profile"),
-    test: (EDITION, "with", "fast"),
+    "building:report": (EDITION, "with", "device", "cluster", "profile", "address"),
+    "building:page": (EDITION, "with", "profile", "address"),
+    "building:rerun": ("section", EDITION, "with", "device", "cluster", "profile", "address"),
+    "building:status": (EDITION, "with", "profile"),
+    "editions:upgrade": (EDITION, "with", "since", "device", "profile", "format"),
+    "editions:bisect": ("claim", "value", "a", "b", "device"),
+    "editions:history": ("claim", "value", "profile"),
+    "editions:newest": (),
+    "editions:retire": (EDITION, "with", "address"),
+    "findings:check": (EDITION, "with", "profile", "format", "strict"),
+    "findings:diff": ("a", "b", "profile", "format", "values"),
+    "findings:trace": ("value", EDITION, "profile"),
+    "findings:verify": (EDITION, "device"),
+    "building:publish": ("target",),
+    "building:serve": ("port", EDITION, "profile"),
+    "building:test": (EDITION, "with", "fast"),
 }
-"""What there is to run in every report, and the options that each has."""
+"""What there is to run in every report, ``module:function`` beside this one, and the options that each has."""
 
 
 def main() -> int:
@@ -84,13 +82,12 @@ def main() -> int:
 def interrupt_again(unraisable: "sys.UnraisableHookArgs") -> None:
     """Raise Ctrl-C a moment later where Python can't, as in a callback of an import, and would drop it."""
     if isinstance(unraisable.exc_value, KeyboardInterrupt):
-        signal.setitimer(signal.ITIMER_REAL, AGAIN_S)
+        signal.setitimer(signal.ITIMER_REAL, 0.01)
     else:
         sys.__unraisablehook__(unraisable)
 
 
 def _drop_output() -> None:
-    """Let what could not be written not be tried again at the end."""
     if sys.stdout:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -107,7 +104,7 @@ def _parse_arguments() -> argparse.Namespace:
     parser = _Parser(prog="build.py", description="What make calls; make help says what there is.", allow_abbrev=False)
     parser.set_defaults(edition=None, pins="", profile="full")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    known = [(run.__name__, run, run.__doc__, options) for run, options in COMMANDS.items()]
+    known = [(place.partition(":")[2], partial(_run, place), "", options) for place, options in COMMANDS.items()]
     known += [(name, program.run, program.help, program.options) for name, program in programs().items()]
     for name, run, said, options in known:
         command = commands.add_parser(name, help=said, description=said, allow_abbrev=False)
@@ -116,6 +113,11 @@ def _parse_arguments() -> argparse.Namespace:
             default = {"default": given[option]} if option in given else {}
             command.add_argument(f"--{option}", **{**OPTIONS[option], **default})
     return parser.parse_args()
+
+
+def _run(place: str, project: Project, arguments: argparse.Namespace) -> int:
+    """Run a command, and import what it alone needs."""
+    return pkgutil.resolve_name(f"measured_report.commands.{place}")(project, arguments)
 
 
 def _given_to_make() -> Mapping[str, str]:

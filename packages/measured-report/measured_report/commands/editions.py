@@ -7,37 +7,36 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, redirect_stdout
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from measured_report import ReportError, UsageError
+from measured_report.changes.alarm import upgrade_text
+from measured_report.changes.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
+from measured_report.changes.compare import compare
+from measured_report.changes.history import flip_history
+from measured_report.changes.history import history as history_of
+from measured_report.changes.query import Query
+from measured_report.changes.upgrade import base_of, seconds_expected, unmeasured, verdict
 from measured_report.commands.building import build_site
 from measured_report.commands.options import refuse_lacking_ends
+from measured_report.deriving.editions import editions_of
 from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
 from measured_report.editions.environment import environment_of
+from measured_report.editions.label import read_label
 from measured_report.editions.project import PROFILES, Project
-from measured_report.editions.stack import Stack, stack_of
-from measured_report.editions.status import states_of
+from measured_report.editions.stack import Stack, releases_of, stack_of
+from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.suggestion import suggestion
 from measured_report.measuring.measure import kept_by, measure
+from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections
 
-if TYPE_CHECKING:
-    from measured_report.changes.query import Query
-
-STDOUT, STDERR = 1, 2
-"""As programs that are started from here know them."""
+STDOUT, STDERR = 1, 2  # as programs that are started from here know them
 
 
 def upgrade(project: Project, arguments: argparse.Namespace) -> int:
     """Measure the few sections that decide, say in five lines what changed, and build the site; 1 for an alarm."""
-    from measured_report.changes.alarm import upgrade_text
-    from measured_report.changes.compare import compare
-    from measured_report.changes.upgrade import base_of, unmeasured, verdict
-    from measured_report.deriving.editions import editions_of
-    from measured_report.pages.prose import Templates
-
     device = measuring_device(arguments.device, project.profile)
     base = arguments.since or stack_of(base_of(project) or project.own_release)
     with nullcontext() if arguments.format == "text" else printing_to_stderr():
@@ -45,9 +44,10 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
         sides = [_with_deciding(project, stack, device, renews=stack is not base) for stack in stacks]
     names = [side.release for side in sides]
     editions = editions_of(project, Templates(project.templates), among=names)
-    found = compare(*(editions[name] for name in names))
+    compared = [editions[name] for name in names]
+    found = compare(*compared)
     found = replace(found, faults=[*unmeasured(sides[1]), *found.faults])
-    print(upgrade_text(found, verdict(found, *(editions[name] for name in names)), arguments.format))
+    print(upgrade_text(found, verdict(found, *compared), arguments.format))
     if arguments.format == "text":
         build_site(sides[1], "")
     return int(found.is_alarm)
@@ -55,22 +55,18 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
 
 def _with_deciding(project: Project, stack: Stack, device: str | None, *, renews: bool) -> Project:
     """Measure the deciding sections of a stack that are missing or, if ``renews``, stale; return its report."""
-    from measured_report.changes.upgrade import seconds_expected
-
     deciding = config().changes.deciding
     side = project.of(str(stack.label))
-    lacking = [section for section in deciding if not side.record_path(section).exists()]
-    if device and renews:
-        stale = [state.section for state in states_of(side) if state.kind != "fresh"]
-        lacking = [section for section in deciding if section in stale]
+    unfit = {state.section for state in states_of(side) if state.kind != "fresh"} if device and renews else ()
+    lacking = [section for section in deciding if section in unfit or not side.record_path(section).exists()]
     if lacking and not device:
         quick = replace(project, profile="quick")
         full, short = (seconds_expected(each, "cpu", deciding) / 60 for each in (project, quick))
         raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
     if lacking:
         minutes = max(seconds_expected(side, device, lacking) / 60, 1)
-        said = f"{config().package} {side.release}: measuring {', '.join(lacking)}, about {minutes:.0f} min"
-        print(said, flush=True)
+        what = f"{config().package} {side.release}: measuring {', '.join(lacking)}"
+        print(f"{what}, about {minutes:.0f} min", flush=True)
         side = kept_by(side, machine_name(device), lacking)
         try:
             measure(side, stack, lacking, device)
@@ -97,12 +93,9 @@ def printing_to_stderr() -> Iterator[None]:
 
 def bisect(project: Project, arguments: argparse.Namespace) -> int:
     """Find the first release or commit between A and B that a claim or a value changes in, and which package did it."""
-    from measured_report.changes.bisect import Alike, Bisection, bisect_commits, bisect_releases, common_repository
-    from measured_report.pages.prose import Templates
-
     refuse_lacking_ends(arguments, f"make bisect CLAIM={config().changes.example_claim} A=1.4.0 B=1.8.0")
     device = measuring_device(arguments.device, "quick")
-    query, templates = _query_of_section(arguments), Templates(project.templates)
+    query, templates = _query(arguments, is_of_section=True), Templates(project.templates)
     search = Bisection(replace(project, profile="quick"), query, device, templates)
     try:
         search.ends(arguments.a, arguments.b)
@@ -125,47 +118,39 @@ def bisect(project: Project, arguments: argparse.Namespace) -> int:
 
 def newest(project: Project, arguments: argparse.Namespace) -> int:
     """Print, for a workflow, the newest release in the index, or else of one other package, if newer than all here."""
-    from measured_report.editions.label import read_label
-    from measured_report.editions.stack import releases_of
-    from measured_report.editions.status import records_of
-
     package = config().package
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
-    latest = [read_label(release) for release in releases_of(package)[-1:]]
-    if not latest:
+    newest_known = max((each.label for each in known), key=lambda label: label.order)
+    releases = releases_of(package)
+    if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
-    if all(label.order > each.label.order for label in latest for each in known):
-        print(f"{package}={latest[0]}\nwith=")
+    latest = read_label(releases[-1])
+    if latest.order > newest_known.order:
+        print(f"{package}={latest}\nwith=")
         return 0
-    version = max((each.label for each in known), key=lambda label: label.order).version
     for other, *_ in config().changes.together:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
         for newer in releases_of(other)[-1:]:
             if newer not in used:
-                print(f"{package}={version}\nwith={other}=={newer}")
+                print(f"{package}={newest_known.version}\nwith={other}=={newer}")
                 return 0
     return 0
 
 
 def history(project: Project, arguments: argparse.Namespace) -> int:
     """Print a value or a claim over all editions; without one, the numbers that say most and the claims that flip."""
-    from measured_report.changes.history import flip_history, history
-    from measured_report.changes.query import Query
-    from measured_report.deriving.editions import editions_of
-    from measured_report.pages.prose import Templates
-
     editions = editions_of(project, Templates(project.templates))
     releases = {release: edition.uncompared for release, edition in editions.items()}
     if not (arguments.claim or arguments.value):
-        told = [history(releases, Query(value)) for value in config().changes.headlines.values()]
+        told = [history_of(releases, Query(value)) for value in config().changes.headlines.values()]
         print("\n\n".join([*told, flip_history(releases, project.release)]))
         return 0
     query = _query(arguments)
     if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
         hint = suggestion(query.text, query.names(releases[project.release]))
         raise UsageError(f"no edition has {query.given}{hint}; {query.example} is one")
-    print(history(releases, query))
+    print(history_of(releases, query))
     return 0
 
 
@@ -187,20 +172,13 @@ def retire(project: Project, arguments: argparse.Namespace) -> int:
     return int(build_site(project.of(project.own_release), arguments.address)[0])
 
 
-def _query(arguments: argparse.Namespace) -> "Query":
-    """Return what CLAIM or VALUE asks; UsageError unless it is one of them."""
-    from measured_report.changes.query import Query
-
+def _query(arguments: argparse.Namespace, *, is_of_section: bool = False) -> Query:
+    """Return what CLAIM or VALUE asks, if ``is_of_section`` of one that there is: what that has is not known yet."""
     if bool(arguments.claim) == bool(arguments.value):
         examples = " and ".join(Query("", is_claim).example for is_claim in (True, False))
         raise UsageError(f"one of {examples} is needed")
-    return Query(arguments.claim or arguments.value, bool(arguments.claim))
-
-
-def _query_of_section(arguments: argparse.Namespace) -> "Query":
-    """Return what is asked, of a section that there is: whether that has it is known once it is measured."""
-    query = _query(arguments)
-    if query.section not in sections() or query.section == query.text:
+    query = Query(arguments.claim or arguments.value, bool(arguments.claim))
+    if is_of_section and (query.section not in sections() or query.section == query.text):
         hint = suggestion(query.section, sections())
         raise UsageError(f"{query.given} is in no section{hint}; {query.example} is")
     return query

@@ -4,52 +4,43 @@ import argparse
 from importlib import import_module
 
 from measured_report import UsageError
+from measured_report.changes import alarm
+from measured_report.changes.compare import compare
 from measured_report.commands.building import refuse_unmeasured, say_damage
 from measured_report.commands.options import refuse_lacking_ends
+from measured_report.commands.trace import Provenance
+from measured_report.deriving.editions import derive_edition, editions_of
 from measured_report.editions.devices import has_cuda, measuring_device
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.measuring.measure import measure_headline
+from measured_report.pages.prose import Templates
 
 
 def check(project: Project, arguments: argparse.Namespace) -> int:
     """Print every claim of the report with its outcome, what can't be trusted first; STRICT=1 makes that status 1."""
-    from measured_report.changes.alarm import check, check_text
-    from measured_report.deriving.editions import editions_of
-    from measured_report.pages.prose import Templates
-
     refuse_unmeasured(project, arguments.stack)
     edition = editions_of(project, Templates(project.templates))[project.release]
-    found = check(edition)
-    print(check_text(found, arguments.format))
-    damaged = say_damage([edition])
+    found = alarm.check(edition)
+    print(alarm.check_text(found, arguments.format))
+    damaged = say_damage(edition.left_out)
     return int(damaged or (arguments.strict and found.is_alarm))
 
 
 def diff(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs between two editions, worst first; 1 when one can't be trusted or a claim flipped."""
-    from measured_report.changes.alarm import diff_text
-    from measured_report.changes.compare import compare
-    from measured_report.deriving.editions import derive_edition
-    from measured_report.pages.prose import Templates
-
     refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
-    stacks = arguments.a, arguments.b
+    stacks, templates = (arguments.a, arguments.b), Templates(project.templates)
     sides = [project.of(str(stack.label)) for stack in stacks]
     for side, stack in zip(sides, stacks, strict=True):
         refuse_unmeasured(side, stack)
-    templates = Templates(project.templates)
     comparison = compare(*(derive_edition(side, templates) for side in sides))
-    print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
+    print(alarm.diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
     return int(comparison.is_alarm)
 
 
 def trace(project: Project, arguments: argparse.Namespace) -> int:
     """Print the way of one value, from the page back to rows, cases and command."""
-    from measured_report.commands.trace import Provenance
-    from measured_report.deriving.editions import editions_of
-    from measured_report.pages.prose import Templates
-
     if not arguments.value:
         rules = config().changes
         forms = f"{rules.example_value}, or a number of a row, VALUE={rules.headline}"
@@ -62,15 +53,11 @@ def trace(project: Project, arguments: argparse.Namespace) -> int:
 
 def verify(project: Project, arguments: argparse.Namespace) -> int:
     """Measure the headline again, keep nothing of it, and compare it with what is tracked; 1 when they differ."""
-    from measured_report.deriving.editions import derive_edition
-    from measured_report.pages.prose import Templates
-
     if not config().changes.verify:
         raise UsageError("report.toml names no module that verifies the headline")
     module = import_module(config().changes.verify)
     refuse_unmeasured(project, arguments.stack)
-    device = arguments.device or ("cuda" if has_cuda() else "cpu")
-    device = measuring_device(device, project.profile)
+    device = measuring_device(arguments.device or ("cuda" if has_cuda() else "cpu"), project.profile)
     found = measure_headline(project, arguments.stack, device, module.PROGRAM)
     text, agrees = module.verify(derive_edition(project, Templates(project.templates)), found)
     print(text)

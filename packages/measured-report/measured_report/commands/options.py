@@ -31,10 +31,13 @@ def _pins(text: str) -> str:
     return text
 
 
-def _one_of(option: str, names: Iterable[str], name: str) -> str:
-    if name not in names:
-        raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
-    return name
+def _one_of(option: str, names: Iterable[str], said: str, default: str | None = None) -> dict[str, Any]:
+    def read(name: str) -> str:
+        if name not in names:
+            raise UsageError(f"{option}={name} is no {option.lower()}; use one of: {', '.join(names)}")
+        return name
+
+    return {"type": read, "default": default, "help": said}
 
 
 def _port(text: str) -> int:
@@ -56,16 +59,14 @@ def flag(value: str) -> str:
 
 
 def refuse_lacking_ends(arguments: Namespace, command: str) -> None:
-    """Two editions are compared, so that both must be named, as ``command`` does it."""
+    """Refuse to compare unless both editions are named, as ``command`` does it."""
     lacking = [name.upper() for name in ("a", "b") if getattr(arguments, name) is None]
     if lacking:
         raise UsageError(f"{' and '.join(lacking)} {'are' if len(lacking) > 1 else 'is'} missing: {command}")
 
 
-EDITION = config().package
-"""The option that names an edition."""
+EDITION = config().package  # the option that names an edition
 FORMATS = ("text", "markdown", "json")
-VALUES = ("sums", "all")
 # An option's type checks its default as well, so one that must be given has a default that is refused.
 OPTIONS: dict[str, dict[str, Any]] = {
     "section": {"type": _section, "default": "", "help": "section to measure"},
@@ -80,27 +81,15 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "b": {"type": partial(stack_of, option="B"), "help": "edition to compare with it"},
     "since": {"type": partial(stack_of, option="SINCE"), "help": "edition to compare with; default: the one before"},
     "claim": {"type": str, "default": "", "help": "claim, as SECTION.NAME"},
-    "device": {"type": partial(_one_of, "DEVICE", DEVICES), "help": "cuda or cpu, to measure there on purpose"},
+    "device": _one_of("DEVICE", DEVICES, "cuda or cpu, to measure there on purpose"),
     "cluster": {
         "type": read_cluster,
         "help": "who measures: local (all GPUs of this host), local:2, ssh:hosts.txt or tcp://scheduler:8786",
     },
-    "profile": {
-        "type": partial(_one_of, "PROFILE", PROFILES),
-        "default": "full",
-        "help": "quick: small grids and short runs, kept apart",
-    },
-    "value": {
-        "type": str,
-        "default": "",
-        "help": "value of the page, as SECTION.NAME, or one of a row, as SECTION.CASE.COLUMN",
-    },
-    "format": {
-        "type": partial(_one_of, "FORMAT", FORMATS),
-        "default": "text",
-        "help": "text, markdown (a comment on a pull request) or json (docs/alarm.md)",
-    },
-    "values": {"type": partial(_one_of, "VALUES", VALUES), "default": "sums", "help": "all: each value that moved"},
+    "profile": _one_of("PROFILE", PROFILES, "quick: small grids and short runs, kept apart", "full"),
+    "value": {"type": str, "default": "", "help": "SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row"},
+    "format": _one_of("FORMAT", FORMATS, "markdown (a comment on a pull request) or json (docs/alarm.md)", "text"),
+    "values": _one_of("VALUES", ("sums", "all"), "all: each value that moved", "sums"),
     "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
     "fast": {"action": "store_true", "help": "only those that a change of words or figures needs"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},

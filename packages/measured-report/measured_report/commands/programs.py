@@ -1,7 +1,6 @@
 """Programs of the report's own that the command line offers as well; ``report.toml`` describes them."""
 
 import argparse
-import pkgutil
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -11,7 +10,6 @@ from pathlib import Path
 from measured_report import ROOT, ReportError
 from measured_report.editions.environment import add_cluster, add_group
 from measured_report.editions.project import Project
-from measured_report.editions.status import State
 from measured_report.files.config import FILE, config
 
 
@@ -45,13 +43,6 @@ def programs(root: Path = ROOT) -> Mapping[str, Program]:
         return {name: Program(**{**each, "options": tuple(each.get("options", ()))}) for name, each in described}
     except TypeError as error:
         raise ReportError(f"{FILE}: commands: {' '.join(str(error).split())}") from None
-
-
-def made_states(project: Project) -> list[State]:
-    """The state of what each program makes, where it says so."""
-    return [
-        pkgutil.resolve_name(program.state)(project) for program in programs(project.root).values() if program.state
-    ]
 
 
 def add_tests_cluster(python: Path, project: Project) -> None:

@@ -1,9 +1,10 @@
 """Provenance of a number: from the page back to the rows that it was read from, their cases, and what measures them."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from typing import Any
 
 from measured_report import UsageError
@@ -33,19 +34,15 @@ class Provenance:
     templates: Templates
 
     def text(self, name: str) -> str:
-        """Return the provenance of a number, in lines.
+        """Return the provenance of a value, ``section.name``, or a number of a row, ``section.case.column``, in lines.
 
-        Args:
-            name: A value, ``section.name``, a number of a row, ``section.case.column``, or the pointer that a page has
-                for either; UsageError for an unknown one.
+        The pointer that a page has for either will do; UsageError for an unknown one.
         """
         found = self._found(name)
         lines = [f"{name}: {_said(found)}", *self._of_value(found), *self._on_pages(found)]
-        cells: dict[str, list[Pointer]] = {}
-        for pointer in sorted(map(Pointer, _leaves(found)), key=_place):
-            cells.setdefault(pointer.file, []).append(pointer)
-        for file, of_file in cells.items():
-            lines += ["", *self._of_record(file, of_file)]
+        cells = sorted(map(Pointer, _leaves(found)), key=lambda cell: (cell.file, *(cell.cell or (-1, cell.text))))
+        for file, of_file in groupby(cells, key=lambda cell: cell.file):
+            lines += ["", *self._of_record(file, list(of_file))]
         return "\n".join(lines)
 
     def _found(self, name: str) -> Quantity:
@@ -56,11 +53,9 @@ class Provenance:
         pointer = name if name.startswith(f"{package}-") else f"{package}-{release}/{name}"
         if known := self._values.get(pointer) or self._cell(pointer):
             return known
-        hint = suggestion(name, query.names(self._chapters))
-        fault = f"{query.given} is no value of {package} {release}{hint}"
-        example = config().changes.headline
-        where = f"values are in site/data/{VALUES_FILE}, numbers of rows named as {example}"
-        raise UsageError(f"{fault}; all {where}")
+        fault = f"{query.given} is no value of {package} {release}{suggestion(name, query.names(self._chapters))}"
+        rows = f"numbers of rows named as {config().changes.headline}"
+        raise UsageError(f"{fault}; all values are in site/data/{VALUES_FILE}, {rows}")
 
     @property
     def _chapters(self) -> Chapters:
@@ -78,12 +73,11 @@ class Provenance:
 
     def _cell(self, pointer: str) -> Quantity | None:
         """Return the number of a record that a pointer leads to."""
-        place = Pointer(pointer)
-        if not place.cell or place.file not in self._records:
+        file, cell = Pointer(pointer).file, Pointer(pointer).cell
+        if not cell or file not in self._records:
             return None
-        column = place.cell[1]
-        cells = [row[column] for row in self._records[place.file].results.rows if column in row]
-        return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer), None)
+        found = (row[cell[1]] for row in self._records[file].results.rows if cell[1] in row)
+        return next((each for each in found if isinstance(each, Quantity) and each.source == pointer), None)
 
     def _of_value(self, found: Quantity) -> Iterator[str]:
         if isinstance(found, Value):
@@ -99,14 +93,13 @@ class Provenance:
             yield f"  noise       {known}{whence}"
 
     def _noise_of(self, cell: Pointer) -> str:
-        """Say the noise of a number of a record, and whence it is known; nothing where it is not."""
+        """Say the noise of a number of a record, and whence it is known, if it is."""
         found = self._cell(cell.text)
         if not (found and found.noise):
             return ""
         index, column = cell.cell
-        if f"{column}_p5" in self._records[cell.file].results.record.rows[index]:
-            whence = "its frames"
-        else:
+        whence = "its frames"
+        if f"{column}_p5" not in self._records[cell.file].results.record.rows[index]:
             runs = self._records[f"{cell.file.partition('/')[0]}/{NOISE}.json"].results.record.rows
             whence = f"section {NOISE}, n {len(runs)}"
         return f", noise {_in_unit(found.noise, found.unit)} ({whence})"
@@ -114,27 +107,26 @@ class Provenance:
     def _on_pages(self, found: Quantity) -> Iterator[str]:
         """Say where the pages print a number, and which claims it decides."""
         release = self.project.release
-        pages = undrawn(self.editions, self.templates, release)
-        places = [
-            f"{file}#{anchor}" for (file, part), html in pages.items() for anchor in _anchors(html, part, found.source)
-        ]
-        for place in dict.fromkeys(places):
-            yield f"  printed at  {place}"
+        places: dict[str, None] = {}
+        for (file, anchor), html in undrawn(self.editions, self.templates, release).items():
+            for match in ANCHOR.finditer(html):
+                anchor = match[1] or anchor
+                if match[2] == found.source:
+                    places[f"{file}#{anchor}"] = None
+        yield from (f"  printed at  {place}" for place in places)
         if not places:
             yield f"  printed     nowhere on the pages of {config().package} {release}"
         for section, chapter in self._chapters.items():
-            for claim in chapter.section.claims:
-                if found.source in claim.outcome.reads:
-                    yield f"  decides     {section}.{claim.name}: {claim.outcome.said}"
+            claims = (claim for claim in chapter.section.claims if found.source in claim.outcome.reads)
+            yield from (f"  decides     {section}.{claim.name}: {claim.outcome.said}" for claim in claims)
 
     def _of_record(self, file: str, cells: Sequence[Pointer]) -> Iterator[str]:
         """Describe the rows and traces of a file that a number comes from, and what measured them."""
         yield f"from {file}"
         chapter = self._records.get(file) or self._records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
         record = chapter.results.record
-        in_rows = [cell for cell in cells if cell.cell]
-        for index in dict.fromkeys(cell.cell[0] for cell in in_rows):
-            yield from self._of_row(record, index, [cell for cell in in_rows if cell.cell[0] == index])
+        for index, of_row in groupby((cell for cell in cells if cell.cell), key=lambda cell: cell.cell[0]):
+            yield from self._of_row(record, index, of_row)
         if any(cell.is_trace for cell in cells):
             case = file.removeprefix(chapter.results.source.removesuffix("json")).removesuffix(".csv.gz")
             seal = (record.traces or {}).get(case)
@@ -144,29 +136,27 @@ class Provenance:
         if any(cell.text.endswith("/seconds") for cell in cells):
             yield f"  how long the measurement took, {record.measured['seconds']} s"
         release, commit = record.origin.release, record.measured["commit"]
-        measured = [record.machine_text, record.time_text, f"{config().package} {release}"]
-        yield f"  measured on {', '.join(measured + ([f'commit {commit}'] if commit else []))}"
+        measured = f"{record.machine_text}, {record.time_text}, {config().package} {release}"
+        yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
         if chapter.state.notes:
             yield f"  stale:      {chapter.state.words}"
         yield f"  again by    {self.project.of(release).rerun(record.section, record.machine['device'])}"
 
-    def _of_row(self, record: Record, index: int, cells: Sequence[Pointer]) -> Iterator[str]:
+    def _of_row(self, record: Record, index: int, cells: Iterable[Pointer]) -> Iterator[str]:
         row = record.rows[index]
         yield f"  row {index}, case {row['case']}"
         for cell in cells:
             column = cell.cell[1]
             yield f"    {column} = {row[column]} {unit_label(record.units[column])}".rstrip() + self._noise_of(cell)
         yield f"    {_settings(row)}"
-        yield f"    n: {_runs(row)}"
+        count = next((row[name] for name in ("run_count", "repeat_count") if row.get(name)), 1)
+        frames = f" of {row['frame_count']} frames" if row.get("frame_count") else ""
+        yield f"    n: {count} run{'' if count == 1 else 's'}{frames}"
 
 
 def _leaves(found: Quantity) -> list[str]:
     """Return pointers to the numbers of records and traces that a number comes from; its own where it is one."""
     return sorted(pointer for pointer in found.reads if VALUES_FILE not in pointer)
-
-
-def _place(pointer: Pointer) -> tuple[str, int, str]:
-    return (pointer.file, *(pointer.cell or (-1, pointer.text)))
 
 
 def _said(found: Quantity) -> str:
@@ -182,19 +172,3 @@ def _settings(row: Mapping[str, Any]) -> str:
     """Say in which settings a row's case differs from the baseline."""
     changed = ", ".join(f"{name} {value}" for name, value in changed_parameters(row).items())
     return f"{config().baseline}, but for {changed}" if changed else config().baseline
-
-
-def _runs(row: Mapping[str, Any]) -> str:
-    count = next((row[name] for name in ("run_count", "repeat_count") if row.get(name)), 1)
-    frames = f" of {row['frame_count']} frames" if row.get("frame_count") else ""
-    return f"{count} run{'' if count == 1 else 's'}{frames}"
-
-
-def _anchors(html: str, part: str, source: str) -> Iterator[str]:
-    """Yield the ids below which the words of a part print a number."""
-    anchor = part
-    for match in ANCHOR.finditer(html):
-        if match[1]:
-            anchor = match[1]
-        elif match[2] == source:
-            yield anchor

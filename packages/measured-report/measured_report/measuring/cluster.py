@@ -24,7 +24,7 @@ from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
 from measured_report import ROOT, ReportError
 from measured_report.measuring import worker
 from measured_report.measuring.cluster_address import ClusterAddress, read_cluster
-from measured_report.measuring.executors import Host, Task, WorkerProcess
+from measured_report.measuring.executors import Host, Task
 from measured_report.measuring.outcome import BatchOutcome, Failed, Lost
 from measured_report.measuring.process import carrying_digest, prepare
 from measured_report.records.identity import Identity
@@ -37,11 +37,8 @@ SETTINGS = {
     # Dask ends for good what has no worker so long after it lost one, even where the next one is just starting.
     "distributed.deploy.lost-worker-timeout": "365d",
 }
-QUIET = logging.CRITICAL
-"""What is wrong is said here."""
+QUIET = logging.CRITICAL  # what is wrong is said here
 CONNECT_S = 30.0
-ORPHANED_S = 60.0
-"""How long a scheduler that was started here outlives it, if nobody could stop it."""
 
 
 @contextlib.contextmanager
@@ -62,21 +59,16 @@ def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
 
 
 def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
-    there = len(worker.gpus()) if device == "cuda" else os.cpu_count() or 1
-    count = cluster.process_count or there
-    if device == "cuda" and count > there:
-        raise ReportError(f"CLUSTER={cluster.asked}: this host has {there} GPUs, and {count} are asked for")
-    options: dict[str, Any] = {
-        "threads_per_worker": count,
-        "memory_limit": 0,
-        "dashboard_address": None,
-        "silence_logs": QUIET,
-    }
+    gpus = [uuid for uuid, _ in worker.gpus()] if device == "cuda" else []
+    thread_count = count = cluster.process_count or (len(gpus) if device == "cuda" else os.cpu_count() or 1)
+    settings = {}
     if device == "cuda":
-        gpus = [uuid for uuid, _ in worker.gpus()[:count]]
-        options["env"] = {"CUDA_VISIBLE_DEVICES": ",".join(gpus)}
-        options["threads_per_worker"] = max(count, len(worker.shared_processes(gpus)))
-    return LocalCluster(n_workers=1, host="127.0.0.1", **options)
+        if count > len(gpus):
+            raise ReportError(f"CLUSTER={cluster.asked}: this host has {len(gpus)} GPUs, and {count} are asked for")
+        settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpus[:count])
+        thread_count = max(count, len(worker.shared_processes(gpus[:count])))
+    options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET, "env": settings}
+    return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
 
 
 def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
@@ -86,7 +78,8 @@ def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
         [hosts[0], *hosts],
         remote_python=[pythons[0], *pythons],
         worker_options={"memory_limit": 0, "death_timeout": str(CONNECT_S)},
-        scheduler_options={"port": 0, "dashboard": False, "idle_timeout": f"{ORPHANED_S:.0f}s"},
+        # The scheduler outlives this process for a while where nobody could stop it.
+        scheduler_options={"port": 0, "dashboard": False, "idle_timeout": "60s"},
     )
 
 
@@ -103,11 +96,9 @@ def _python_in(folder: str) -> str:
 def cluster_executor(
     cluster: ClusterAddress, device: str, processor: str | None, identities: Mapping[str, Identity]
 ) -> Iterator["ClusterExecutor"]:
-    """Open an executor of the cluster's workers, as far as they may measure this.
+    """Open an executor of those of the cluster's workers that measure each section by its identity.
 
-    Args:
-        processor: What a GPU must be called in a label; None for any.
-        identities: What each section must be measured by.
+    A GPU must be called ``processor`` in a label, unless that is None.
     """
     with connected(cluster, device) as client:
         executor = ClusterExecutor(client, device, processor, identities)
@@ -135,9 +126,8 @@ class ClusterExecutor:
     def hosts(self) -> list[Host]:
         """The hosts that may measure; of several workers on one the first does so."""
         first: dict[str, Host] = {}
-        for host in list(self._workers.values()):
-            if host:
-                first.setdefault(host.name, host)
+        for host in filter(None, list(self._workers.values())):
+            first.setdefault(host.name, host)
         return list(first.values())
 
     def gather(self, patience_s: float | None) -> None:
@@ -150,11 +140,10 @@ class ClusterExecutor:
             if not self._workers and patience_s and time.monotonic() - begun > patience_s:
                 raise ReportError(f"no worker is there after {patience_s:.0f} s")
 
-    def start(self, task: Task, process: WorkerProcess) -> None:
-        name, part = process
-        address = next(address for address, host in self._workers.items() if host and host.name == name)
+    def start(self, task: Task, process: tuple[str, str]) -> None:
+        address = next(address for address, host in self._workers.items() if host and host.name == process[0])
         call = _call(task.batch.function, *task.batch.arguments)
-        self._submit(task, address, worker.measure, self.device, part, call)
+        self._submit(task, address, worker.measure, self.device, process[1], call)
 
     def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:
         """Yield what has ended within a moment."""
@@ -207,9 +196,9 @@ class ClusterExecutor:
 
     def _submit(self, task: Task | None, address: str, function: Callable, *arguments: Any) -> None:
         """Let one worker call a function, once."""
-        only = {"workers": [address], "allow_other_workers": False, "pure": False, "retries": 0}
         key = f"{task.name if task else 'introduction'}-{uuid.uuid4().hex}"
-        self._running[self.client.submit(function, *arguments, key=key, **only)] = task, address
+        future = self.client.submit(function, *arguments, key=key, workers=[address], pure=False)
+        self._running[future] = task, address
 
 
 def _call(function: Callable, *arguments: Any) -> bytes:

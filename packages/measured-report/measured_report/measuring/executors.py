@@ -4,13 +4,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent import futures
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol
 
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.machine import kind_of
 from measured_report.measuring.outcome import BatchOutcome, run_batch
 
-POLL_S = 0.5
 WHOLE = "whole"
 """The one batch of a section that has declared none."""
 
@@ -40,13 +39,6 @@ class Host:
     shared: Sequence[str] = ()
     """Those that share its GPUs: where there are any, the others are left to what must be alone."""
 
-    def processes_for(self, batch: Batch) -> Sequence[str]:
-        return self.processes if batch.alone else self.shared or self.processes
-
-
-WorkerProcess: TypeAlias = tuple[str, str]
-"""The name of a host, and of a worker process there."""
-
 
 class Executor(Protocol):
     """Whoever measures."""
@@ -55,8 +47,8 @@ class Executor(Protocol):
     def hosts(self) -> Sequence[Host]:
         """The hosts that are there now."""
 
-    def start(self, task: Task, process: WorkerProcess) -> None:
-        """Start a batch on a worker process that is free."""
+    def start(self, task: Task, process: tuple[str, str]) -> None:
+        """Start a batch on a worker process that is free: the names of its host and its own."""
 
     def wait(self) -> Iterable[tuple[Task, BatchOutcome]]:
         """Yield what has ended since the last call, after a moment if nothing has."""
@@ -67,24 +59,20 @@ class LocalExecutor:
 
     def __init__(self, machine: Mapping[str, Any], pool: futures.Executor | None = None, count: int = 1):
         self.hosts = [Host("", kind_of(machine), [str(number) for number in range(count)])]
-        self._alone, self._pool = machine, pool or _InTurn()
+        self._alone, self._pool = machine, pool
         self._together = {**machine, "sections_at_once": count} if pool else machine
         self._running: dict[Future, Task] = {}
 
-    def start(self, task: Task, process: WorkerProcess) -> None:
-        machine = self._alone if task.batch.alone else self._together
-        self._running[self._pool.submit(run_batch, task.batch.function, task.batch.arguments, machine)] = task
+    def start(self, task: Task, process: tuple[str, str]) -> None:
+        call = task.batch.function, task.batch.arguments, self._alone if task.batch.alone else self._together
+        if self._pool:
+            future = self._pool.submit(run_batch, *call)
+        else:
+            future = Future()
+            future.set_result(run_batch(*call))
+        self._running[future] = task
 
     def wait(self) -> Iterable[tuple[Task, BatchOutcome]]:
         """Yield what has ended; a process that was killed takes the others with it."""
-        for future in futures.wait(self._running, timeout=POLL_S, return_when=futures.FIRST_COMPLETED).done:
+        for future in futures.wait(self._running, timeout=0.5, return_when=futures.FIRST_COMPLETED).done:
             yield self._running.pop(future), future.result()
-
-
-class _InTurn(futures.Executor):
-    """This process, which makes a call when it is asked to."""
-
-    def submit(self, function, /, *args, **kwargs) -> Future:
-        future: Future = Future()
-        future.set_result(function(*args, **kwargs))
-        return future

@@ -16,20 +16,12 @@ KIND = ("device", "gpu", "driver", "cpu", "cores")
 """What of a machine is the same for all batches of a section: its numbers are said to be those of one kind."""
 
 
-def alias_of(kind: str) -> str:
-    """The name of the only device of its kind that a process measures on."""
-    return "cuda:0" if kind == "cuda" else "cpu"
-
-
 @cache
 def machine(kind: str) -> dict[str, str | None]:
-    """The machine that measures, as far as a reader needs it to judge a number.
-
-    With the host's digest, the GPU's UUID and the times of two records anyone can tell whether they ran side by side.
-    """
+    """The machine that measures; host and GPU, with the times of two records, tell whether they ran side by side."""
     device, driver = host().device(kind), None
     if kind == "cuda":
-        driver = _said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
+        driver = said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
     return {
         "device": kind,
         "gpu": device.name,
@@ -41,11 +33,6 @@ def machine(kind: str) -> dict[str, str | None]:
         "gpu_uuid": device.uuid,
         "system": f"{platform.system()} {platform.machine()}",
     }
-
-
-def without_gpu(machine: Mapping[str, Any]) -> dict[str, Any]:
-    """The machine, as what was measured on its CPU alone."""
-    return {**machine, "device": "cpu", "gpu": None, "driver": None, "gpu_uuid": None}
 
 
 def kind_of(machine: Mapping[str, Any]) -> tuple:
@@ -61,19 +48,16 @@ def cpu_name() -> str:
 
 
 def commit() -> str | None:
-    """The commit that is checked out, with a mark when the working tree differs from it.
-
-    Where only a copy of the tree is, as on a GPU host, the environment's GIT_COMMIT says it; None when nothing does.
-    """
+    """The commit that is checked out, marked where the tree differs; of a mere copy the environment's GIT_COMMIT."""
     if told := os.environ.get("GIT_COMMIT"):
         return told
-    found = _said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = _said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
+    found = said("git", "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    untracked = said("git", "ls-files", "--others", "--exclude-standard", "experiments", "assets")
     return f"{found.removesuffix('-dirty')}-dirty" if found and untracked else found or None
 
 
-def _said(*command: str) -> str:
-    """What a command prints; nothing when it fails or is not there."""
+def said(*command: str) -> str:
+    """Return what a command prints; nothing when it fails or is not there."""
     try:
         return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
     except OSError:

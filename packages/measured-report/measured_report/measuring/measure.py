@@ -26,12 +26,9 @@ from measured_report.files.processes import obey
 from measured_report.measuring.cluster_address import ClusterAddress
 from measured_report.records.identity import sections as all_sections
 
-UNFIT = 2
-"""Exit status of a measurement that could not begin, because of what was asked for."""
-STOP_S = 4.0
-"""How long a measurement has to stop after a Ctrl-C."""
-BATCH = re.compile(r"(?:batch|alone)_(.+)_s")
-"""Under what a record has the time of a batch."""
+UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
+STOP_S = 4.0  # how long a measurement has to stop after a Ctrl-C
+BATCH = re.compile(r"(?:batch|alone)_(.+)_s")  # under what a record has the time of a batch
 
 
 def measure(
@@ -70,13 +67,12 @@ def measure_headline(project: Project, stack: Stack, device: str, program: str) 
 
 
 def seconds_known(project: Project, device: str, sections: Sequence[str]) -> float:
-    """How long these sections will take [s], by the last time on such a device and in this profile; 0 unless all are
-    known."""
+    """How long these sections will take [s], by the last time on such a device and profile; 0 unless all are known."""
     found = seconds_each(project, device)
-    known = [found[section] for section in sections if section in found]
-    if len(known) < len(sections):
+    if not found.keys() >= {*sections}:
         return 0.0
-    return max(max(known), sum(known) / _batches_at_once(project, device))
+    known = [found[section] for section in sections]
+    return max(*known, sum(known) / _batches_at_once(project, device))
 
 
 def seconds_each(project: Project, device: str) -> Mapping[str, float]:
@@ -86,8 +82,9 @@ def seconds_each(project: Project, device: str) -> Mapping[str, float]:
         for record in records_of(project.of(release)):
             if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
                 found[record.section] = record.measured["seconds"]
-                batches = {BATCH.fullmatch(name): value for name, value in record.measured.items()}
-                found |= {f"{record.section}/{match[1]}": value for match, value in batches.items() if match}
+                for name, value in record.measured.items():
+                    if batch := BATCH.fullmatch(name):
+                        found[f"{record.section}/{batch[1]}"] = value
     return found
 
 
@@ -97,10 +94,7 @@ def _batches_at_once(project: Project, device: str) -> int:
 
 
 def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
-    """Run a module that measures with a stack, on a device; ReportError when it fails.
-
-    What is not installed here is measured by the Python of its own environment.
-    """
+    """Run a module that measures with a stack, by the Python of its environment; ReportError when it fails."""
     python = python_of(stack, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
@@ -108,10 +102,8 @@ def _run(project: Project, stack: Stack, module: str, device: str, *options: str
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
     # It ends with this process, since nobody would know of it otherwise. A Ctrl-C is for this process alone: it lets
     # the other stop those that measure for it, which takes a moment.
-    beginning = partial(obey, os.getpid())
-    with subprocess.Popen(
-        command, cwd=project.root, preexec_fn=beginning, env=settings, start_new_session=True
-    ) as measuring:
+    apart = {"preexec_fn": partial(obey, os.getpid()), "start_new_session": True}
+    with subprocess.Popen(command, cwd=project.root, env=settings, **apart) as measuring:
         try:
             status = measuring.wait()
         except KeyboardInterrupt:
@@ -138,20 +130,17 @@ def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """The report that the results of ``machine`` belong to: one of its own where others' are kept already.
-
-    Sections that need no GPU count as measured on any machine.
-    """
-    label, option = project.label, config().option
+    """The report that results of ``machine`` belong to: its own where others' are there that needed a GPU, as these."""
+    label, asked = project.label, f"{config().option}={project.release}"
     if not any(needs_gpu(section, project.root) for section in sections):
         return project
     if label.machine not in ("", machine):
-        raise UsageError(f"{option}={project.release} has the results of {label.machine}, and this is {machine}")
+        raise UsageError(f"{asked} has the results of {label.machine}, and this is {machine}")
     others = machines_besides(project, machine)
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))
-    print(f"{option}={project.release} has results of {', '.join(others)}; those of this machine are {found.release}")
+    print(f"{asked} has results of {', '.join(others)}; those of this machine are {found.release}")
     return found
 
 
@@ -166,7 +155,6 @@ def _note_measured(project: Project, stack: Stack) -> None:
     with locked(project.results.parent):
         there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
         manifest = project.manifest
-        known = {*there, *(manifest.sections if manifest else ())}
         day = manifest.date if manifest else release_date(stack)
-        if known:
-            write_manifest(project.results, Manifest(stack.asked, day, tuple(sorted(known))))
+        if known := sorted({*there, *(manifest.sections if manifest else ())}):
+            write_manifest(project.results, Manifest(stack.asked, day, tuple(known)))

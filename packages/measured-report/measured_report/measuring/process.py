@@ -28,12 +28,7 @@ POLL_S = 0.25
 def prepare(device: str, identities: Mapping[str, Identity], carrying: str) -> None:
     """Make ready what sections need on this host, for all its processes.
 
-    Args:
-        identities: What the sections must be measured by.
-        carrying: What ``carrying_digest`` must be.
-
-    Raises:
-        ReportError: They can't be measured here, or would be by something else.
+    ReportError where they can't be measured, or not by these ``identities`` and the ``carrying_digest`` that is asked.
     """
     here = {section: identity_of(section, wanted.profile) for section, wanted in identities.items()}
     words = [word for section, wanted in identities.items() for word in changes(here[section], wanted)]

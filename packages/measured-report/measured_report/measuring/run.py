@@ -11,9 +11,12 @@ import io
 import json
 import os
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from types import ModuleType
+
+from tqdm import tqdm
 
 from measured_report import ReportError
 from measured_report.editions.label import read_label
@@ -24,7 +27,6 @@ from measured_report.measuring.executors import Executor, LocalExecutor
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import processes
-from measured_report.measuring.progress import progress
 from measured_report.measuring.scheduler import Scheduler
 from measured_report.measuring.section_run import SectionRun, section_run
 from measured_report.records.identity import sections
@@ -41,11 +43,9 @@ def main() -> int:
             stream.reconfigure(errors="replace")  # the output may know ASCII alone
     arguments, status = parse_arguments(), UNFIT
     try:
-        with ExitStack() as stack:
-            runs = section_runs(arguments)
-            executor = stack.enter_context(executor_of(arguments, runs))
-            status = FAILED
-            scheduler = Scheduler(runs, executor)
+        runs = section_runs(arguments)
+        with executor_of(arguments, runs) as executor:
+            status, scheduler = FAILED, Scheduler(runs, executor)
             with progress(scheduler.status):
                 return FAILED if scheduler.run() else 0
     except ReportError as error:
@@ -74,8 +74,7 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     """The runs of the sections that were asked for; ReportError where they can't be measured here."""
     project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
     arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
-    modules = {section: section_module(section) for section in arguments.section}
-    known = json.loads(arguments.seconds)
+    modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
 
 
@@ -92,12 +91,26 @@ def executor_of(arguments: argparse.Namespace, runs: Sequence[SectionRun]) -> It
         return
     for device in sorted({run.device for run in runs}):
         host().prepare(device)
-    here = machine(arguments.device)
-    if arguments.processes == 1:
-        yield LocalExecutor(here)
-        return
-    with processes(arguments.processes, "fork") as pool:
-        yield LocalExecutor(here, pool, arguments.processes)
+    count, here = arguments.processes, machine(arguments.device)
+    with nullcontext() if count == 1 else processes(count, "fork") as pool:
+        yield LocalExecutor(here, pool, count)
+
+
+@contextmanager
+def progress(status: Callable[[], str]) -> Iterator[None]:
+    """Show on a terminal, within it, what ``status`` says, each second; a log has a line for each section."""
+    done = threading.Event()
+    with tqdm(bar_format="{elapsed}  {desc}", leave=False, disable=not sys.stderr.isatty()) as bar:
+
+        def tick() -> None:
+            while not done.wait(1.0):
+                bar.set_description_str(status())
+
+        threading.Thread(target=tick, daemon=True).start()
+        try:
+            yield
+        finally:
+            done.set()
 
 
 def section_module(section: str) -> ModuleType:

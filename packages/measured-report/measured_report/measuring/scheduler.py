@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from tqdm import tqdm
 
-from measured_report.measuring.executors import WHOLE, Executor, Host, Task, WorkerProcess
+from measured_report.measuring.executors import WHOLE, Executor, Host, Task
 from measured_report.measuring.outcome import BatchOutcome, Done, Failed, failed
 from measured_report.measuring.section_run import SectionRun
 
@@ -17,16 +17,12 @@ PATIENCE_S = 120.0
 
 
 def next_start(
-    ready: Sequence[tuple[Task, tuple | None]], hosts: Sequence[Host], busy: Mapping[WorkerProcess, Task]
-) -> tuple[Task, Host, WorkerProcess] | None:
-    """Choose what is to be started next, and where; None when nothing can be.
+    ready: Sequence[tuple[Task, tuple | None]], hosts: Sequence[Host], busy: Mapping[tuple[str, str], Task]
+) -> tuple[Task, Host, tuple[str, str]] | None:
+    """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
     Where more than one batch runs at a time the longest goes first, and what must be alone on its host goes when
-    nothing else is left to run there.
-
-    Args:
-        ready: Tasks, each with the kind of machine that its section is bound to, if it is.
-        busy: What runs, by its worker process.
+    nothing else is left to run there. None when nothing can be started beside what is ``busy``.
     """
     in_turn = sum(len(host.shared or host.processes) for host in hosts) == 1
     for host in hosts:
@@ -37,8 +33,8 @@ def next_start(
         shared = fit if in_turn else [task for task in fit if not task.batch.alone]
         if candidates := shared or ([] if beside else fit):
             task = candidates[0] if in_turn else max(candidates, key=lambda task: task.seconds)
-            processes = [(host.name, name) for name in host.processes_for(task.batch)]
-            if free := [process for process in processes if process not in busy]:
+            names = host.processes if task.batch.alone else host.shared or host.processes
+            if free := [(host.name, name) for name in names if (host.name, name) not in busy]:
                 return task, host, free[0]
     return None
 
@@ -49,8 +45,8 @@ class Scheduler:
     def __init__(self, runs: Sequence[SectionRun], executor: Executor):
         self.runs = {run.section: run for run in runs}
         self.executor = executor
-        self.busy: dict[WorkerProcess, Task] = {}
-        self.since: dict[WorkerProcess, float] = {}
+        self.busy: dict[tuple[str, str], Task] = {}
+        self.since: dict[tuple[str, str], float] = {}
 
     def run(self) -> bool:
         """Measure all; whether any section failed. On Ctrl-C what runs is dropped, and what is finished is kept."""
@@ -79,20 +75,18 @@ class Scheduler:
 
     def _start(self) -> None:
         """Start all that can be."""
-        while found := next_start(self._ready(), self.executor.hosts, self.busy):
+        runs, hosts = self.runs.values(), self.executor.hosts
+        while found := next_start([(task, run.kind) for run in runs for task in run.tasks()], hosts, self.busy):
             task, host, process = found
             run = self.runs[task.section]
             run.kind = run.kind or host.kind
             run.waiting.remove(task.batch)
             if not run.tries:
-                begun = sum(bool(each.tries) for each in self.runs.values())
+                begun = sum(bool(each.tries) for each in runs)
                 tqdm.write(f"[{begun + 1}/{len(self.runs)}] {task.section}")
             run.tries[task.batch.name] += 1
             self.busy[process], self.since[process] = task, time.monotonic()
             self.executor.start(task, process)
-
-    def _ready(self) -> list[tuple[Task, tuple | None]]:
-        return [(task, run.kind) for run in self.runs.values() for task in run.tasks()]
 
     def _take(self, task: Task, outcome: BatchOutcome) -> None:
         run, batch = self.runs[task.section], task.batch
@@ -110,26 +104,25 @@ class Scheduler:
 
     def status(self) -> str:
         """Say how far it is: batches done, what runs where, and for how long it will."""
-        runs = self.runs.values()
-        done, count = sum(len(run.done) for run in runs), sum(run.batch_count for run in runs)
+        runs, left = self.runs.values(), self.seconds_left()
+        done = sum(len(run.done) for run in runs)
+        count = sum(len({*run.done, *(batch.name for batch in run.stage)}) for run in runs)
         running = [f"{task.name} on {host}" if host else task.name for (host, _), task in list(self.busy.items())]
-        left = self.seconds_left()
         said = f"{done} of {count} batches; {', '.join(running) or 'nothing'} running"
-        return said if left is None else f"{said}; about {_minutes(left)} left"
+        if left is None:
+            return said
+        return f"{said}; about {f'{left / 60:.0f} min' if left > 90 else f'{left:.0f} s'} left"
 
     def seconds_left(self) -> float | None:
         """Estimate it from what the sections took the last time; None when that is not known of one."""
-        found, count = 0.0, sum(len(host.processes) for host in self.executor.hosts)
-        for run in self.runs.values():
-            if not run.is_over:
-                if run.section not in run.known:
-                    return None
-                spent = sum(done.seconds for done in list(run.done.values()))
-                running = [process for process, task in list(self.busy.items()) if task.section == run.section]
-                spent += sum(time.monotonic() - self.since[process] for process in running)
-                found += max(0.0, run.known[run.section] - spent)
-        return found / count if count else None
-
-
-def _minutes(seconds: float) -> str:
-    return f"{seconds / 60:.0f} min" if seconds > 90 else f"{seconds:.0f} s"
+        runs = [run for run in self.runs.values() if not run.is_over]
+        count = sum(len(host.processes) for host in self.executor.hosts)
+        if not count or any(run.section not in run.known for run in runs):
+            return None
+        found, now = 0.0, time.monotonic()
+        for run in runs:
+            spent = sum(done.seconds for done in list(run.done.values()))
+            running = [process for process, task in list(self.busy.items()) if task.section == run.section]
+            spent += sum(now - self.since[process] for process in running)
+            found += max(0.0, run.known[run.section] - spent)
+        return found / count

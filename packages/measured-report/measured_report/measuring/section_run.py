@@ -17,7 +17,7 @@ from measured_report.files.cache import Cache
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.executors import WHOLE, Task
 from measured_report.measuring.host import host
-from measured_report.measuring.machine import alias_of, commit, kind_of, without_gpu
+from measured_report.measuring.machine import commit, kind_of
 from measured_report.measuring.measurement import Measurement
 from measured_report.measuring.outcome import Done, Failed, now
 from measured_report.records.columns import UNBELIEVED, is_number, number_problem, units_of
@@ -57,10 +57,6 @@ class SectionRun:
         tasks = (Task(self.section, batch) for batch in self.waiting)
         return [Task(self.section, task.batch, self.known.get(task.name, 0.0)) for task in tasks]
 
-    @property
-    def batch_count(self) -> int:
-        return len({*self.done, *(batch.name for batch in self.stage)})
-
     def take(self, batch: Batch, done: Done) -> None:
         """Keep what a batch has returned."""
         self.done[batch.name] = done
@@ -79,7 +75,10 @@ class SectionRun:
             except StopIteration as end:
                 self._write(end.value)
                 return
-            self._refuse_names([batch.name for batch in self.stage])
+            names = [batch.name for batch in self.stage]
+            if not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < max(1, len(names)) + len(self.done):
+                fault = "batches need names of their own, lower-case words joined by hyphens"
+                raise ValueError(f"{fault}: {', '.join(names)}")
             self.alone |= {batch.name for batch in self.stage if batch.alone}
             for batch in self.stage:
                 kept = Cache(self.project.root).get(self._kept_start + batch.name, self.identity)
@@ -87,10 +86,6 @@ class SectionRun:
                     self.kind = kind_of(kept.machine)
                     self.done[batch.name] = kept
             self.waiting = [batch for batch in self.stage if batch.name not in self.done]
-
-    def _refuse_names(self, names: list[str]) -> None:
-        if not names or not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < len(names) + len(self.done):
-            raise ValueError(f"batches need names of their own, lower-case words joined by hyphens: {', '.join(names)}")
 
     @property
     def _kept_start(self) -> str:
@@ -100,10 +95,12 @@ class SectionRun:
     def _write(self, measurement: Measurement) -> None:
         """Write the record; the batches that it is made of need not be kept any longer."""
         parts = list(self.done.values())
-        machines = [without_gpu(part.machine) if self.device == "cpu" else part.machine for part in parts]
+        on_cpu = {"device": "cpu", "gpu": None, "driver": None, "gpu_uuid": None} if self.device == "cpu" else {}
+        machines = [{**part.machine, **on_cpu} for part in parts]
         names = dict.fromkeys(name for machine in machines for name in machine)
         seconds = round(sum(part.seconds for part in parts), 1)
         batches = sorted(self.done.keys() - {WHOLE})
+        times = {f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds for name in batches}
         record = Record(
             section=self.section,
             identity=self.identity,
@@ -115,10 +112,7 @@ class SectionRun:
                 "commit": commit(),
                 "command": self.project.rerun(self.section, machines[0]["device"]),
                 "seconds": seconds,
-                **{
-                    f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds
-                    for name in batches
-                },
+                **times,
             },
             units=units_of(measurement.rows),
             rows=[believable(row) for row in measurement.rows],
@@ -140,10 +134,11 @@ class SectionRun:
 def section_run(
     project: Project, section: str, module: ModuleType, device: str, known: Mapping[str, float]
 ) -> SectionRun:
-    """The run of a section: of one that declares no batches, all of it as one."""
+    """Return the run of a section: of one that declares no batches, all of it as one."""
     device = device if needs_gpu(section, project.root) else "cpu"
     identity = identity_of(section, project.profile, project.root)
-    conditions = host().Conditions(device=alias_of(device), quick=project.profile == "quick")
+    alias = "cuda:0" if device == "cuda" else "cpu"  # of the only device of its kind that a process measures on
+    conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
     return SectionRun(project, section, device, plan, identity, known)

@@ -22,14 +22,13 @@ from pathlib import Path
 from measured_report import ROOT
 from measured_report.editions.devices import slug
 from measured_report.measuring.executors import Host
-from measured_report.measuring.machine import kind_of
+from measured_report.measuring.machine import kind_of, said
 from measured_report.measuring.outcome import BatchOutcome, Done, Failed, Lost
 
 POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
-NOWHERE = "/nonexistent"
 SHARE_COUNT = 6
 """Processes that share a GPU: a few worlds leave most of it idle."""
 CORES_EACH = 2
@@ -49,7 +48,10 @@ class Process:
         """Return what the process answers to a call, or how it was lost."""
         with self.lock:
             if self.program is None or self.program.poll() is not None:
-                self._begin()
+                command = [sys.executable, "-m", "measured_report.measuring.process", self.device, str(os.getpid())]
+                settings = {**os.environ, **self.settings, "TQDM_DISABLE": "1"}
+                pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+                self.program = subprocess.Popen(command, cwd=ROOT, env=settings, start_new_session=True, **pipes)
             try:
                 pickle.dump(call, self.program.stdin, protocol=pickle.HIGHEST_PROTOCOL)
                 self.program.stdin.flush()
@@ -64,14 +66,6 @@ class Process:
                 self.end()  # an error may have left the device in any state
             return found
 
-    def _begin(self) -> None:
-        command = [sys.executable, "-m", "measured_report.measuring.process", self.device, str(os.getpid())]
-        settings = {**os.environ, **self.settings, "TQDM_DISABLE": "1"}
-        pipe = subprocess.PIPE
-        self.program = subprocess.Popen(
-            command, cwd=ROOT, env=settings, stdin=pipe, stdout=pipe, start_new_session=True
-        )
-
     def end(self) -> str:
         """End the process with all that it has started, and say how it had ended, if it had."""
         program, self.program = self.program, None
@@ -80,12 +74,8 @@ class Process:
         with suppress(subprocess.TimeoutExpired):
             program.wait(timeout=0.1)
         code = program.poll()
-        with suppress(ProcessLookupError):
+        with suppress(OSError), program:  # which closes its pipes and waits for it
             os.killpg(program.pid, signal.SIGKILL)
-        program.wait()
-        for pipe in (program.stdin, program.stdout):
-            with suppress(OSError):
-                pipe.close()
         killed = code is not None and code < 0
         return f"its process was killed by {signal.Signals(-code).name}" if killed else f"its process ended with {code}"
 
@@ -97,11 +87,7 @@ _processes_lock = threading.Lock()
 def introduce(device: str, processor: str | None, thread_count: int, call: bytes) -> tuple[str, Host | Lost | Failed]:
     """Say what this worker is called and, once its first process has made a call, what processes it has.
 
-    Args:
-        device: ``cuda`` or ``cpu``.
-        processor: What a GPU must be called in a label; None for any.
-        thread_count: How many processes there may be.
-        call: Prepares the host.
+    A GPU must be called ``processor`` in a label, unless that is None; there may be ``thread_count`` processes.
     """
     node, there = platform.node(), gpus() if device == "cuda" else []
     names = [uuid for uuid, name in there if processor in (None, slug(name))]
@@ -113,7 +99,7 @@ def introduce(device: str, processor: str | None, thread_count: int, call: bytes
         return node, Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}")
     found = measure(device, names[0], call)
     if isinstance(found, Done):
-        return node, Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
+        found = Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
     return node, found
 
 
@@ -127,15 +113,13 @@ def shared_processes(gpus: Sequence[str]) -> list[str]:
 
 def measure(device: str, name: str, call: bytes) -> BatchOutcome:
     """Let a process measure a batch, as long as that is wanted."""
-    with _processes_lock:
-        mine = _processes.setdefault((device, name), Process(device, _settings(name) if device == "cuda" else {}))
-    return mine.ask(call, _still_wanted())
-
-
-def _settings(name: str) -> dict[str, str]:
-    """The environment of a process that measures on a GPU: only one that shares it finds the daemon."""
     gpu, is_shared, _ = name.partition("/")
-    return {"CUDA_VISIBLE_DEVICES": gpu} | ({} if is_shared else {MPS: NOWHERE})
+    settings = {"CUDA_VISIBLE_DEVICES": gpu} if device == "cuda" else {}
+    if settings and not is_shared:
+        settings[MPS] = "/nonexistent"  # only one that shares its GPU finds the daemon
+    with _processes_lock:
+        mine = _processes.setdefault((device, name), Process(device, settings))
+    return mine.ask(call, _still_wanted())
 
 
 def _still_wanted() -> Callable[[], bool]:
@@ -160,12 +144,8 @@ async def stop() -> None:
 
 def gpus() -> list[tuple[str, str]]:
     """List UUID and name of each GPU that this worker may use."""
-    query = ["nvidia-smi", "--query-gpu=index,uuid,name", "--format=csv,noheader"]
-    try:
-        listing = subprocess.run(query, capture_output=True, text=True, check=False).stdout
-    except OSError:
-        return []
-    found = [tuple(part.strip() for part in line.split(",", 2)) for line in listing.splitlines() if line.count(",") > 1]
+    listing = said("nvidia-smi", "--query-gpu=index,uuid,name", "--format=csv,noheader").splitlines()
+    found = [tuple(part.strip() for part in line.split(",", 2)) for line in listing if line.count(",") > 1]
     allowed = os.environ.get("CUDA_VISIBLE_DEVICES")
     names = None if allowed is None else {name.strip() for name in allowed.split(",")}
     return [(uuid, name) for index, uuid, name in found if names is None or names & {index, uuid}]
