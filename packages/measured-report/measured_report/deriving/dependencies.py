@@ -10,6 +10,7 @@ from platform import python_version
 from typing import Any
 
 from measured_report import ROOT, ReportError
+from measured_report.deriving.chapters import Releases
 from measured_report.deriving.sections import Outline, outline_of
 from measured_report.files.config import config
 from measured_report.records.code import files, roots_of
@@ -28,18 +29,19 @@ READ_BY_NAME = config().sources
 class Dependencies:
     """What others have that a section may read; what it does read is noted."""
 
-    places: Mapping[str, Mapping[str, Any]]
-    """Things by name, by place: an edition, or nothing for the own one."""
-    digests: Mapping[tuple[str, str], str] = field(default_factory=dict)
-    """Of what each was made from, by place and name."""
+    places: Releases
+    """Chapters by place: an edition, or nothing for the own one."""
     notes: dict[tuple[str, str], str] = field(default_factory=dict)
-    """Digests of what was read."""
+    """Digests of what was read, by place and name."""
     is_closed: bool = False
     """Whether the section is derived: what its figures read has been noted then."""
 
     def digest(self, place: str, name: str) -> str:
-        """Return that of one thing, which need not be there, or of the names of all."""
-        return " ".join(self.places.get(place, ())) if name == NAMES else self.digests.get((place, name), "")
+        """Return that of one chapter, which need not be there, or of the names of all."""
+        there = self.places.get(place, {})
+        if name == NAMES:
+            return " ".join(there)
+        return there[name].digest if name in there else ""
 
     def note(self, place: str, name: str) -> None:
         """Note that this was read; ReportError for a figure that reads more than its section did."""
@@ -51,9 +53,9 @@ class Dependencies:
 
 @dataclass(frozen=True)
 class Tracked(Mapping[str, Any]):
-    """The things of one place, of which whatever is read is noted.
+    """The chapters of one place, of which whatever is read is noted; for a ``reader`` the results of those before it.
 
-    For a ``reader`` they are those of sections before it: what asks for a later one would never find it.
+    What asks for a later one would never find it.
     """
 
     dependencies: Dependencies
@@ -64,18 +66,15 @@ class Tracked(Mapping[str, Any]):
         if self.reader and outline_of(name).order >= self.reader.order:
             raise ReportError(f"{self.reader.source} reads {name}, which stands after it: give it a higher order")
         self.dependencies.note(self.place, name)
-        return self.dependencies.places[self.place][name]
+        chapter = self.dependencies.places[self.place][name]
+        return chapter.results if self.reader else chapter
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._all)
+        self.dependencies.note(self.place, NAMES)
+        return iter(self.dependencies.places[self.place])
 
     def __len__(self) -> int:
-        return len(self._all)
-
-    @property
-    def _all(self) -> Mapping[str, Any]:
-        self.dependencies.note(self.place, NAMES)
-        return self.dependencies.places[self.place]
+        return sum(1 for _ in self)
 
 
 def digest_of(*texts: str) -> str:

@@ -71,7 +71,7 @@ class Converter:
 def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
     headings = {
         "baselevel": level,
-        "slugify": lambda title, separator: f"{anchor}-{slugify(NUMBER.sub(_number, title), separator)}",
+        "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
     }
     markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
     html = markdown.convert(text).replace(OPEN, BLANK)
@@ -82,7 +82,3 @@ def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
     body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
     inner = [(heading["id"], heading["name"].replace(OPEN, BLANK)) for heading in top["children"]]
     return Converted(top["name"].replace(OPEN, BLANK), body, inner)
-
-
-def _number(token: re.Match) -> str:
-    return token[1]

@@ -11,19 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from jinja2 import (
-    ChoiceLoader,
-    Environment,
-    FileSystemLoader,
-    PrefixLoader,
-    StrictUndefined,
-    Template,
-    TemplateError,
-    TemplateNotFound,
-    TemplateSyntaxError,
-    pass_context,
-)
-from jinja2.runtime import Context
+import jinja2
 from markupsafe import Markup, escape
 
 from measured_report import ReportError
@@ -70,7 +58,7 @@ class Text:
     """One template of Markdown, parsed."""
 
     name: str
-    template: Template
+    template: jinja2.Template
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
     converter: Converter
@@ -95,10 +83,10 @@ class Templates:
 
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
-        own, base = FileSystemLoader(folder), FileSystemLoader(LAYOUT)
-        self._layout = Environment(
-            loader=ChoiceLoader([own, base, PrefixLoader({"layout": base})]),
-            undefined=StrictUndefined,
+        own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
+        self._layout = jinja2.Environment(
+            loader=jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})]),
+            undefined=jinja2.StrictUndefined,
             autoescape=True,
             trim_blocks=True,
             lstrip_blocks=True,
@@ -132,7 +120,7 @@ class Templates:
             if self._cache:
                 self._cache.put(entry, made_from, found)
         code, words = found
-        template = Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
+        template = jinja2.Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -164,16 +152,16 @@ def _named(template: str) -> Iterator[None]:
     """Say of an error in a template which one it is in, and in which line, where that is known."""
     try:
         yield
-    except TemplateNotFound as error:
+    except jinja2.TemplateNotFound as error:
         raise ReportError(f"there is no templates/{error.name}") from None
-    except TemplateSyntaxError as error:
+    except jinja2.TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
-    except TemplateError as error:
+    except jinja2.TemplateError as error:
         raise ReportError(f"templates/{template}: {error.message}") from None
 
 
-@pass_context
-def _as_token(context: Context, value: Any) -> Markup:
+@jinja2.pass_context
+def _as_token(context: jinja2.runtime.Context, value: Any) -> Markup:
     if isinstance(value, Markup) and OPEN in value:
         return value  # what a macro returns has passed here already
     if isinstance(value, int | float):
