@@ -10,7 +10,7 @@ from pathlib import Path
 from measured_report import ROOT
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.dependencies import installed
-from measured_report.deriving.editions import Edition, editions_of
+from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import locked
@@ -45,12 +45,9 @@ class Built:
 def build(project: Project, address: str = "") -> dict[str, Built]:
     """Write the site and say what it lacks, by release; until the site is whole, the one that was there stays.
 
-    Its pages are the first of the site; those of other releases that have results lie in a folder each. What was made
-    before from the same is not made again, and files that would be the same stay.
-
-    Args:
-        project: What to show.
-        address: Where the site will lie, with a slash at its end; empty where that is not known.
+    The project's pages are the first of the site; those of other releases that have results lie in a folder each. What
+    was made before from the same is not made again, and files that would be the same stay. Where the site will lie is
+    its ``address``, with a slash at its end; empty where that is not known.
     """
     cache = Cache(project.root)
     with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False):
@@ -66,13 +63,14 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             site.write(partial(write_root_files, site))
             templates.keep()
         replace(project.site, fresh)
-        built = {release: _built(edition) for release, edition in editions.items()}
+        built = {
+            release: Built(
+                [name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out
+            )
+            for release, edition in editions.items()
+        }
         cache.put(BUILT, (digest, draft.digests), built)
     return built
-
-
-def _built(edition: Edition) -> Built:
-    return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
 
 
 def _digest(project: Project, address: str) -> str:

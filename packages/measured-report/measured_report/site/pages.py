@@ -120,7 +120,11 @@ class Site:
             root_files()
 
         drawn = _draw(contents, self.cache, write_data)
-        origins = json.dumps({results.source: _origin(results) for results in self.records}, ensure_ascii=False)
+        texts = {
+            results.source: f"{config().edition(record.origin.release)}, {record.machine_text}, {record.time_text}"
+            for results, record in ((results, results.record) for results in self.records)
+        }
+        origins = json.dumps(texts, ensure_ascii=False)
         for release, place in places.items():
             names = {
                 "contents": contents[release],
@@ -183,13 +187,14 @@ def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> 
 def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
     """Return the words of one release's pages by file and anchor of their parts; of a figure those below it."""
     contents = _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
-    parts = {(content.page.file, part.anchor): part for content in contents for part in content.parts}
-    return {place: _undrawn(part) for place, part in parts.items()}
-
-
-def _undrawn(part: Prose) -> Markup:
-    figures = {figure.anchor: figure.undrawn for figure in part.figures}
-    return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
+    words = Markup("<h2>{}</h2>{}")
+    return {
+        (content.page.file, part.anchor): words.format(
+            part.title, part.html({figure.anchor: figure.undrawn for figure in part.figures})
+        )
+        for content in contents
+        for part in content.parts
+    }
 
 
 def _draw(
@@ -228,12 +233,6 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
     return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
 
 
-def _origin(results: Results) -> str:
-    """What a record was measured with, and when."""
-    record = results.record
-    return f"{config().edition(record.origin.release)}, {record.machine_text}, {record.time_text}"
-
-
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
     floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
@@ -242,5 +241,4 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
 
 def citation() -> dict[str, str]:
     """Read what CITATION.cff says, each key's first line."""
-    found = CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    return dict(reversed(found))
+    return dict(reversed(CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))))
