@@ -28,24 +28,17 @@ class Clips:
     @property
     def files(self) -> list[Path]:
         """What the site has to carry, the record first."""
-        path = self.results.path
-        return [path, *(path.with_name(name) for name, _ in files_of(self.state.record))]
+        return [self.results.path, *(self.project.results / name for name, _ in files_of(self.state.record))]
 
     def video(self, case: str, caption: Markup) -> Markup:
         """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
+        size, files = (row.width_px.value, row.height_px.value), map(self._address, (row.poster, row.file))
+        label = f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}."
         return Markup(
             '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
             'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'
-        ).format(
-            row.width_px.value,
-            row.height_px.value,
-            self._address(row.poster),
-            self._address(row.file),
-            f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}.",
-            self._sources(row),
-            self._marked(caption),
-        )
+        ).format(*size, *files, label, self._sources(row), self._marked(caption))
 
     def still(self, link: str, caption: Markup) -> Markup:
         """The long exposure, which leads to ``link``, where there is one."""

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from experiments.facts.kept import kept_run
-from measured_report import ReportError
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.values.results import Results
 from report.media.replay import SHAKES
@@ -23,14 +22,6 @@ COLUMNS = (
 )
 """What is packed of each sample; the cube's pose is in the TCP frame [m]."""
 WIDEST = 65535
-
-
-def replayed_runs(results: Results) -> dict[str, Any] | None:
-    """The runs of a release's replay, packed; None where not all of them are kept and whole."""
-    try:
-        return packed_runs(results)
-    except (ReportError, LookupError, TypeError, ValueError):
-        return None
 
 
 def packed_runs(results: Results) -> dict[str, Any]:

@@ -7,7 +7,6 @@ from markupsafe import Markup
 
 from measured_report.changes.flips import FlipList, decided_flips
 from measured_report.changes.history import Point, points
-from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
@@ -37,19 +36,12 @@ def _numbers(releases: Releases) -> Table:
         found = points(releases, headline)
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
-            cells = [
-                _line(found, list(releases)),
-                *_cells(releases, headline, found),
-                _floor(releases, headline.unit).bare,
-            ]
+            marks = {point.release: point.mark for point in found}
+            cells = (with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases)
+            cells = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
             for column, content in zip(columns.values(), cells, strict=True):
                 column.append(content)
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
-
-
-def _cells(releases: Releases, headline: Query, found: Sequence[Point]) -> list[Markup]:
-    marks = {point.release: point.mark for point in found}
-    return [with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases]
 
 
 def _floor(releases: Releases, unit: str) -> Quantity:
