@@ -103,6 +103,6 @@ def files_of(code: Path) -> dict[str, str]:
 @cache
 def installed() -> str:
     """Digest what is installed, as far as it decides what is made."""
-    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT)))
+    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT))).read_bytes()
     versions = [f"{name} {metadata.version(name)}" for name in PACKAGES]
-    return digest_of(python_version(), *versions, hashlib.sha256(font.read_bytes()).hexdigest())
+    return digest_of(python_version(), *versions, hashlib.sha256(font).hexdigest())

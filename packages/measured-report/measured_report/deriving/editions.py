@@ -60,7 +60,6 @@ class Edition:
 
     @cached_property
     def values_text(self) -> str:
-        """Its values file."""
         return values_text(self.chapters.values())
 
     @cached_property
@@ -105,10 +104,7 @@ class Edition:
         return claim.html(text) + mark
 
     def _told(self, name: str, names: Mapping[str, Any]) -> Section:
-        """What the module ``name`` of the report's story derives of the chapters; of all editions where it takes them.
-
-        It has ``derive(chapters)``, or ``derive(releases, shown)``, which is told which of them it is for.
-        """
+        """What ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
         file = file_of(config().story, name) if config().story else None
         arguments = source_at(file, name).top.get("derive", 0) if file else 0
         if not arguments:
@@ -144,13 +140,11 @@ def _marked(project: Project, editions: Mapping[str, Edition], templates: Templa
     there = [release for release in editions if full.of(release).results.is_dir()]
     told = {release: derive_edition(full.of(release), templates).chapters for release in there}
     marks = marks_of({release: edition.chapters for release, edition in editions.items()}, told)
-    return {
-        release: replace(
-            edition,
-            chapters={name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()},
-        )
-        for release, edition in editions.items()
-    }
+    marked = {}
+    for release, edition in editions.items():
+        chapters = {name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()}
+        marked[release] = replace(edition, chapters=chapters)
+    return marked
 
 
 def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) -> Chapter:
@@ -264,31 +258,25 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _things(name: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
-    """What finds tables and figures of a section for its words, and says which claims hold."""
-    sections = {**{chapter: found.section for chapter, found in told.items()}, name: section}
-    return {
-        "holds": _asker(sections, name),
-        "table": _finder(name, "table", section.tables),
-        "figure": _finder(name, "figure", section.figures),
-    }
+def _things(own: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
+    """What finds tables and figures of a section for its words, and says which claims hold.
 
+    That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold.
+    """
+    sections = {**{name: chapter.section for name, chapter in told.items()}, own: section}
 
-def _asker(sections: Mapping[str, Section], own: str) -> Callable[[str], bool]:
-    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
-    not."""
-
-    def holds(name: str) -> bool:
-        section, _, claim = name.rpartition(".")
-        section = section or own
-        if section not in sections:
+    def holds(asked: str) -> bool:
+        name, _, claim = asked.rpartition(".")
+        name = name or own
+        if name not in sections:
             return False
-        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
-        if claim not in claims and claim not in sections[section].unmeasured:
-            raise ReportError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        claims = {each.name: each.outcome == HOLDS for each in sections[name].claims}
+        if claim not in claims and claim not in sections[name].unmeasured:
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
         return claims.get(claim, False)
 
-    return holds
+    finders = {"table": _finder(own, "table", section.tables), "figure": _finder(own, "figure", section.figures)}
+    return {"holds": holds, **finders}
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

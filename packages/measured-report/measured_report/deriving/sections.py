@@ -51,9 +51,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
-    page = page_of(name, says.get("page"))
-    compares, leads = says["derive"] > 1, says.get("leads", False)
-    return Outline(file, root, says["order"], page, compares, leads, str(says.get("label", section.replace("_", " "))))
+    page, label = page_of(name, says.get("page")), str(says.get("label", section.replace("_", " ")))
+    return Outline(file, root, says["order"], page, says["derive"] > 1, says.get("leads", False), label)
 
 
 def file_of(package: str, name: str) -> Path | None:

@@ -27,7 +27,6 @@ HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 KEPT = "markdown"
-"""Its name in the cache."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +35,6 @@ class Converted:
 
     title: str
     body: str
-    """What comes below the title."""
     headings: list[tuple[str, str]]
     """Id and text of each heading right below the title."""
 
@@ -51,19 +49,16 @@ class Converter:
         self._now: dict[str, Converted] = {}
 
     def converted(self, text: str, place: str, anchor: str, level: int) -> Converted:
-        """What Markdown makes of a text, with a ``BLANK`` at the beginning of each token.
+        """What Markdown makes of a text of the template ``place``, with a ``BLANK`` at the beginning of each token.
 
-        Args:
-            place: The template that it comes from, to name in errors.
-            anchor: How the ids of its further headings begin.
-            level: Of the title.
+        Its title is of that level, and the ids of further headings begin with ``anchor``.
         """
         digest = sha256(repr((text.replace(OPEN, BLANK), place, anchor, level)).encode()).hexdigest()
         self._now[digest] = self._before.get(digest) or _convert(text, place, anchor, level)
         return self._now[digest]
 
     def keep(self) -> None:
-        """Keep what was converted, and no more."""
+        """Keep what was converted this time, and no more."""
         if self._cache and self._now.keys() != self._before.keys():
             self._cache.put(KEPT, self._made_by, self._now)
 

@@ -39,7 +39,6 @@ class Prose:
     body: str
     printed: list[Any]
     anchor: str
-    """How the ids in it begin."""
     headings: list[tuple[str, Markup]]
     """Id and text of each heading right below the title."""
 
@@ -74,12 +73,7 @@ class Text:
 
 
 class Templates:
-    """The templates of one project; a name that does not exist is an error.
-
-    Args:
-        folder: Where they are.
-        cache: What was compiled before, which takes a while.
-    """
+    """The templates of one project; a name that does not exist is an error, and what was compiled is kept."""
 
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
@@ -137,7 +131,6 @@ class Templates:
             return self._layout.get_template(template).render(names)
 
     def keep(self) -> None:
-        """Keep what was made of texts, for the next time."""
         self._converter.keep()
 
 
@@ -166,9 +159,8 @@ def _as_token(context: jinja2.runtime.Context, value: Any) -> Markup:
         return value  # what a macro returns has passed here already
     if isinstance(value, int | float):
         raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
-    printed = context["printed"]
-    printed.append(value if isinstance(value, Figure) else escape(value))
-    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+    context["printed"].append(value if isinstance(value, Figure) else escape(value))
+    return Markup(f"{OPEN}{len(context['printed']) - 1}{CLOSE}")
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:

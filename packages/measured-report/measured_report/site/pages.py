@@ -50,11 +50,10 @@ class Content:
 
 @dataclass(frozen=True)
 class Link:
-    """One release, as the pages of another one lead to it."""
+    """One release, as the pages of another one lead to it, from where its own lie at ``base``."""
 
     edition: Edition
     base: str
-    """Where its pages lie, seen from the other one's."""
     is_shown: bool
     """Whether it is the other one itself."""
 
@@ -80,13 +79,11 @@ class Link:
 
 @dataclass(frozen=True)
 class Site:
-    """A site that is being written."""
+    """A site that is being written: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
     draft: Draft
     shown: str
-    """The release whose pages are the first."""
     editions: Mapping[str, Edition]
-    """Every release by its name, oldest first."""
     templates: Templates
     address: str
     """Where it will lie; empty where that is not known."""
@@ -104,7 +101,6 @@ class Site:
 
     @cached_property
     def tables(self) -> dict[str, bytes]:
-        """The rows of each record, by its file."""
         return {results.source: rows_csv(results.record.rows) for results in self.records}
 
     def write(self, root_files: Callable[[], None]) -> None:
@@ -120,17 +116,17 @@ class Site:
             root_files()
 
         drawn = _draw(contents, self.cache, write_data)
-        texts = {
-            results.source: f"{config().edition(record.origin.release)}, {record.machine_text}, {record.time_text}"
-            for results, record in ((results, results.record) for results in self.records)
-        }
-        origins = json.dumps(texts, ensure_ascii=False)
+        origins = {}
+        for results in self.records:
+            record = results.record
+            said = (config().edition(record.origin.release), record.machine_text, record.time_text)
+            origins[results.source] = ", ".join(said)
         for release, place in places.items():
             names = {
                 "contents": contents[release],
                 "links": links[release],
                 "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
-                "origins": origins,
+                "origins": json.dumps(origins, ensure_ascii=False),
             }
             self._write_pages(place, self.editions[release], names)
 
@@ -171,7 +167,6 @@ class Site:
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
-    """All releases as seen from the pages of one, oldest first."""
     up = "../" if places[shown] else ""
     return [
         Link(edition, "" if release == shown else f"{up}{places[release]}", release == shown)
@@ -220,7 +215,7 @@ def _draw(
 def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
     """Pages by file, with links to what is not on their own page leading to the page that it is on.
 
-    The front page has the ids of all sections, for old links, but they are not there.
+    The front page has the ids of all sections for old links alone.
     """
     ids = {file: set(ID.findall(html)) for file, html in pages.items()}
     ids[FRONT.file] -= set(sections)
