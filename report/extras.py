@@ -6,6 +6,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from experiments.facts.clip_record import clips_state
 from measured_report import ReportError
 from measured_report.deriving import extras
 from measured_report.deriving.cache import DerivedCache
@@ -14,7 +15,7 @@ from measured_report.files.staging import Draft
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
-from report.media.clips import Clips, clips_of
+from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.names import name_of
 from report.story.cards import cards_of
@@ -32,7 +33,8 @@ class Extras(extras.Extras):
     @cached_property
     def clips(self) -> Clips | None:
         """Its clips; None when there are none that can be shown."""
-        return clips_of(self.edition.project)
+        state = clips_state(self.edition.project)
+        return Clips(self.edition.project, state) if state.record else None
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
@@ -53,7 +55,6 @@ class Extras(extras.Extras):
 
     @property
     def picture(self) -> str:  # type: ignore[override]
-        """The long exposure among the clips."""
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
@@ -70,10 +71,11 @@ class Extras(extras.Extras):
 
     def write(self, site: Draft, folder: str, templates: Templates) -> None:
         """Put the clips below ``data/``, and the replay; what was not kept or not made is left out."""
+        project = self.edition.project
         for file in self.clips.files if self.clips else ():
-            site.copy(f"{folder}data/{self.edition.project.results.name}/{file.name}", file)
+            site.copy(f"{folder}data/{project.results.name}/{file.name}", file)
         if self.replay:
-            project, poses = self.edition.project, self.edition.chapters["poses"]
+            poses = self.edition.chapters["poses"]
             site.write(f"{folder}{REPLAY}", replay_page(project, poses, self.replay, self.clips, templates))
 
 

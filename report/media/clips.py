@@ -5,7 +5,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
+from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, files_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.values.quantities import Quantity
@@ -57,7 +57,6 @@ class Clips:
         return self._address(self.results.row[STILL].file)
 
     def _marked(self, caption: Markup) -> Markup:
-        """A caption that says whether what it was made from has changed since."""
         notes = self.state.words
         return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
 
@@ -70,15 +69,8 @@ class Clips:
         return Markup(' data-src="{}"').format(" ".join(there)) if there else Markup("")
 
     def _said(self, row: Row) -> str:
-        """What is read out at the end of a clip."""
         moved = self._moved(row)
         return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"
-
-
-def clips_of(project: Project) -> Clips | None:
-    """The clips of a release; None when there are none that can be shown."""
-    state = clips_state(project)
-    return Clips(project, state) if state.record else None

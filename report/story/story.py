@@ -66,10 +66,8 @@ ASKED = (
     ("upgrade", "pyramid_as_before"),
 )
 """Others that have to be there."""
-OF_A_SLIP = {"law", "ke_alone", "clamp"}
-"""Those that say something only where the cube slips with shipped pads."""
-OF_A_HOLD = {"leans", "substeps", "remedy_elsewhere"}
-"""Those that say something only where it does not."""
+OF_A_SLIP, OF_A_HOLD = {"law", "ke_alone", "clamp"}, {"leans", "substeps", "remedy_elsewhere"}
+"""Those that say something only where the cube slips with shipped pads, and only where it does not."""
 
 
 def derive(chapters: Chapters) -> Section:

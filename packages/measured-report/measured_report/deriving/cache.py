@@ -1,8 +1,4 @@
-"""A cache of what sections make of their results, their figures drawn, by all that it was made from.
-
-An entry has what else was read while the section was derived, each with a digest of what that was made from, and counts
-as long as these are the same.
-"""
+"""A cache of what sections make of their results, their figures drawn, as long as all that it was made from is so."""
 
 import functools
 from collections.abc import Callable, Mapping, Sequence
@@ -69,14 +65,9 @@ class DerivedCache:
         dependencies: Dependencies,
         derive: Callable[[], Derivation],
     ) -> Entry:
-        """Return what ``derive`` makes, or has made of the same before.
+        """Return what ``derive``, of the module ``code``, makes, or has made of the same before.
 
-        Args:
-            place: What it is kept as: profile, release and section.
-            code: The module that makes it.
-            given: Digests, or texts, of what it is given.
-            dependencies: What else it may read.
-            derive: Derives the section and its values.
+        That is what is ``given``, as digests or texts, and what was read among the ``dependencies``.
         """
         if self.root is None:
             return Entry(place, "", {}, *derive())

@@ -28,7 +28,7 @@ from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Making, Section
 from measured_report.records.identity import files_digest, source_at
 from measured_report.records.traces import traces_of
-from measured_report.values.noise import NOISE, Floor, noise_floors
+from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.results import Results, ResultsError
 
 
@@ -53,10 +53,8 @@ class Edition:
     @property
     def uncompared(self) -> Chapters:
         """Its chapters; of those that compare releases, and say what is so on one page alone, their results."""
-        return {
-            name: replace(chapter, section=Section()) if chapter.compares else chapter
-            for name, chapter in self.chapters.items()
-        }
+        bare = {name: replace(each, section=Section()) for name, each in self.chapters.items() if each.compares}
+        return {**self.chapters, **bare}
 
     @cached_property
     def values_text(self) -> str:
@@ -162,14 +160,9 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
     states = states_of(project)
     floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
     there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
-    measured = [(state, _results(project, state, floors)) for state in there]
+    measured = [(state, Results(state.record, project.record_path(state.section), floors=floors)) for state in there]
     edition = Edition(project, {}, [state for state in states if not state.record], cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)
-
-
-def _results(project: Project, state: State, floors: Mapping[str, Floor]) -> Results:
-    path, label = project.record_path(state.section), outline_of(state.section).label
-    return Results(state.record, path, floors=floors, label=label)
 
 
 def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
@@ -204,7 +197,8 @@ def _chapter(
     """
     project, name, outline = edition.project, state.section, outline_of(state.section)
     before = dict(takewhile(lambda item: item[0] != name, told.items()))
-    results = replace(results, others={other: chapter.results for other, chapter in before.items()})
+    others = {other: chapter.results for other, chapter in before.items()}
+    results = replace(results, others=others, label=outline.label)
     digest = results_digest(results)
     if outline.compares and not releases:
         return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
@@ -232,9 +226,9 @@ def _chapter(
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
     digest = sha256(repr((entry.digest, outcomes, state.notes)).encode()).hexdigest()
-    prose = text.prose(name, names)
     if not outline.compares:
         edition.cache.tell(project.release, section, name)
+    prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
 
 

@@ -19,11 +19,10 @@ class LostError(ReportError):
 
 @dataclass(frozen=True)
 class Outline:
-    """What a section's module says of itself, known without running it."""
+    """What a section's module, below ``root``, says of itself, known without running it."""
 
     file: Path
     root: Path
-    """The folder that ``report/sections/`` is in."""
     order: int
     page: Page
     compares: bool
@@ -83,6 +82,5 @@ def derive_section(results: Results, releases: Releases) -> Section:
 
 
 def _line_of(error: Exception) -> str:
-    """Say where an error was raised, for whoever has to mend it."""
     where = extract_tb(error.__traceback__)[-1]
     return f"{Path(where.filename).name}:{where.lineno}"

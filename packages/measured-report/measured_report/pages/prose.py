@@ -91,7 +91,7 @@ class Templates:
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
-        self._converter = Converter(cache)
+        self.converter = Converter(cache)
 
     def text(self, name: str) -> Text:
         """A template of Markdown; it is parsed once."""
@@ -123,15 +123,12 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
 
-        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self._converter)
+        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self.converter)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
-
-    def keep(self) -> None:
-        self._converter.keep()
 
 
 @once

@@ -15,9 +15,7 @@ from measured_report.records.traces import traces_of
 from measured_report.values.quantities import VALUES_FILE
 
 ARCHIVE = "data.zip"
-TEMPLATE = "archive.txt.j2"
 FIGURES = "figures.csv"
-DRAWN = ("release", "figure", "drawn by", "source", "value", "unit")
 
 
 def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
@@ -26,9 +24,10 @@ def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templ
     The same give the same bytes. Nothing is compressed, since what compresses does not do so alike everywhere.
     """
     files = dict(_data_files(editions, tables))
-    files[FIGURES] = _csv(DRAWN, (row for edition in editions.values() for row in _drawn(edition)))
+    head = ("release", "figure", "drawn by", "source", "value", "unit")
+    files[FIGURES] = _csv(head, (row for edition in editions.values() for row in _drawn(edition)))
     names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
-    files["README.txt"] = templates.layout(TEMPLATE, names).encode()
+    files["README.txt"] = templates.layout("archive.txt.j2", names).encode()
     content = io.BytesIO()
     with ZipFile(content, "w", ZIP_STORED) as archive:
         for name in sorted(files):

@@ -61,7 +61,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             editions = editions_of(project, templates, derived)
             site = Site(draft, project.release, editions, templates, address, derived)
             site.write(partial(write_root_files, site))
-            templates.keep()
+            templates.converter.keep()
         replace(project.site, fresh)
         built = {
             release: Built(
@@ -86,7 +86,10 @@ def _digest(project: Project, address: str) -> str:
 
 
 def _inputs(root: Path, folders: Sequence[str]) -> list[Path]:
-    files = [root / name for name in OTHER_INPUTS]
-    files += (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
+    below = (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
     # Larger ones are refused by their readers.
-    return [path for path in files if path.is_file() and path.stat().st_size <= BYTE_LIMIT]
+    return [
+        path
+        for path in (*map(root.joinpath, OTHER_INPUTS), *below)
+        if path.is_file() and path.stat().st_size <= BYTE_LIMIT
+    ]

@@ -27,8 +27,6 @@ from measured_report.values.results import Results
 CARD = "card.png"
 """The picture for links to the site."""
 CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
-BESIDE = ("style.css", "page.js")
-"""Files of the layout that lie beside the pages of each release."""
 ICON = "favicon.svg"
 """A report's own, in its ``assets/``, which need not be there."""
 ID = re.compile(r' id="([^"]+)"')
@@ -147,7 +145,7 @@ class Site:
         pages = {content.page.file: layout({**known, "content": content}) for content in names["contents"]}
         for file, html in _connected(pages, edition.chapters).items():
             self.draft.write(f"{place}{file}", local(html, edition.project.release))
-        for path in (*(LAYOUT / name for name in BESIDE), *([icon] if icon.is_file() else [])):
+        for path in (*(LAYOUT / name for name in ("style.css", "page.js")), *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
         for chapter in edition.chapters.values():
             for download in chapter.section.downloads:
@@ -168,10 +166,8 @@ class Site:
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
     up = "../" if places[shown] else ""
-    return [
-        Link(edition, "" if release == shown else f"{up}{places[release]}", release == shown)
-        for release, edition in editions.items()
-    ]
+    bases = {release: f"{up}{place}" for release, place in places.items()} | {shown: ""}
+    return [Link(edition, bases[release], release == shown) for release, edition in editions.items()]
 
 
 def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
