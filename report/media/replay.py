@@ -25,7 +25,6 @@ SHAKES = {
 }
 """What can be chosen on the page, and the runs that it shows, by case."""
 SCRIPT = "assets/replay/replay.js"
-STYLE = "assets/replay/replay.css"
 
 
 def replay_page(
@@ -43,7 +42,7 @@ def replay_page(
         "speed": 1.0,
         "magnifications": (1, 5, 20),
         "runs": json.dumps(runs, separators=(",", ":")),
-        "style": Markup((project.root / STYLE).read_text(encoding="utf-8")),
+        "style": Markup((project.root / "assets/replay/replay.css").read_text(encoding="utf-8")),
         "script": Markup(text),
         "digest": base64.b64encode(hashlib.sha256(text.encode()).digest()).decode(),
     }

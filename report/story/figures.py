@@ -13,12 +13,9 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
 from report.names import name_of
 
-EDGE_MM = 40.0
-"""Edge of the cube, for drawings to scale."""
-PAD_MM = (17.5, 18.5)
-"""Width and height of the part of a finger that touches the cube, about the point between the fingertips."""
-FINGER_MM = (22.0, 20.0)
-"""Width and height of the part above it."""
+EDGE_MM = 40.0  # of the cube, for drawings to scale
+PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
+FINGER_MM = (22.0, 20.0)  # of the part above it
 
 
 def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
@@ -71,10 +68,8 @@ def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Dr
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.margins(x=0.01)
     low, high = axes.get_ylim()
-    room = 0.06 * (high - low)
-    axes.set_ylim(low, max(high, max(places) + room))
-    axes.set_xlabel("time since the shake began [s]")
-    axes.set_ylabel("displacement [mm]")
+    axes.set_ylim(low, max(high, max(places) + 0.06 * (high - low)))
+    axes.set(xlabel="time since the shake began [s]", ylabel="displacement [mm]")
     return drawing
 
 

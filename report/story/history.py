@@ -15,8 +15,7 @@ from measured_report.values.quantities import Quantity, absent
 from report.sections.upgrade.ends import cell, with_mark
 from report.sections.upgrade.tables import FLOORS, HEADLINES
 
-WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0
-"""Of the line beside a number's name [px], and how far its marks keep from the edges."""
+WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
 DRAWING = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
 BAND = Markup('<path d="M{}Z" style="fill: var(--series-2); fill-opacity: 0.35"/>')
 LINE = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-width: 1.5"/>')

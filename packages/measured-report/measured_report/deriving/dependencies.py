@@ -15,12 +15,10 @@ from measured_report.deriving.sections import Outline, outline_of
 from measured_report.files.config import config
 from measured_report.records.code import files, roots_of
 
-NAMES = "*"
-"""In the place of a name: all names that there are."""
+NAMES = "*"  # in the place of a name: all that there are
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
 """What decides how numbers are computed and figures are drawn."""
-FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"
-"""How wide its letters are decides where things stand."""
+FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"  # how wide its letters are decides where things stand
 READ_BY_NAME = config().sources
 """What says what columns are, and nobody imports."""
 

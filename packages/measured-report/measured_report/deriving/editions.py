@@ -72,7 +72,7 @@ class Edition:
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page, or of all for the front page, that have not been measured."""
-        missing = [state for state in self.left_out if state.kind == "missing"]
+        missing = (state for state in self.left_out if state.kind == "missing")
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:

@@ -1,7 +1,6 @@
 """Converting: texts of Markdown made into HTML, each once: what comes of one is kept from build to build.
 
-What a template prints passes Markdown as a token between two private characters and is put back afterwards, so that no
-value, case name or table is ever taken for Markdown.
+What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
 """
 
 import re

@@ -86,7 +86,5 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
 
 def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(rows)
+    csv.writer(text, lineterminator="\n").writerows([head, *rows])
     return text.getvalue().encode()

@@ -29,16 +29,14 @@ OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""
 WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 """Packages that have a part in it, besides those that decide what is drawn."""
-BUILT = "site"
-"""What is kept of the last build."""
+BUILT = "site"  # what is kept of the last build
 
 
 @dataclass(frozen=True)
 class Built:
-    """What the pages of a release lack."""
+    """What the pages of a release lack: sections that something changed under since, and those that are left out."""
 
     stale: Sequence[str]
-    """Sections that are shown as they were measured before something changed."""
     left_out: Sequence[State]
 
 

@@ -35,9 +35,8 @@ def check_site(site: Path) -> list[str]:
     for path in sorted(site.rglob("*.js")):
         if path.name != SCRIPT or path.read_bytes() != (LAYOUT / SCRIPT).read_bytes():
             problems.append(f"{path.relative_to(site)} is not the project's script")
-    for path in sorted(site.rglob("*.css")):
-        if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
-            problems.append(f"{path.relative_to(site)} fetches something")
+    styles = (path for path in sorted(site.rglob("*.css")) if FETCHING_STYLE.search(path.read_text(encoding="utf-8")))
+    problems += [f"{path.relative_to(site)} fetches something" for path in styles]
     if not (site / "index.html").is_file():
         problems.append("there is no index.html")
     return problems

@@ -16,11 +16,10 @@ PICTURES = {"svg", "img", "video", "canvas"}
 
 @dataclass
 class Drawn:
-    """A text of a drawing, or what it says to whoever can't see it."""
+    """A text of a drawing, or what it says to whoever can't see it, with pointers to its numbers."""
 
     text: str
     sources: list[str]
-    """Pointers to its numbers."""
     is_drawn: bool = True
     """Whether it may have little room."""
     is_tick: bool = False

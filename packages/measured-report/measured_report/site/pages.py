@@ -24,11 +24,9 @@ from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
 
-CARD = "card.png"
-"""The picture for links to the site."""
+CARD = "card.png"  # the picture for links to the site
 CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
-ICON = "favicon.svg"
-"""A report's own, in its ``assets/``, which need not be there."""
+ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 ID = re.compile(r' id="([^"]+)"')
 INNER_LINK = re.compile(r' href="#([^"]+)"')
 

@@ -15,8 +15,7 @@ from measured_report.site.check import check_site
 from measured_report.site.targets import MARK, TARGETS
 
 DEFAULT = "git:origin"
-QUICK = '<meta name="profile" content="quick">'
-"""What marks a page of small grids and short runs."""
+QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
 def publish(site: Path, target: str) -> str:

@@ -15,8 +15,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.staging import remove, replace
 from measured_report.records.identity import files_digest
 
-MARK = ".published"
-"""A file of every copy that is published: only what has it is replaced."""
+MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 VERSION = re.compile(r"[0-9a-f]{16}")
 UNFINISHED = re.compile(r"(new|link)-[0-9a-f]+")
 BRANCH = "gh-pages"
@@ -131,7 +130,7 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
 
 
 def _author(git: list[str]) -> dict[str, str]:
-    """Who git says commits in the project; make, where it can't say."""
+    """Name who git says commits in the project; make, where it can't say."""
     try:
         name, _, address = _run([*git, "var", "GIT_COMMITTER_IDENT"]).rpartition(">")[0].rpartition(" <")
     except UsageError:
@@ -179,4 +178,3 @@ def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> s
 
 
 TARGETS: dict[str, Callable[[Path, str, Path], str]] = {"dir": to_folder, "git": to_branch, "rsync": to_rsync}
-"""How a copy gets to a place, by how the target begins."""
