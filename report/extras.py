@@ -1,10 +1,13 @@
 """What this report shows besides its sections: cards, clips, the replay, and the picture of links to it."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from experiments.facts.clip_record import clips_state
+from measured_report import ReportError
 from measured_report.deriving import extras
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, results_digest
@@ -12,7 +15,7 @@ from measured_report.files.staging import Draft
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
-from report.media.clips import Clips, clips_of
+from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.names import name_of
 from report.story.cards import cards_of
@@ -30,26 +33,28 @@ class Extras(extras.Extras):
     @cached_property
     def clips(self) -> Clips | None:
         """Its clips; None when there are none that can be shown."""
-        return clips_of(self.edition.project)
+        state = clips_state(self.edition.project)
+        return Clips(self.edition.project, state) if state.record else None
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
-        """The runs of its replay; None where they are not kept."""
+        """The runs of its replay; None where not all of them are kept and whole."""
         if "poses" not in self.edition.chapters:
             return None
         project, results = self.edition.project, self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            from report.media.packed import replayed_runs  # it takes NumPy, which takes long to import
+            from report.media.packed import packed_runs  # it takes NumPy, which takes long to import
 
-            return replayed_runs(results)
+            with suppress(ReportError, LookupError, TypeError, ValueError):
+                return packed_runs(results)
+            return None
 
         name = f"{project.profile}.{project.release}.replay"
         return self.edition.cache.value(name, MEDIA / "packed.py", [results_digest(results)], make)
 
     @property
     def picture(self) -> str:  # type: ignore[override]
-        """The long exposure among the clips."""
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
@@ -66,13 +71,12 @@ class Extras(extras.Extras):
 
     def write(self, site: Draft, folder: str, templates: Templates) -> None:
         """Put the clips below ``data/``, and the replay; what was not kept or not made is left out."""
+        project = self.edition.project
         for file in self.clips.files if self.clips else ():
-            site.copy(f"{folder}data/{self.edition.project.results.name}/{file.name}", file)
+            site.copy(f"{folder}data/{project.results.name}/{file.name}", file)
         if self.replay:
             poses = self.edition.chapters["poses"]
-            site.write(
-                f"{folder}{REPLAY}", replay_page(self.edition.project, poses, self.replay, self.clips, templates)
-            )
+            site.write(f"{folder}{REPLAY}", replay_page(project, poses, self.replay, self.clips, templates))
 
 
 def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
@@ -89,12 +93,11 @@ def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
 
 
 def _slips(edition: Edition) -> dict[str, Quantity | None]:
-    found: dict[str, Quantity | None] = {}
-    for label, case in CARD_CASES.items():
-        rows = (chapter.results.row for chapter in edition.chapters.values())
-        there = (row[case] for row in rows if case in row and "slip_mm" in row[case])
-        found[label] = next((row.slip_mm for row in there), None)
-    return found
+    rows = [chapter.results.row for chapter in edition.chapters.values()]
+    return {
+        label: next((row[case].slip_mm for row in rows if case in row and "slip_mm" in row[case]), None)
+        for label, case in CARD_CASES.items()
+    }
 
 
 def scripts() -> Sequence[str]:

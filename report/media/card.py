@@ -11,11 +11,7 @@ from measured_report.values.quantities import Quantity
 
 
 def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
-    """The picture as PNG, of 1200 × 630 pixels.
-
-    Args:
-        slips: By release, by what it is of: the slip; None where there is none.
-    """
+    """The picture as PNG, of 1200 × 630 pixels; ``slips`` are by release, and by what they are of."""
     with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, clips_state, files_of
+from experiments.facts.clip_record import CLIPS, FIRST, RUNS, STILL, files_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.values.quantities import Quantity
@@ -28,24 +28,17 @@ class Clips:
     @property
     def files(self) -> list[Path]:
         """What the site has to carry, the record first."""
-        path = self.results.path
-        return [path, *(path.with_name(name) for name, _ in files_of(self.state.record))]
+        return [self.results.path, *(self.project.results / name for name, _ in files_of(self.state.record))]
 
     def video(self, case: str, caption: Markup) -> Markup:
         """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
+        size, files = (row.width_px.value, row.height_px.value), map(self._address, (row.poster, row.file))
+        label = f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}."
         return Markup(
             '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
             'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'
-        ).format(
-            row.width_px.value,
-            row.height_px.value,
-            self._address(row.poster),
-            self._address(row.file),
-            f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}.",
-            self._sources(row),
-            self._marked(caption),
-        )
+        ).format(*size, *files, label, self._sources(row), self._marked(caption))
 
     def still(self, link: str, caption: Markup) -> Markup:
         """The long exposure, which leads to ``link``, where there is one."""
@@ -64,7 +57,6 @@ class Clips:
         return self._address(self.results.row[STILL].file)
 
     def _marked(self, caption: Markup) -> Markup:
-        """A caption that says whether what it was made from has changed since."""
         notes = self.state.words
         return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
 
@@ -77,15 +69,8 @@ class Clips:
         return Markup(' data-src="{}"').format(" ".join(there)) if there else Markup("")
 
     def _said(self, row: Row) -> str:
-        """What is read out at the end of a clip."""
         moved = self._moved(row)
         return ", ".join(f"{name} {slip.reason if slip.value is None else slip}" for name, slip in moved.items())
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"
-
-
-def clips_of(project: Project) -> Clips | None:
-    """The clips of a release; None when there are none that can be shown."""
-    state = clips_state(project)
-    return Clips(project, state) if state.record else None

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from experiments.facts.kept import kept_run
-from measured_report import ReportError
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.values.results import Results
 from report.media.replay import SHAKES
@@ -22,15 +21,6 @@ COLUMNS = (
     "penetration_mm",
 )
 """What is packed of each sample; the cube's pose is in the TCP frame [m]."""
-WIDEST = 65535
-
-
-def replayed_runs(results: Results) -> dict[str, Any] | None:
-    """The runs of a release's replay, packed; None where not all of them are kept and whole."""
-    try:
-        return packed_runs(results)
-    except (ReportError, LookupError, TypeError, ValueError):
-        return None
 
 
 def packed_runs(results: Results) -> dict[str, Any]:
@@ -56,7 +46,7 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
     values = np.concatenate([run.joints, run.cube_in_hand[:, :3, 3], turn, contact], axis=1)
     # A billionth of a metre or a radian is less than any sample tells; the digits behind are others with another NumPy.
     low, high = (np.round(side, 9) for side in (values[chosen].min(axis=0), values[chosen].max(axis=0)))
-    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * WIDEST).astype("<u2")
+    whole = np.round((values[chosen] - low) / np.where(high > low, high - low, 1.0) * 65535).astype("<u2")
     return {
         "name": name,
         "start_s": float(run.time_s[chosen[0]]),

@@ -25,39 +25,26 @@ SHAKES = {
 }
 """What can be chosen on the page, and the runs that it shows, by case."""
 SCRIPT = "assets/replay/replay.js"
-STYLE = "assets/replay/replay.css"
-SPEEDS, SPEED = (0.25, 1.0, 4.0), 1.0
-"""How fast the replay can be played, and how fast it is at first; of the simulated time."""
-MAGNIFICATIONS = (1, 5, 20)
-"""How many times as large the displacement can be drawn; at first the first."""
 
 
 def replay_page(
     project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates
 ) -> str:
-    """Write the page of one release.
-
-    Args:
-        project: The release.
-        chapter: Its section poses.
-        runs: What ``packed_runs`` makes of its results.
-        clips: Where the still is, which is shown where nothing moves; None when there is none.
-        templates: The templates of the project.
-    """
-    results = chapter.results
+    """Write the page of one release: of its section poses, of its ``packed_runs``, and of the still among its clips."""
+    text = script(project.root)
     names = {
-        "results": results,
+        "results": chapter.results,
         "section": chapter.section,
         "claims": [claim.html(chapter.name) for claim in chapter.section.claims],
         "still": clips and clips.still("#runs-in-numbers", Markup("The cube in the hand, every second cycle.")),
         "shakes": list(SHAKES),
-        "speeds": {speed: format_number(speed, noise=0.0) for speed in SPEEDS},
-        "speed": SPEED,
-        "magnifications": MAGNIFICATIONS,
+        "speeds": {speed: format_number(speed, noise=0.0) for speed in (0.25, 1.0, 4.0)},  # of the simulated time
+        "speed": 1.0,
+        "magnifications": (1, 5, 20),
         "runs": json.dumps(runs, separators=(",", ":")),
-        "style": Markup((project.root / STYLE).read_text(encoding="utf-8")),
-        "script": Markup(script(project.root)),
-        "digest": base64.b64encode(hashlib.sha256(script(project.root).encode()).digest()).decode(),
+        "style": Markup((project.root / "assets/replay/replay.css").read_text(encoding="utf-8")),
+        "script": Markup(text),
+        "digest": base64.b64encode(hashlib.sha256(text.encode()).digest()).decode(),
     }
     return local(templates.layout(f"{REPLAY}.j2", names), project.release)
 

@@ -13,12 +13,9 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
 from report.names import name_of
 
-EDGE_MM = 40.0
-"""Edge of the cube, for drawings to scale."""
-PAD_MM = (17.5, 18.5)
-"""Width and height of the part of a finger that touches the cube, about the point between the fingertips."""
-FINGER_MM = (22.0, 20.0)
-"""Width and height of the part above it."""
+EDGE_MM = 40.0  # of the cube, for drawings to scale
+PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
+FINGER_MM = (22.0, 20.0)  # of the part above it
 
 
 def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
@@ -36,10 +33,10 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
 def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     """Cube at the start and in the end, behind a finger; [mm], the tool points down."""
     half, (x, y) = EDGE_MM / 2, end
-    start: dict[str, Any] = {"fill": False, "edgecolor": INK, "linestyle": (0, (4, 3)), "linewidth": 1.0}
-    axes.add_patch(Rectangle((x - half, y - half), EDGE_MM, EDGE_MM, facecolor=colour, alpha=0.28, linewidth=0))
-    axes.add_patch(Rectangle((x - half, y - half), EDGE_MM, EDGE_MM, fill=False, edgecolor=colour, linewidth=1.6))
-    axes.add_patch(Rectangle((-half, -half), EDGE_MM, EDGE_MM, **start))
+    corner, edges = (x - half, y - half), (EDGE_MM, EDGE_MM)
+    axes.add_patch(Rectangle(corner, *edges, facecolor=colour, alpha=0.28, linewidth=0))
+    axes.add_patch(Rectangle(corner, *edges, fill=False, edgecolor=colour, linewidth=1.6))
+    axes.add_patch(Rectangle((-half, -half), *edges, fill=False, edgecolor=INK, linestyle=(0, (4, 3)), linewidth=1.0))
     pad, finger = PAD_MM, FINGER_MM
     metal: dict[str, Any] = {"facecolor": FAINT, "alpha": 0.55, "edgecolor": INK, "linewidth": 0.8}
     axes.add_patch(Rectangle((-pad[0] / 2, -pad[1] / 2), *pad, **metal))
@@ -71,10 +68,8 @@ def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Dr
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.margins(x=0.01)
     low, high = axes.get_ylim()
-    room = 0.06 * (high - low)
-    axes.set_ylim(low, max(high, max(places) + room))
-    axes.set_xlabel("time since the shake began [s]")
-    axes.set_ylabel("displacement [mm]")
+    axes.set_ylim(low, max(high, max(places) + 0.06 * (high - low)))
+    axes.set(xlabel="time since the shake began [s]", ylabel="displacement [mm]")
     return drawing
 
 
@@ -98,14 +93,8 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
         colour = SERIES[1] if name == remedy else SERIES[0]
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
         axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
-        axes.annotate(
-            f"{write(there[name])} %",
-            (value, place),
-            xytext=(8, 0),
-            textcoords="offset points",
-            fontsize=9,
-            va="center",
-        )
+        beside: dict[str, Any] = {"xytext": (8, 0), "textcoords": "offset points", "fontsize": 9, "va": "center"}
+        axes.annotate(f"{write(there[name])} %", (value, place), **beside)
     if noise.value is not None:
         axes.axvspan(low, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
         _name_above(axes, noise.value, "noise ", "right")
@@ -178,6 +167,5 @@ def _draw_brake(axes: Axes) -> None:
 
 
 def _arrow(axes: Axes, start: np.ndarray, end: np.ndarray, colour: str) -> None:
-    axes.annotate(
-        "", tuple(end), tuple(start), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "shrinkA": 0}
-    )
+    style = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.8, "shrinkA": 0}
+    axes.annotate("", tuple(end), tuple(start), arrowprops=style)

@@ -19,34 +19,31 @@ class Found:
     @property
     def does_slip(self) -> bool:
         """Whether the cube slips as shipped."""
-        return self._holds("reproduction", "slips")
+        return self._holds("slips")
 
     @property
     def does_hold(self) -> bool:
         """Whether stiff pads hold it better."""
-        return self._holds("reproduction", "stiff_pads_hold")
+        return self._holds("stiff_pads_hold")
 
-    def _holds(self, section: str, name: str) -> bool:
-        told = self.claim(section, name)
+    def _holds(self, name: str) -> bool:
+        told = self.claim("reproduction", name)
         return told is not None and told.outcome == HOLDS
 
     def claim(self, section: str, name: str) -> Claim | None:
         """Return a claim of a section; None where there is none."""
-        chapter = self.chapters.get(section)
-        claims = chapter.section.claims if chapter else ()
+        claims = self.chapters[section].section.claims if section in self.chapters else ()
         return next((claim for claim in claims if claim.name == name), None)
 
     def value(self, section: str, name: str, unit: str = "1") -> Quantity:
         """Return a value that a section derived."""
-        chapter = self.chapters.get(section)
-        derived = chapter.results.derived if chapter else {}
-        return derived.get(name) or self._absent(section, unit)
+        derived = self.chapters[section].results.derived if section in self.chapters else {}
+        return derived.get(name) or absent(unit, self._reason(section))
 
     def cell(self, section: str, case: str, column: str, unit: str = "1") -> Quantity:
         """Return what a section measured."""
-        chapter = self.chapters.get(section)
-        row = chapter.results.row.get(case) if chapter else None
-        return row[column] if row and column in row else self._absent(section, unit)
+        row = self.chapters[section].results.row.get(case) if section in self.chapters else None
+        return row[column] if row and column in row else absent(unit, self._reason(section))
 
     def titled(self, name: str) -> Claim:
         """Return whether the cube slips, and stiff pads hold it better."""
@@ -61,17 +58,10 @@ class Found:
         return chapter.results.trace(case) if chapter else Series(None, "", self._reason(section))
 
     def retold(self, name: str, section: str, claim: str, numbers: Mapping[str, Any] | None = None) -> Claim:
-        """Return a section's claim, which has to be there, for other words: its outcome, and what these can name.
-
-        Args:
-            numbers: What they can name besides.
-        """
+        """Return a section's claim, which has to be there, for other words; these can name ``numbers`` besides."""
         told = self.claim(section, claim)
         assert told, f"there is no claim {section}.{claim}"
         return Claim(name, told.outcome, {**told.numbers, **(numbers or {})})
-
-    def _absent(self, section: str, unit: str) -> Quantity:
-        return absent(unit, self._reason(section))
 
     def _reason(self, section: str) -> str:
         return f"section {section} {'does not say' if section in self.chapters else 'has no results here'}"

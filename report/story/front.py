@@ -1,6 +1,6 @@
 """The front page: the verdict, what to change, and short answers to what one asks first."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from measured_report.claims.claim import HOLDS, Claim, all_of, greater
@@ -17,14 +17,14 @@ def derive(chapters: Chapters) -> Section:
     found = Found(chapters)
     if "reproduction" not in chapters:
         return Section(figures=_overview(chapters))
-    asked = {name: ask for name, (sections, ask) in QUESTIONS.items() if sections <= set(chapters)}
+    asked = [name for name, (sections, _) in QUESTIONS.items() if chapters.keys() >= set(sections)]
     if found.does_slip:
-        asked = {name: ask for name, ask in asked.items() if name not in OF_A_HOLD}
-    questions = {name: ask(found) for name, ask in asked.items()}
+        asked = [name for name in asked if name not in OF_A_HOLD]
+    questions = [_answer(found, name, *QUESTIONS[name]) for name in asked]
     return Section(
         figures={"still": _still(found)} | _overview(chapters),
-        claims=[*_verdict(found), *questions.values(), *ways(found)],
-        unmeasured=set(QUESTIONS) - set(questions),
+        claims=[*_verdict(found), *questions, *ways(found)],
+        unmeasured=set(QUESTIONS) - set(asked),
     )
 
 
@@ -35,10 +35,7 @@ def _overview(chapters: Chapters) -> dict[str, Figure]:
 
 def _verdict(found: Found) -> list[Claim]:
     """What the cube does, in the title and below it, and whether the fix is one."""
-    settings = {
-        "ke": found.cell("reproduction", "stiff-pads", "pad_ke"),
-        "kd": found.cell("reproduction", "stiff-pads", "pad_kd"),
-    }
+    settings = {name: found.cell("reproduction", "stiff-pads", f"pad_{name}") for name in ("ke", "kd")}
     return [
         found.titled("title"),
         found.retold("walks", "reproduction", "slips"),
@@ -50,20 +47,13 @@ def _still(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads")
     traces = {case: found.trace("reproduction", case) for case in cases}
     slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
-    return Figure(
-        draw=lambda: draw_still(traces, slips),
-        sources=[*traces.values(), *slips.values()],
-        numbers={
-            "shipped": slips["as-shipped"],
-            "stiff": slips["stiff-pads"],
-            "slips": found.does_slip,
-            "less": found.does_hold,
-        },
-    )
+    numbers = dict(zip(("shipped", "stiff"), slips.values(), strict=True))
+    numbers |= {"slips": found.does_slip, "less": found.does_hold}
+    return Figure(lambda: draw_still(traces, slips), [*traces.values(), *slips.values()], numbers)
 
 
-def _should_work(found: Found) -> Claim:
-    return found.retold("should_work", "contacts", "far_inside_cone")
+def _answer(found: Found, name: str, sections: Sequence[str], asked: str | Callable[[Found], Claim]) -> Claim:
+    return found.retold(name, sections[0], asked) if isinstance(asked, str) else asked(found)
 
 
 def _is_mistuned(found: Found) -> Claim:
@@ -74,33 +64,14 @@ def _is_mistuned(found: Found) -> Claim:
     better = greater(slip, stiff, noise=found.value("noise", "slip_floor", "mm"))
     is_named = material.outcome == HOLDS
     outcome = all_of(material.outcome, held.outcome) if is_named else material.outcome
-    numbers = {
-        "slip": slip,
-        "stiff": stiff,
-        "bound": found.value("reproduction", "stiff_gain_bound"),
-        "is_named": is_named,
-        "is_better": better == HOLDS,
-    }
-    return replace(
-        material, outcome=replace(outcome, reads=outcome.reads | better.reads), numbers={**material.numbers, **numbers}
-    )
-
-
-def _costs_no_speed(found: Found) -> Claim:
-    return found.retold("costs_no_speed", "speed", "stiff_pads_only_same_time")
+    numbers = {"slip": slip, "stiff": stiff, "bound": found.value("reproduction", "stiff_gain_bound")}
+    numbers = {**material.numbers, **numbers, "is_named": is_named, "is_better": better == HOLDS}
+    return replace(material, outcome=replace(outcome, reads=outcome.reads | better.reads), numbers=numbers)
 
 
 def _impratio(found: Found) -> Claim:
     kept = found.value("reproduction", "impratio").code
     return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
-
-
-def _clamp(found: Found) -> Claim:
-    return found.retold("clamp", "stability", "leans_on_clamp")
-
-
-def _use(found: Found) -> Claim:
-    return found.retold("use", "cure", "what_to_use")
 
 
 def _newest(found: Found) -> Claim:
@@ -112,17 +83,17 @@ def _newest(found: Found) -> Claim:
     return found.retold("newest", "upgrade", "slip_is_the_same", {"until": until, "since": since})
 
 
-QUESTIONS: dict[str, tuple[set[str], Callable[[Found], Claim]]] = {
-    "should_work": ({"contacts"}, _should_work),
-    "is_mistuned": ({"lint"}, _is_mistuned),
-    "costs_no_speed": ({"speed"}, _costs_no_speed),
-    "gain": ({"error_runtime"}, gain),
-    "impratio": ({"error_runtime"}, _impratio),
-    "clamp": ({"stability"}, _clamp),
-    "substeps": ({"solver", "stiffness"}, substeps),
-    "use": ({"cure", "cure_cost"}, _use),
-    "newest": ({"upgrade"}, _newest),
+QUESTIONS: dict[str, tuple[Sequence[str], str | Callable[[Found], Claim]]] = {
+    "should_work": (["contacts"], "far_inside_cone"),
+    "is_mistuned": (["lint"], _is_mistuned),
+    "costs_no_speed": (["speed"], "stiff_pads_only_same_time"),
+    "gain": (["error_runtime"], gain),
+    "impratio": (["error_runtime"], _impratio),
+    "clamp": (["stability"], "leans_on_clamp"),
+    "substeps": (["solver", "stiffness"], substeps),
+    "use": (["cure", "cure_cost"], "what_to_use"),
+    "newest": (["upgrade"], _newest),
 }
-"""Claims that are made where the sections that they need have results."""
+"""Claims that are made where the sections that they need have results; many retell one of the first of these."""
 OF_A_HOLD = {"clamp", "substeps"}
 """Those that say something only where the cube does not slip."""

@@ -7,7 +7,6 @@ from markupsafe import Markup
 
 from measured_report.changes.flips import FlipList, decided_flips
 from measured_report.changes.history import Point, points
-from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
@@ -16,8 +15,7 @@ from measured_report.values.quantities import Quantity, absent
 from report.sections.upgrade.ends import cell, with_mark
 from report.sections.upgrade.tables import FLOORS, HEADLINES
 
-WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0
-"""Of the line beside a number's name [px], and how far its marks keep from the edges."""
+WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
 DRAWING = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
 BAND = Markup('<path d="M{}Z" style="fill: var(--series-2); fill-opacity: 0.35"/>')
 LINE = Markup('<path d="M{}" style="fill: none; stroke: var(--series-1); stroke-width: 1.5"/>')
@@ -37,19 +35,12 @@ def _numbers(releases: Releases) -> Table:
         found = points(releases, headline)
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
-            cells = [
-                _line(found, list(releases)),
-                *_cells(releases, headline, found),
-                _floor(releases, headline.unit).bare,
-            ]
+            marks = {point.release: point.mark for point in found}
+            cells = (with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases)
+            cells = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
             for column, content in zip(columns.values(), cells, strict=True):
                 column.append(content)
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
-
-
-def _cells(releases: Releases, headline: Query, found: Sequence[Point]) -> list[Markup]:
-    marks = {point.release: point.mark for point in found}
-    return [with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases]
 
 
 def _floor(releases: Releases, unit: str) -> Quantity:

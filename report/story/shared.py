@@ -1,7 +1,5 @@
 """Claims that the front page and the story both make, each in words of its own."""
 
-from collections.abc import Sequence
-
 from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater
 from measured_report.values.quantities import Quantity
 from report.story.found import Found
@@ -12,12 +10,8 @@ def gain(found: Found) -> Claim:
     coarse, converged = (found.value("error_runtime", name) for name in ("pads_gain_shipped_step", "pads_gain"))
     same = found.value("error_runtime", "pads_gain_same")
     hides = found.claim("contacts", "slide_falls_less_than_displacement")
-    numbers = {
-        "coarse": coarse,
-        "converged": converged,
-        "substeps": found.value("reproduction", "substeps"),
-        "hides": bool(hides and hides.numbers["hides"]),
-    }
+    numbers = {"coarse": coarse, "converged": converged, "substeps": found.value("reproduction", "substeps")}
+    numbers["hides"] = bool(hides and hides.numbers["hides"])
     return Claim("gain", greater(coarse, converged, noise=same), numbers)
 
 
@@ -54,7 +48,7 @@ def ways(found: Found) -> list[Claim]:
                 case = f"{pads}/newton/cone-pyramidal"
                 numbers[name] = found.cell("error_runtime", case, "grasp_error_mm_per_cycle", "mm/cycle")
         slips = at_least(cells[0], bound)
-        less = _is_less(cells, noise) if len(cells) > 1 else _is_less([numbers["shipped"], numbers["stiff"]], None)
+        less = _is_less(*cells, noise) if len(cells) > 1 else _is_less(numbers["shipped"], numbers["stiff"])
         outcome = all_of(slips, less) if slips == HOLDS else slips
         claims.append(Claim(f"way_{way}", outcome, numbers | {"slips": slips == HOLDS}))
     return claims
@@ -68,9 +62,8 @@ def remedy_elsewhere(found: Found) -> Claim:
     return Claim("remedy_elsewhere", all_of(*(claim.outcome for claim in others.values())), numbers)
 
 
-def _is_less(cells: Sequence[Quantity], noise: Quantity | None) -> Outcome:
+def _is_less(before: Quantity, after: Quantity, noise: Quantity | None = None) -> Outcome:
     """Whether stiff pads leave less, by more than the noise where there is one; holds where they were not measured."""
-    before, after = cells
     if after.value is None:
         return HOLDS
     if noise is not None:

@@ -21,8 +21,6 @@ SUSPECTS = (
     ("priority", "cube_slip_share", "ke lower and higher"),
 )
 """What was suspected: section, value, and what was tried."""
-NAMED = {"priority": "cube's material"}
-"""Suspects that go by another name than their section."""
 REMEDY = "stiff pads"
 TOLD = {
     "walks": ("reproduction", "slips"),
@@ -68,10 +66,8 @@ ASKED = (
     ("upgrade", "pyramid_as_before"),
 )
 """Others that have to be there."""
-OF_A_SLIP = {"law", "ke_alone", "clamp"}
-"""Those that say something only where the cube slips with shipped pads."""
-OF_A_HOLD = {"leans", "substeps", "remedy_elsewhere"}
-"""Those that say something only where it does not."""
+OF_A_SLIP, OF_A_HOLD = {"law", "ke_alone", "clamp"}, {"leans", "substeps", "remedy_elsewhere"}
+"""Those that say something only where the cube slips with shipped pads, and only where it does not."""
 
 
 def derive(chapters: Chapters) -> Section:
@@ -82,7 +78,8 @@ def derive(chapters: Chapters) -> Section:
     unsaid = OF_A_HOLD if found.does_slip else OF_A_SLIP
     told = {name: place for name, place in TOLD.items() if name not in unsaid}
     claims = [found.retold(name, *place) for name, place in told.items()]
-    own = [_cube_moves(found), _safe(found), gain(found), _impratio(found), _elsewhere(found)]
+    impratio = found.retold("impratio", "error_runtime", "impratio", {"kept": found.value("reproduction", "impratio")})
+    own = [_cube_moves(found), _safe(found), gain(found), impratio, _elsewhere(found)]
     own += [] if found.does_slip else [substeps(found), remedy_elsewhere(found)]
     return Section(
         tables={"suspects": _suspect_table(found)},
@@ -98,11 +95,6 @@ def _safe(found: Found) -> Claim:
     most = found.value("stability", "safe_ke_most")
     outcome = all_of(told.outcome, at_least(most, told.numbers["stiff"]))
     return replace(told, outcome=outcome, numbers={**told.numbers, "most": most})
-
-
-def _impratio(found: Found) -> Claim:
-    kept = found.value("reproduction", "impratio")
-    return found.retold("impratio", "error_runtime", "impratio", {"kept": kept})
 
 
 def _elsewhere(found: Found) -> Claim:
@@ -136,24 +128,21 @@ def _walk(found: Found) -> Figure:
 
 
 def _shares(found: Found) -> dict[str, Quantity]:
-    labels = {section: NAMED.get(section, found.chapters[section].results.label) for section, _, _ in SUSPECTS}
+    labels = {section: found.chapters[section].results.label for section, _, _ in SUSPECTS}
+    labels |= {"priority": "cube's material"}
     shares = {labels[section]: found.value(section, value, "%") for section, value, _ in SUSPECTS}
     return shares | {REMEDY: found.value("reproduction", "stiff_share", "%")}
 
 
 def _suspect_figure(found: Found) -> Figure:
     shares = _shares(found)
-    bound = found.value("friction", "cause_bound", "%")
-    noise = found.value("noise", "slip_floor_share", "%")
-    return Figure(
-        draw=lambda: draw_suspects(shares, REMEDY, bound, noise),
-        sources=list(shares.values()),
-        numbers={
-            "remedy": shares[REMEDY],
-            "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
-            "ruled_out": all_of(*(at_most(share, bound) for name, share in shares.items() if name != REMEDY)).said,
-        },
-    )
+    bound, noise = found.value("friction", "cause_bound", "%"), found.value("noise", "slip_floor_share", "%")
+    numbers = {
+        "remedy": shares[REMEDY],
+        "shares": Markup(", ").join(Markup("{} {}").format(name, share) for name, share in shares.items()),
+        "ruled_out": all_of(*(at_most(share, bound) for name, share in shares.items() if name != REMEDY)).said,
+    }
+    return Figure(lambda: draw_suspects(shares, REMEDY, bound, noise), list(shares.values()), numbers)
 
 
 def _suspect_table(found: Found) -> Table:

@@ -13,7 +13,7 @@ from experiments.media.stage import Camera, Stage, display
 from measured_report.editions.project import Project, own_release
 from measured_report.records.reading import load_record
 from measured_report.records.traces import load_trace, trace_path
-from report.media.clips import clips_of
+from report.media.clips import Clips
 
 OWN = Project(own_release())
 
@@ -84,7 +84,7 @@ def test_the_clips_are_stale_when_a_mesh_or_the_kept_poses_change(tmp_path):
 
 @pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
 def test_a_page_says_what_the_clips_read_out_and_fetches_nothing_that_is_not_asked_for():
-    clips = clips_of(OWN)
+    clips = Clips(OWN, clips_state(OWN))
     readout = load_trace(trace_path(OWN.record_path(CLIPS), FIRST)).iloc[-1]
     video = clips.video(FIRST, Markup("{}").format(clips.results.row[FIRST].as_shipped_mm))
     assert f'<data value="{readout["as-shipped_mm"]:.4f}' in video

@@ -1,9 +1,6 @@
-"""A cache of what sections make of their results, their figures drawn, by all that it was made from.
+"""A cache of what sections make of their results, their figures drawn, as long as all that it was made from is so."""
 
-An entry has what else was read while the section was derived, each with a digest of what that was made from, and counts
-as long as these are the same.
-"""
-
+import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -15,8 +12,6 @@ from measured_report.files.cache import Cache
 from measured_report.parts.section import Figure, Pictures, Section
 from measured_report.values.quantities import Value
 
-Place = tuple[str, str, str]
-"""Profile, release and section."""
 Derivation = tuple[Section, Mapping[str, Value]]
 """A section without its words, and the values that were derived for it."""
 
@@ -25,7 +20,8 @@ Derivation = tuple[Section, Mapping[str, Value]]
 class Entry:
     """A section, kept from before or derived now."""
 
-    place: Place
+    place: tuple[str, str, str]
+    """Profile, release and section."""
     own: str
     """Digest of its code and of what it was given."""
     reads: Mapping[tuple[str, str], str]
@@ -39,10 +35,11 @@ class Entry:
         return digest_of(self.own, *map(repr, sorted(self.reads.items())))
 
     @property
-    def figures(self) -> dict[str, Figure]:
-        """Its figures by their ids."""
-        named = {f"{self.place[2]}-{name}": figure for name, figure in self.section.figures.items()}
-        return {anchor: replace(figure, anchor=anchor) for anchor, figure in named.items()}
+    def figures(self) -> dict[tuple[str, str], Figure]:
+        """Its figures by release and id."""
+        _, release, section = self.place
+        named = {f"{section}-{name}": figure for name, figure in self.section.figures.items()}
+        return {(release, anchor): replace(figure, anchor=anchor) for anchor, figure in named.items()}
 
 
 @dataclass(frozen=True)
@@ -54,8 +51,7 @@ class DerivedCache:
     """What is to be kept once its figures are drawn."""
     _claims: dict[tuple[str, str, str], Claim] = field(default_factory=dict)
     """Claims with their words, by release, section and name."""
-    _codes: dict[Path, str] = field(default_factory=dict)
-    """Digests of code, by its module."""
+    _code: Callable[[Path], str] = field(default_factory=lambda: functools.cache(code_digest))
 
     def tell(self, release: str, section: Section, name: str) -> None:
         """Say what the claims of a section are: others that show one are kept with its name alone."""
@@ -63,32 +59,26 @@ class DerivedCache:
 
     def derived(
         self,
-        place: Place,
+        place: tuple[str, str, str],
         code: Path,
         given: Sequence[str],
         dependencies: Dependencies,
-        derive: Callable[[Dependencies], Derivation],
+        derive: Callable[[], Derivation],
     ) -> Entry:
-        """Return what ``derive`` makes, or has made of the same before.
+        """Return what ``derive``, of the module ``code``, makes, or has made of the same before.
 
-        Args:
-            place: What it is kept as.
-            code: The module that makes it.
-            given: Digests, or texts, of what it is given.
-            dependencies: What else it may read.
-            derive: Derives the section and its values.
+        That is what is ``given``, as digests or texts, and what was read among the ``dependencies``.
         """
         if self.root is None:
-            return Entry(place, "", {}, *derive(dependencies))
+            return Entry(place, "", {}, *derive())
         own = digest_of(*given, *sorted(dependencies.places), self._code(code))
         kept: Entry | None = Cache(self.root).get(".".join(place), own, self._claims.__getitem__)
         if kept and all(dependencies.digest(*what) == digest for what, digest in kept.reads.items()):
             return kept
-        section, values = derive(dependencies)
+        section, values = derive()
         dependencies.is_closed = True
-        entry = Entry(place, own, dependencies.notes, section, values)
-        self._new.append(entry)
-        return entry
+        self._new.append(Entry(place, own, dependencies.notes, section, values))
+        return self._new[-1]
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
         """Return anything else, which ``make`` makes of what is given alone."""
@@ -101,15 +91,10 @@ class DerivedCache:
             Cache(self.root).put(name, own, kept)
         return kept[0]
 
-    def _code(self, module: Path) -> str:
-        if module not in self._codes:
-            self._codes[module] = code_digest(module)
-        return self._codes[module]
-
     @property
     def figures(self) -> dict[tuple[str, str], Figure]:
         """The figures of what is to be kept, by release and id, whether a page shows them or not."""
-        return {(entry.place[1], anchor): figure for entry in self._new for anchor, figure in entry.figures.items()}
+        return {place: figure for entry in self._new for place, figure in entry.figures.items()}
 
     def keep(self, pictures: Mapping[tuple[str, str], Pictures]) -> None:
         """Keep what was derived and all of whose figures are among ``pictures``, by release and id of the figure."""
@@ -117,9 +102,8 @@ class DerivedCache:
             return
         names = {id(claim): name for name, claim in self._claims.items()}
         for entry in self._new:
-            drawn = [pictures.get((entry.place[1], anchor)) for anchor in entry.figures]
-            figures = entry.section.figures
-            if all(picture or not figure.is_there for picture, figure in zip(drawn, figures.values(), strict=True)):
-                kept = replace(entry, section=entry.section.kept(dict(zip(figures, drawn, strict=True))))
+            if all(place in pictures or not figure.is_there for place, figure in entry.figures.items()):
+                drawn = dict(zip(entry.section.figures, map(pictures.get, entry.figures), strict=True))
+                kept = replace(entry, section=entry.section.kept(drawn))
                 Cache(self.root).put(".".join(entry.place), entry.own, kept, lambda thing: names.get(id(thing)))
         self._new.clear()

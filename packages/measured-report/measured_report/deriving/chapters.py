@@ -27,7 +27,6 @@ class Chapter:
     prose: Prose | None
     """None for a section that compares releases until it has them."""
     page: Page
-    """Where it is shown."""
     compares: bool = False
     """Whether it compares releases, so that what it derives is of one page alone."""
     digest: str = ""

@@ -10,16 +10,15 @@ from platform import python_version
 from typing import Any
 
 from measured_report import ROOT, ReportError
+from measured_report.deriving.chapters import Releases
 from measured_report.deriving.sections import Outline, outline_of
 from measured_report.files.config import config
 from measured_report.records.code import files, roots_of
 
-NAMES = "*"
-"""In the place of a name: all names that there are."""
+NAMES = "*"  # in the place of a name: all that there are
 PACKAGES = ("numpy", "pandas", "matplotlib", "markupsafe")
 """What decides how numbers are computed and figures are drawn."""
-FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"
-"""How wide its letters are decides where things stand."""
+FONT = "matplotlib/mpl-data/fonts/ttf/DejaVuSans.ttf"  # how wide its letters are decides where things stand
 READ_BY_NAME = config().sources
 """What says what columns are, and nobody imports."""
 
@@ -28,18 +27,19 @@ READ_BY_NAME = config().sources
 class Dependencies:
     """What others have that a section may read; what it does read is noted."""
 
-    places: Mapping[str, Mapping[str, Any]]
-    """Things by name, by place: an edition, or nothing for the own one."""
-    digests: Mapping[tuple[str, str], str] = field(default_factory=dict)
-    """Of what each was made from, by place and name."""
+    places: Releases
+    """Chapters by place: an edition, or nothing for the own one."""
     notes: dict[tuple[str, str], str] = field(default_factory=dict)
-    """Digests of what was read."""
+    """Digests of what was read, by place and name."""
     is_closed: bool = False
     """Whether the section is derived: what its figures read has been noted then."""
 
     def digest(self, place: str, name: str) -> str:
-        """Return that of one thing, which need not be there, or of the names of all."""
-        return " ".join(self.places.get(place, ())) if name == NAMES else self.digests.get((place, name), "")
+        """Return that of one chapter, which need not be there, or of the names of all."""
+        there = self.places.get(place, {})
+        if name == NAMES:
+            return " ".join(there)
+        return there[name].digest if name in there else ""
 
     def note(self, place: str, name: str) -> None:
         """Note that this was read; ReportError for a figure that reads more than its section did."""
@@ -51,9 +51,9 @@ class Dependencies:
 
 @dataclass(frozen=True)
 class Tracked(Mapping[str, Any]):
-    """The things of one place, of which whatever is read is noted.
+    """The chapters of one place, of which whatever is read is noted; for a ``reader`` the results of those before it.
 
-    For a ``reader`` they are those of sections before it: what asks for a later one would never find it.
+    What asks for a later one would never find it.
     """
 
     dependencies: Dependencies
@@ -64,18 +64,15 @@ class Tracked(Mapping[str, Any]):
         if self.reader and outline_of(name).order >= self.reader.order:
             raise ReportError(f"{self.reader.source} reads {name}, which stands after it: give it a higher order")
         self.dependencies.note(self.place, name)
-        return self.dependencies.places[self.place][name]
+        chapter = self.dependencies.places[self.place][name]
+        return chapter.results if self.reader else chapter
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._all)
+        self.dependencies.note(self.place, NAMES)
+        return iter(self.dependencies.places[self.place])
 
     def __len__(self) -> int:
-        return len(self._all)
-
-    @property
-    def _all(self) -> Mapping[str, Any]:
-        self.dependencies.note(self.place, NAMES)
-        return self.dependencies.places[self.place]
+        return sum(1 for _ in self)
 
 
 def digest_of(*texts: str) -> str:
@@ -104,6 +101,6 @@ def files_of(code: Path) -> dict[str, str]:
 @cache
 def installed() -> str:
     """Digest what is installed, as far as it decides what is made."""
-    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT)))
+    font = Path(str(metadata.distribution("matplotlib").locate_file(FONT))).read_bytes()
     versions = [f"{name} {metadata.version(name)}" for name in PACKAGES]
-    return digest_of(python_version(), *versions, hashlib.sha256(font.read_bytes()).hexdigest())
+    return digest_of(python_version(), *versions, hashlib.sha256(font).hexdigest())

@@ -15,7 +15,7 @@ from measured_report.claims.claim import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.deriving.dependencies import Dependencies, Tracked
-from measured_report.deriving.extras import Extras
+from measured_report.deriving.extras import Extras, extras
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
 from measured_report.editions.project import Project
@@ -29,7 +29,7 @@ from measured_report.parts.section import Making, Section
 from measured_report.records.code import files
 from measured_report.records.identity import files_digest
 from measured_report.records.traces import traces_of
-from measured_report.values.noise import NOISE, Floor, noise_floors
+from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.results import Results, ResultsError
 
 
@@ -54,14 +54,11 @@ class Edition:
     @property
     def uncompared(self) -> Chapters:
         """Its chapters; of those that compare releases, and say what is so on one page alone, their results."""
-        return {
-            name: replace(chapter, section=Section()) if chapter.compares else chapter
-            for name, chapter in self.chapters.items()
-        }
+        bare = {name: replace(each, section=Section()) for name, each in self.chapters.items() if each.compares}
+        return {**self.chapters, **bare}
 
     @cached_property
     def values_text(self) -> str:
-        """Its values file."""
         return values_text(self.chapters.values())
 
     @cached_property
@@ -72,27 +69,25 @@ class Edition:
     @cached_property
     def extras(self) -> Extras:
         """What the report shows of it besides."""
-        return import_module(config().extras).Extras(self)
+        return extras().Extras(self)
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page, or of all for the front page, that have not been measured."""
-        missing = [state for state in self.left_out if state.kind == "missing"]
+        missing = (state for state in self.left_out if state.kind == "missing")
         return [state for state in missing if page in (FRONT, outline_of(state.section).page)]
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``extras``."""
-        levels = [1] + [2] * (len(page.texts) - 1)  # the first has the title of the page
-        texts = zip(page.texts, levels, strict=True)
-        return [self._prose(templates.text(template), names, level) for template, level in texts]
+        first, *others = map(templates.text, page.texts)  # the first has the title of the page
+        return [self._prose(first, names, 1), *(self._prose(text, names, 2) for text in others)]
 
     def _prose(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
         anchor = text.name.rpartition("/")[2].partition(".")[0]
         section = self._told(anchor, names)
         if not section.claims:  # where what it is about was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
-        section = section.worded(
-            anchor, text.name, text.words, Making(f"{config().story.replace('.', '/')}/", "make page")
-        )
+        making = Making(f"{config().story.replace('.', '/')}/", "make page")
+        section = section.worded(anchor, text.name, text.words, making)
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
@@ -108,26 +103,22 @@ class Edition:
         return claim.html(text) + mark
 
     def _told(self, name: str, names: Mapping[str, Any]) -> Section:
-        """What the module ``name`` of the report's story derives of the chapters; of all editions where it takes them.
-
-        It has ``derive(chapters)``, or ``derive(releases, shown)``, which is told which of them it is for.
-        """
+        """What ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
         file = file_of(config().story, name) if config().story else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
         if not arguments:
             return Section()
-        is_all = arguments > 1
         places: dict[str, Chapters] = {"": self.chapters}
-        if is_all:
+        if arguments > 1:
             places = {link.release: link.edition.uncompared for link in names["releases"]}
+        read = Dependencies(places)
+        given = {place: Tracked(read, place) for place in places}
 
-        def derive(read: Dependencies) -> Derivation:
-            given = {place: Tracked(read, place) for place in places}
+        def derive() -> Derivation:
             derive = import_module(f"{config().story}.{name}").derive
-            return derive(given, self.project.release) if is_all else derive(given[""]), {}
+            return derive(given, self.project.release) if arguments > 1 else derive(given[""]), {}
 
-        place = self.project.profile, self.project.release, name
-        return self.cache.derived(place, file, (), Dependencies(places, _digests(places)), derive).section
+        return self.cache.derived((self.project.profile, self.project.release, name), file, (), read, derive).section
 
 
 def editions_of(
@@ -148,13 +139,11 @@ def _marked(project: Project, editions: Mapping[str, Edition], templates: Templa
     there = [release for release in editions if full.of(release).results.is_dir()]
     told = {release: derive_edition(full.of(release), templates).chapters for release in there}
     marks = marks_of({release: edition.chapters for release, edition in editions.items()}, told)
-    return {
-        release: replace(
-            edition,
-            chapters={name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()},
-        )
-        for release, edition in editions.items()
-    }
+    marked = {}
+    for release, edition in editions.items():
+        chapters = {name: _remarked(each, marks[release], templates) for name, each in edition.chapters.items()}
+        marked[release] = replace(edition, chapters=chapters)
+    return marked
 
 
 def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) -> Chapter:
@@ -172,35 +161,28 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
     states = states_of(project)
     floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
     there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
+    measured = [(state, Results(state.record, project.record_path(state.section), floors=floors)) for state in there]
     edition = Edition(project, {}, [state for state in states if not state.record], cache or DerivedCache())
-
-    def chapter(state: State, found: Chapters) -> Chapter:
-        return _chapter(edition, state, floors, found, found, {}, templates)
-
-    return _with_chapters(edition, there, chapter)
+    return _with_chapters(edition, measured, {}, templates)
 
 
 def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
     """The same with the sections that compare releases."""
-    states = [chapter.state for chapter in edition.chapters.values() if chapter.compares]
-
-    def chapter(state: State, found: Chapters) -> Chapter:
-        before = dict(takewhile(lambda item: item[0] != state.section, edition.chapters.items()))
-        floors = edition.chapters[state.section].results.floors
-        return _chapter(edition, state, floors, before, edition.chapters, releases, templates)
-
-    compared = _with_chapters(edition, states, chapter)
+    measured = [(chapter.state, chapter.results) for chapter in edition.chapters.values() if chapter.compares]
+    compared = _with_chapters(edition, measured, releases, templates)
     sections = {name: chapter.section for name, chapter in compared.chapters.items()}
     refuse_contradictions(edition.project.templates, sections)
     return compared
 
 
-def _with_chapters(edition: Edition, states: Sequence[State], chapter: Callable[[State, Chapters], Chapter]) -> Edition:
+def _with_chapters(
+    edition: Edition, measured: Sequence[tuple[State, Results]], releases: Releases, templates: Templates
+) -> Edition:
     """An edition with these sections, each made of what there is by then; what can't be shown is left out."""
     found, left_out = dict(edition.chapters), list(edition.left_out)
-    for state in states:
+    for state, results in measured:
         try:
-            found[state.section] = chapter(state, found)
+            found[state.section] = _chapter(edition, state, results, found, releases, templates)
         except Exception as error:
             left_out.append(_left_out(edition.project, state, error))
             found.pop(state.section, None)
@@ -208,34 +190,27 @@ def _with_chapters(edition: Edition, states: Sequence[State], chapter: Callable[
 
 
 def _chapter(
-    edition: Edition,
-    state: State,
-    floors: Mapping[str, Floor],
-    before: Chapters,
-    told: Chapters,
-    releases: Releases,
-    templates: Templates,
+    edition: Edition, state: State, results: Results, told: Chapters, releases: Releases, templates: Templates
 ) -> Chapter:
     """Derive a section and put it into words; one that compares, without ``releases``, has its results alone.
 
-    Args:
-        before: What it may read of the edition.
-        told: What its words may ask whether it holds.
+    It may read those of the chapters ``told`` that stand before it; its words may ask of all whether a claim holds.
     """
     project, name, outline = edition.project, state.section, outline_of(state.section)
-    others = {name: chapter.results for name, chapter in before.items()}
-    results = Results(state.record, project.record_path(name), others, floors=floors, label=outline.label)
+    before = dict(takewhile(lambda item: item[0] != name, told.items()))
+    others = {other: chapter.results for other, chapter in before.items()}
+    results = replace(results, others=others, label=outline.label)
     digest = results_digest(results)
     if outline.compares and not releases:
         return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
 
-    def derive(read: Dependencies) -> Derivation:
+    read = Dependencies({"": before, **releases})
+
+    def derive() -> Derivation:
         given = replace(results, others=Tracked(read, reader=outline), derived={})
         return derive_section(given, {release: Tracked(read, release) for release in releases}), given.derived
 
-    places: dict[str, Mapping[str, Any]] = {"": others, **releases}
-    read = Dependencies(places, _digests({"": before, **releases}))
-    given = [digest, repr(sorted(floors.items()))]
+    given = [digest, repr(sorted(results.floors.items()))]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, read, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
@@ -252,14 +227,10 @@ def _chapter(
     # Others read its claims, whose outcomes its words have a part in, and none of its words.
     outcomes = [(claim.name, repr(claim.outcome), claim.outcome.is_opposite) for claim in section.claims]
     digest = sha256(repr((entry.digest, outcomes, state.notes)).encode()).hexdigest()
-    prose = text.prose(name, names)
     if not outline.compares:
         edition.cache.tell(project.release, section, name)
+    prose = text.prose(name, names)
     return Chapter(state, results, section, names, prose, outline.page, outline.compares, digest)
-
-
-def _digests(places: Mapping[str, Chapters]) -> dict[tuple[str, str], str]:
-    return {(place, name): chapter.digest for place, found in places.items() for name, chapter in found.items()}
 
 
 def results_digest(results: Results) -> str:
@@ -282,31 +253,25 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _things(name: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
-    """What finds tables and figures of a section for its words, and says which claims hold."""
-    sections = {**{chapter: found.section for chapter, found in told.items()}, name: section}
-    return {
-        "holds": _asker(sections, name),
-        "table": _finder(name, "table", section.tables),
-        "figure": _finder(name, "figure", section.figures),
-    }
+def _things(own: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
+    """What finds tables and figures of a section for its words, and says which claims hold.
 
+    That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold.
+    """
+    sections = {**{name: chapter.section for name, chapter in told.items()}, own: section}
 
-def _asker(sections: Mapping[str, Section], own: str) -> Callable[[str], bool]:
-    """Says of ``claim``, in the section ``own``, or of ``section.claim`` whether it holds; what was not measured does
-    not."""
-
-    def holds(name: str) -> bool:
-        section, _, claim = name.rpartition(".")
-        section = section or own
-        if section not in sections:
+    def holds(asked: str) -> bool:
+        name, _, claim = asked.rpartition(".")
+        name = name or own
+        if name not in sections:
             return False
-        claims = {each.name: each.outcome == HOLDS for each in sections[section].claims}
-        if claim not in claims and claim not in sections[section].unmeasured:
-            raise ReportError(f"{section} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        claims = {each.name: each.outcome == HOLDS for each in sections[name].claims}
+        if claim not in claims and claim not in sections[name].unmeasured:
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
         return claims.get(claim, False)
 
-    return holds
+    finders = {"table": _finder(own, "table", section.tables), "figure": _finder(own, "figure", section.figures)}
+    return {"holds": holds, **finders}
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

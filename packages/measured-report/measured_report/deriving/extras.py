@@ -1,7 +1,4 @@
-"""Extras: what a report shows besides its sections and the words of its pages.
-
-``report.toml`` names a module that has these under the same names; without one a report has none of it.
-"""
+"""Extras: what a report shows besides sections and pages, where ``report.toml`` names a module with the same names."""
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module

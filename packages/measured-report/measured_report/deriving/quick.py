@@ -12,9 +12,9 @@ MARK = Markup('<span class="badge" title="{} in full runs: {}">{} in full runs</
 
 
 def marks_of(quick: Releases, full: Releases) -> dict[str, dict[str, Markup]]:
-    """Return a mark for each claim of quick results that is another one in full runs, by edition and ``section.claim``.
+    """Return a mark for each claim that is, or as in another edition may be, another one in full runs.
 
-    That is so where the edition has full results as well, and may be so where another one has both.
+    They are by edition and ``section.claim``.
     """
     differing = {release: _differing(quick[release], full[release]) for release in quick if release in full}
     found: dict[str, dict[str, Markup]] = {}
@@ -31,9 +31,9 @@ def marks_of(quick: Releases, full: Releases) -> dict[str, dict[str, Markup]]:
 
 def _differing(quick: Chapters, full: Chapters) -> dict[str, str]:
     """What full runs say to each claim, by ``section.claim``, that has another outcome in quick ones."""
-    sides = _claims(quick), _claims(full)
-    shared = sides[0].keys() & sides[1].keys()
-    return {name: sides[1][name].text for name in shared if len({side[name].outcome.name for side in sides}) > 1}
+    before, after = _claims(quick), _claims(full)
+    shared = before.keys() & after.keys()
+    return {name: after[name].text for name in shared if before[name].outcome.name != after[name].outcome.name}
 
 
 def _claims(chapters: Chapters) -> Mapping[str, Claim]:

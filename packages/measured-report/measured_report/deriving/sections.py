@@ -19,11 +19,10 @@ class LostError(ReportError):
 
 @dataclass(frozen=True)
 class Outline:
-    """What a section's module says of itself, known without running it."""
+    """What a section's module, below ``root``, says of itself, known without running it."""
 
     file: Path
     root: Path
-    """The folder that ``report/sections/`` is in."""
     order: int
     page: Page
     compares: bool
@@ -51,9 +50,8 @@ def outline_of(section: str) -> Outline:
         raise ReportError(f"{name} has no line such as order = 125, its place on the page")
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
-    page = page_of(name, says.get("page"))
-    compares, leads = says["derive"] > 1, says.get("leads", False)
-    return Outline(file, root, says["order"], page, compares, leads, str(says.get("label", section.replace("_", " "))))
+    page, label = page_of(name, says.get("page")), str(says.get("label", section.replace("_", " ")))
+    return Outline(file, root, says["order"], page, says["derive"] > 1, says.get("leads", False), label)
 
 
 def file_of(package: str, name: str) -> Path | None:
@@ -84,6 +82,5 @@ def derive_section(results: Results, releases: Releases) -> Section:
 
 
 def _line_of(error: Exception) -> str:
-    """Say where an error was raised, for whoever has to mend it."""
     where = extract_tb(error.__traceback__)[-1]
     return f"{Path(where.filename).name}:{where.lineno}"

@@ -1,7 +1,6 @@
 """Converting: texts of Markdown made into HTML, each once: what comes of one is kept from build to build.
 
-What a template prints passes Markdown as a token between two private characters and is put back afterwards, so that no
-value, case name or table is ever taken for Markdown.
+What a template prints passes as a token between two private characters, so that none of it is taken for Markdown.
 """
 
 import re
@@ -27,7 +26,6 @@ HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 KEPT = "markdown"
-"""Its name in the cache."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,6 @@ class Converted:
 
     title: str
     body: str
-    """What comes below the title."""
     headings: list[tuple[str, str]]
     """Id and text of each heading right below the title."""
 
@@ -51,19 +48,16 @@ class Converter:
         self._now: dict[str, Converted] = {}
 
     def converted(self, text: str, place: str, anchor: str, level: int) -> Converted:
-        """What Markdown makes of a text, with a ``BLANK`` at the beginning of each token.
+        """What Markdown makes of a text of the template ``place``, with a ``BLANK`` at the beginning of each token.
 
-        Args:
-            place: The template that it comes from, to name in errors.
-            anchor: How the ids of its further headings begin.
-            level: Of the title.
+        Its title is of that level, and the ids of further headings begin with ``anchor``.
         """
         digest = sha256(repr((text.replace(OPEN, BLANK), place, anchor, level)).encode()).hexdigest()
         self._now[digest] = self._before.get(digest) or _convert(text, place, anchor, level)
         return self._now[digest]
 
     def keep(self) -> None:
-        """Keep what was converted, and no more."""
+        """Keep what was converted this time, and no more."""
         if self._cache and self._now.keys() != self._before.keys():
             self._cache.put(KEPT, self._made_by, self._now)
 
@@ -71,7 +65,7 @@ class Converter:
 def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
     headings = {
         "baselevel": level,
-        "slugify": lambda title, separator: f"{anchor}-{slugify(NUMBER.sub(_number, title), separator)}",
+        "slugify": lambda title, separator: "-".join([anchor, slugify(NUMBER.sub(r"\1", title), separator)]),
     }
     markdown = Markdown(extensions=["toc", "fenced_code"], extension_configs={"toc": headings})
     html = markdown.convert(text).replace(OPEN, BLANK)
@@ -82,7 +76,3 @@ def _convert(text: str, place: str, anchor: str, level: int) -> Converted:
     body = HEADING.sub(ANCHOR, TITLE.sub("", html, count=1)).replace("<pre>", '<pre tabindex="0">')
     inner = [(heading["id"], heading["name"].replace(OPEN, BLANK)) for heading in top["children"]]
     return Converted(top["name"].replace(OPEN, BLANK), body, inner)
-
-
-def _number(token: re.Match) -> str:
-    return token[1]

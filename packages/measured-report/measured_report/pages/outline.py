@@ -16,20 +16,17 @@ class Page:
     """One page of every release."""
 
     name: str
-    label: str = ""
-    """What leads to it is called so."""
-    texts: tuple[str, ...] = ()
+    label: str
+    texts: tuple[str, ...]
     """Its templates of prose; the first begins with the title of the page."""
-    compares: bool = False
+    compares: bool
 
     @property
     def file(self) -> str:
         return f"{self.name}.html"
 
 
-def _page(
-    name: str = "", label: str = "", texts: tuple[str, ...] = (), compares: bool = False, **other: object
-) -> Page:
+def _page(name: str = "", label: str = "", texts: tuple = (), compares: bool = False, **other: object) -> Page:
     if not name or other:
         what = f"a page has {next(iter(other))}, which means nothing" if other else "a page has no name"
         raise ReportError(f"{FILE}: {what}")

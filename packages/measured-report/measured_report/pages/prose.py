@@ -11,19 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from jinja2 import (
-    ChoiceLoader,
-    Environment,
-    FileSystemLoader,
-    PrefixLoader,
-    StrictUndefined,
-    Template,
-    TemplateError,
-    TemplateNotFound,
-    TemplateSyntaxError,
-    pass_context,
-)
-from jinja2.runtime import Context
+import jinja2
 from markupsafe import Markup, escape
 
 from measured_report import ReportError
@@ -51,7 +39,6 @@ class Prose:
     body: str
     printed: list[Any]
     anchor: str
-    """How the ids in it begin."""
     headings: list[tuple[str, Markup]]
     """Id and text of each heading right below the title."""
 
@@ -70,7 +57,7 @@ class Text:
     """One template of Markdown, parsed."""
 
     name: str
-    template: Template
+    template: jinja2.Template
     words: Mapping[tuple[str, str], Wording]
     """What it says of claims, figures and tables, by kind and name."""
     converter: Converter
@@ -86,19 +73,14 @@ class Text:
 
 
 class Templates:
-    """The templates of one project; a name that does not exist is an error.
-
-    Args:
-        folder: Where they are.
-        cache: What was compiled before, which takes a while.
-    """
+    """The templates of one project; a name that does not exist is an error, and what was compiled is kept."""
 
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
-        own, base = FileSystemLoader(folder), FileSystemLoader(LAYOUT)
-        self._layout = Environment(
-            loader=ChoiceLoader([own, base, PrefixLoader({"layout": base})]),
-            undefined=StrictUndefined,
+        own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
+        self._layout = jinja2.Environment(
+            loader=jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})]),
+            undefined=jinja2.StrictUndefined,
             autoescape=True,
             trim_blocks=True,
             lstrip_blocks=True,
@@ -109,7 +91,7 @@ class Templates:
         self._prose.add_extension(WordTags)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
-        self._converter = Converter(cache)
+        self.converter = Converter(cache)
 
     def text(self, name: str) -> Text:
         """A template of Markdown; it is parsed once."""
@@ -132,7 +114,7 @@ class Templates:
             if self._cache:
                 self._cache.put(entry, made_from, found)
         code, words = found
-        template = Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
+        template = jinja2.Template.from_code(self._prose, marshal.loads(code), self._prose.make_globals(None))
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -141,16 +123,12 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
 
-        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self._converter)
+        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self.converter)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""
         with _named(template):
             return self._layout.get_template(template).render(names)
-
-    def keep(self) -> None:
-        """Keep what was made of texts, for the next time."""
-        self._converter.keep()
 
 
 @once
@@ -164,23 +142,22 @@ def _named(template: str) -> Iterator[None]:
     """Say of an error in a template which one it is in, and in which line, where that is known."""
     try:
         yield
-    except TemplateNotFound as error:
+    except jinja2.TemplateNotFound as error:
         raise ReportError(f"there is no templates/{error.name}") from None
-    except TemplateSyntaxError as error:
+    except jinja2.TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
-    except TemplateError as error:
+    except jinja2.TemplateError as error:
         raise ReportError(f"templates/{template}: {error.message}") from None
 
 
-@pass_context
-def _as_token(context: Context, value: Any) -> Markup:
+@jinja2.pass_context
+def _as_token(context: jinja2.runtime.Context, value: Any) -> Markup:
     if isinstance(value, Markup) and OPEN in value:
         return value  # what a macro returns has passed here already
     if isinstance(value, int | float):
         raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
-    printed = context["printed"]
-    printed.append(value if isinstance(value, Figure) else escape(value))
-    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
+    context["printed"].append(value if isinstance(value, Figure) else escape(value))
+    return Markup(f"{OPEN}{len(context['printed']) - 1}{CLOSE}")
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:

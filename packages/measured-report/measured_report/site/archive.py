@@ -4,7 +4,6 @@ import csv
 import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
@@ -16,32 +15,19 @@ from measured_report.records.traces import traces_of
 from measured_report.values.quantities import VALUES_FILE
 
 ARCHIVE = "data.zip"
-TEMPLATE = "archive.txt.j2"
 FIGURES = "figures.csv"
-DRAWN = ("release", "figure", "drawn by", "source", "value", "unit")
-
-
-@dataclass(frozen=True)
-class Column:
-    """One column of the records."""
-
-    name: str
-    unit: str
-    """Empty for text, and for yes and no."""
-    sections: str
-    is_setting: bool
 
 
 def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
-    """Put all releases into an archive; the same records and values give the same bytes.
+    """Put all releases, and ``tables``, the rows of each record by its file, into an archive.
 
-    Nothing is compressed, since what compresses does not do so alike everywhere. ``tables`` are the rows of each
-    record, by its file.
+    The same give the same bytes. Nothing is compressed, since what compresses does not do so alike everywhere.
     """
     files = dict(_data_files(editions, tables))
-    files[FIGURES] = _csv(DRAWN, (row for edition in editions.values() for row in _drawn(edition)))
+    head = ("release", "figure", "drawn by", "source", "value", "unit")
+    files[FIGURES] = _csv(head, (row for edition in editions.values() for row in _drawn(edition)))
     names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
-    files["README.txt"] = templates.layout(TEMPLATE, names).encode()
+    files["README.txt"] = templates.layout("archive.txt.j2", names).encode()
     content = io.BytesIO()
     with ZipFile(content, "w", ZIP_STORED) as archive:
         for name in sorted(files):
@@ -73,17 +59,21 @@ def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:
                 yield (*place, number, getattr(source, "unit", ""))
 
 
-def _columns(editions: Mapping[str, Edition]) -> list[Column]:
+def _columns(editions: Mapping[str, Edition]) -> list[dict[str, Any]]:
+    """All columns of the records; text, and yes and no, have no unit."""
     sections: dict[str, set[str]] = {}
     units: dict[str, str] = {}
-    for edition in editions.values():
-        for chapter in edition.chapters.values():
-            record = chapter.results.record
-            units |= record.units
-            for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
-                sections.setdefault(column, set()).add(chapter.name)
+    for record in (chapter.results.record for edition in editions.values() for chapter in edition.chapters.values()):
+        units |= record.units
+        for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
+            sections.setdefault(column, set()).add(record.section)
     return [
-        Column(name, units.get(name, ""), ", ".join(sorted(found)), column_of(name).is_setting)
+        {
+            "name": name,
+            "unit": units.get(name),
+            "sections": ", ".join(sorted(found)),
+            "is_setting": column_of(name).is_setting,
+        }
         for name, found in sorted(sections.items())
     ]
 
@@ -96,7 +86,5 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
 
 def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(rows)
+    csv.writer(text, lineterminator="\n").writerows([head, *rows])
     return text.getvalue().encode()

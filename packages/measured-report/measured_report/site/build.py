@@ -10,7 +10,7 @@ from pathlib import Path
 from measured_report import ROOT
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.dependencies import installed
-from measured_report.deriving.editions import Edition, editions_of
+from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import locked
@@ -29,28 +29,23 @@ OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""
 WRITING_PACKAGES = ("jinja2", "markdown", "msgspec")
 """Packages that have a part in it, besides those that decide what is drawn."""
-BUILT = "site"
-"""What is kept of the last build."""
+BUILT = "site"  # what is kept of the last build
 
 
 @dataclass(frozen=True)
 class Built:
-    """What the pages of a release lack."""
+    """What the pages of a release lack: sections that something changed under since, and those that are left out."""
 
     stale: Sequence[str]
-    """Sections that are shown as they were measured before something changed."""
     left_out: Sequence[State]
 
 
 def build(project: Project, address: str = "") -> dict[str, Built]:
     """Write the site and say what it lacks, by release; until the site is whole, the one that was there stays.
 
-    Its pages are the first of the site; those of other releases that have results lie in a folder each. What was made
-    before from the same is not made again, and files that would be the same stay.
-
-    Args:
-        project: What to show.
-        address: Where the site will lie, with a slash at its end; empty where that is not known.
+    The project's pages are the first of the site; those of other releases that have results lie in a folder each. What
+    was made before from the same is not made again, and files that would be the same stay. Where the site will lie is
+    its ``address``, with a slash at its end; empty where that is not known.
     """
     cache = Cache(project.root)
     with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False):
@@ -64,15 +59,16 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             editions = editions_of(project, templates, derived)
             site = Site(draft, project.release, editions, templates, address, derived)
             site.write(partial(write_root_files, site))
-            templates.keep()
+            templates.converter.keep()
         replace(project.site, fresh)
-        built = {release: _built(edition) for release, edition in editions.items()}
+        built = {
+            release: Built(
+                [name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out
+            )
+            for release, edition in editions.items()
+        }
         cache.put(BUILT, (digest, draft.digests), built)
     return built
-
-
-def _built(edition: Edition) -> Built:
-    return Built([name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out)
 
 
 def _digest(project: Project, address: str) -> str:
@@ -88,7 +84,10 @@ def _digest(project: Project, address: str) -> str:
 
 
 def _inputs(root: Path, folders: Sequence[str]) -> list[Path]:
-    files = [root / name for name in OTHER_INPUTS]
-    files += (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
+    below = (path for folder in folders for path in (root / folder).rglob("*") if "__pycache__" not in path.parts)
     # Larger ones are refused by their readers.
-    return [path for path in files if path.is_file() and path.stat().st_size <= BYTE_LIMIT]
+    return [
+        path
+        for path in (*map(root.joinpath, OTHER_INPUTS), *below)
+        if path.is_file() and path.stat().st_size <= BYTE_LIMIT
+    ]

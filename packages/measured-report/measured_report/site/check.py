@@ -23,9 +23,10 @@ def check_site(site: Path) -> list[str]:
     pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
     data_of: dict[Path, Data] = {}
     for path, page in pages.items():
-        found = [*check_self_contained(page), *_check_links(page, path, pages, site), *_check_claims(page)]
-        data = data_of.setdefault(path.parent, Data(path.parent / "data"))
-        found += check_numbers(page, data)
+        found = [*check_self_contained(page), *_check_links(page, path, pages, site)]
+        unsaid = (claim["data-claim"] for claim in page.claims if claim.get("data-outcome") not in OUTCOMES)
+        found += [f"the claim {name} has no outcome" for name in unsaid]
+        found += check_numbers(page, data_of.setdefault(path.parent, Data(path.parent / "data")))
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
     for folder in {path.parent for path in pages}:
         claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
@@ -34,9 +35,8 @@ def check_site(site: Path) -> list[str]:
     for path in sorted(site.rglob("*.js")):
         if path.name != SCRIPT or path.read_bytes() != (LAYOUT / SCRIPT).read_bytes():
             problems.append(f"{path.relative_to(site)} is not the project's script")
-    for path in sorted(site.rglob("*.css")):
-        if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
-            problems.append(f"{path.relative_to(site)} fetches something")
+    styles = (path for path in sorted(site.rglob("*.css")) if FETCHING_STYLE.search(path.read_text(encoding="utf-8")))
+    problems += [f"{path.relative_to(site)} fetches something" for path in styles]
     if not (site / "index.html").is_file():
         problems.append("there is no index.html")
     return problems
@@ -45,9 +45,8 @@ def check_site(site: Path) -> list[str]:
 def check_self_contained(page: PageReader) -> list[str]:
     """Say what a page runs or fetches that is not the project's, a line each."""
     problems = [f"<{tag}> runs a script" for tag in page.scripts]
-    problems += [
-        "a script runs that is not the project's own" for text in page.inline if text not in extras().scripts()
-    ]
+    own = extras().scripts()
+    problems += ["a script runs that is not the project's own" for text in page.inline if text not in own]
     problems += [f"{address} is fetched from elsewhere" for address in page.fetched if _is_elsewhere(address)]
     return problems + (["a style fetches something"] if FETCHING_STYLE.search(page.styles) else [])
 
@@ -68,14 +67,6 @@ def _check_links(page: PageReader, path: Path, pages: Mapping[Path, PageReader],
         ):
             problems.append(f"{address} leads nowhere")
     return problems
-
-
-def _check_claims(page: PageReader) -> list[str]:
-    return [
-        f"the claim {claim['data-claim']} has no outcome"
-        for claim in page.claims
-        if claim.get("data-outcome") not in OUTCOMES
-    ]
 
 
 def _is_elsewhere(address: str) -> bool:

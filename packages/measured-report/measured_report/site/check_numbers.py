@@ -3,14 +3,13 @@
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 from measured_report.deriving.extras import extras
 from measured_report.files.config import config
-from measured_report.site.page_reader import Drawn, PageReader
+from measured_report.site.page_reader import PageReader
 from measured_report.values.format import format_code, format_most, format_number, spellings, whole
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import MOST, SAME, VALUES_FILE
@@ -21,18 +20,15 @@ TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
 """Numbers in drawings and in their words that are names and formulas."""
 
 
-@dataclass
 class Data:
     """What a page's numbers point into."""
 
-    folder: Path
-    _files: dict[str, Any] = field(default_factory=dict)
-    _floors: dict[str, Mapping[str, Floor]] = field(default_factory=dict)
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.file, self._floors = cache(self._read), cache(self._floors_beside)
 
-    def file(self, name: str) -> Any:
-        if name not in self._files:
-            self._files[name] = json.loads((self.folder / name).read_text(encoding="utf-8"))
-        return self._files[name]
+    def _read(self, name: str) -> Any:
+        return json.loads((self.folder / name).read_text(encoding="utf-8"))
 
     def number(self, source: str) -> tuple[float | int | None, float | None]:
         """Return a number and its noise; an error where the pointer leads to none."""
@@ -43,15 +39,13 @@ class Data:
         if not pointer.startswith("/rows/"):
             return kept, None
         place, _, column = pointer.rpartition("/")
-        return kept, cell_noise(column, _resolve(self.file(name), place), self._floors_beside(name))
+        return kept, cell_noise(column, _resolve(self.file(name), place), self._floors(name.rpartition("/")[0]))
 
-    def _floors_beside(self, name: str) -> Mapping[str, Floor]:
-        noise = f"{name.rpartition('/')[0]}/{NOISE}.json"
+    def _floors_beside(self, folder: str) -> Mapping[str, Floor]:
+        noise = f"{folder}/{NOISE}.json"
         if not (self.folder / noise).is_file():
             return {}
-        if noise not in self._floors:
-            self._floors[noise] = floors_of(self.file(noise)["rows"], self.file(noise)["units"])
-        return self._floors[noise]
+        return floors_of(self.file(noise)["rows"], self.file(noise)["units"])
 
     @cached_property
     def rows(self) -> list[Mapping[str, Any]]:
@@ -113,13 +107,18 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
         rest = drawn.text
         for source in drawn.sources:
             try:
-                texts = _texts(drawn, *data.number(source))
+                value, noise = data.number(source)
+                texts = (
+                    spellings(value, noise)
+                    if drawn.is_drawn
+                    else [format_number(value, noise=noise), format_most(value, noise=noise)]
+                )
             except (OSError, ValueError, LookupError, TypeError):
                 problems.append(f"{source} resolves to nothing")
                 continue
             found = [whole(text) for text in texts if whole(text).search(rest)]
             if not found:
-                problems.append(f"{source} is {data.number(source)[0]}, which is not said by: {drawn.text}")
+                problems.append(f"{source} is {value}, which is not said by: {drawn.text}")
             else:
                 rest = found[0].sub("", rest, count=1)
         if not drawn.is_tick and re.search(r"\d", rest) and (number := re.search(r"\d\S*", _unnamed(rest, data))):
@@ -135,13 +134,6 @@ def _check_cells(page: PageReader, data: Data) -> list[str]:
         for cell, rest in left
         if (number := re.search(r"\d\S*", rest)) and not any(text in cell for text in data.texts)
     ]
-
-
-def _texts(drawn: Drawn, value: float | int | None, noise: float | None) -> list[str]:
-    """All ways in which a number may be written there."""
-    if drawn.is_drawn:
-        return spellings(value, noise)
-    return [format_number(value, noise=noise), format_most(value, noise=noise)]
 
 
 def _unnamed(text: str, data: Data) -> str:

@@ -16,11 +16,10 @@ PICTURES = {"svg", "img", "video", "canvas"}
 
 @dataclass
 class Drawn:
-    """A text of a drawing, or what it says to whoever can't see it."""
+    """A text of a drawing, or what it says to whoever can't see it, with pointers to its numbers."""
 
     text: str
     sources: list[str]
-    """Pointers to its numbers."""
     is_drawn: bool = True
     """Whether it may have little room."""
     is_tick: bool = False
@@ -49,10 +48,9 @@ class PageReader(HTMLParser):
     def handle_starttag(self, tag, attrs):
         attributes = {name: value or "" for name, value in attrs}
         self._open.append(tag)
-        is_own = tag == "script" and attributes == {"src": SCRIPT}
         is_inline = tag == "script" and not attributes  # judged by what it holds
         self.inline += [""] if is_inline else []
-        is_active = tag in ACTIVE and not is_own and not is_inline
+        is_active = tag in ACTIVE and not is_inline and (tag, attributes) != ("script", {"src": SCRIPT})
         if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
             self.scripts.append(tag)
         if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():
@@ -69,11 +67,12 @@ class PageReader(HTMLParser):
             self.cells.append("")
         if tag == "g":
             self._ticks.append(attributes.get("class") == "tick")
+        sources = attributes.get("data-src", "").split()
         if tag == "text":
-            self.drawn.append(Drawn("", attributes.get("data-src", "").split(), is_tick=any(self._ticks)))
+            self.drawn.append(Drawn("", sources, is_tick=any(self._ticks)))
         said = attributes.get("aria-label") or attributes.get("alt")
         if tag in PICTURES and said:
-            self.drawn.append(Drawn(said, attributes.get("data-src", "").split(), is_drawn=False))
+            self.drawn.append(Drawn(said, sources, is_drawn=False))
         if tag == "data":
             self.numbers.append({**attributes, "text": "", "in": "code" if "code" in self._open else ""})
         if "data-claim" in attributes:

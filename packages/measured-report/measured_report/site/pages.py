@@ -24,13 +24,9 @@ from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
 
-CARD = "card.png"
-"""The picture for links to the site."""
+CARD = "card.png"  # the picture for links to the site
 CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
-BESIDE = ("style.css", "page.js")
-"""Files of the layout that lie beside the pages of each release."""
-ICON = "favicon.svg"
-"""A report's own, in its ``assets/``, which need not be there."""
+ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 ID = re.compile(r' id="([^"]+)"')
 INNER_LINK = re.compile(r' href="#([^"]+)"')
 
@@ -50,11 +46,10 @@ class Content:
 
 @dataclass(frozen=True)
 class Link:
-    """One release, as the pages of another one lead to it."""
+    """One release, as the pages of another one lead to it, from where its own lie at ``base``."""
 
     edition: Edition
     base: str
-    """Where its pages lie, seen from the other one's."""
     is_shown: bool
     """Whether it is the other one itself."""
 
@@ -80,13 +75,11 @@ class Link:
 
 @dataclass(frozen=True)
 class Site:
-    """A site that is being written."""
+    """A site that is being written: the pages of ``shown`` are the first; ``editions`` are by release, oldest first."""
 
     draft: Draft
     shown: str
-    """The release whose pages are the first."""
     editions: Mapping[str, Edition]
-    """Every release by its name, oldest first."""
     templates: Templates
     address: str
     """Where it will lie; empty where that is not known."""
@@ -104,7 +97,6 @@ class Site:
 
     @cached_property
     def tables(self) -> dict[str, bytes]:
-        """The rows of each record, by its file."""
         return {results.source: rows_csv(results.record.rows) for results in self.records}
 
     def write(self, root_files: Callable[[], None]) -> None:
@@ -120,13 +112,17 @@ class Site:
             root_files()
 
         drawn = _draw(contents, self.cache, write_data)
-        origins = json.dumps({results.source: _origin(results) for results in self.records}, ensure_ascii=False)
+        origins = {}
+        for results in self.records:
+            record = results.record
+            said = (config().edition(record.origin.release), record.machine_text, record.time_text)
+            origins[results.source] = ", ".join(said)
         for release, place in places.items():
             names = {
                 "contents": contents[release],
                 "links": links[release],
                 "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
-                "origins": origins,
+                "origins": json.dumps(origins, ensure_ascii=False),
             }
             self._write_pages(place, self.editions[release], names)
 
@@ -147,7 +143,7 @@ class Site:
         pages = {content.page.file: layout({**known, "content": content}) for content in names["contents"]}
         for file, html in _connected(pages, edition.chapters).items():
             self.draft.write(f"{place}{file}", local(html, edition.project.release))
-        for path in (*(LAYOUT / name for name in BESIDE), *([icon] if icon.is_file() else [])):
+        for path in (*(LAYOUT / name for name in ("style.css", "page.js")), *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
         for chapter in edition.chapters.values():
             for download in chapter.section.downloads:
@@ -167,12 +163,9 @@ class Site:
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
-    """All releases as seen from the pages of one, oldest first."""
     up = "../" if places[shown] else ""
-    return [
-        Link(edition, "" if release == shown else f"{up}{places[release]}", release == shown)
-        for release, edition in editions.items()
-    ]
+    bases = {release: f"{up}{place}" for release, place in places.items()} | {shown: ""}
+    return [Link(edition, bases[release], release == shown) for release, edition in editions.items()]
 
 
 def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> list[Content]:
@@ -183,13 +176,14 @@ def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> 
 def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
     """Return the words of one release's pages by file and anchor of their parts; of a figure those below it."""
     contents = _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
-    parts = {(content.page.file, part.anchor): part for content in contents for part in content.parts}
-    return {place: _undrawn(part) for place, part in parts.items()}
-
-
-def _undrawn(part: Prose) -> Markup:
-    figures = {figure.anchor: figure.undrawn for figure in part.figures}
-    return Markup("<h2>{}</h2>{}").format(part.title, part.html(figures))
+    words = Markup("<h2>{}</h2>{}")
+    return {
+        (content.page.file, part.anchor): words.format(
+            part.title, part.html({figure.anchor: figure.undrawn for figure in part.figures})
+        )
+        for content in contents
+        for part in content.parts
+    }
 
 
 def _draw(
@@ -215,7 +209,7 @@ def _draw(
 def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
     """Pages by file, with links to what is not on their own page leading to the page that it is on.
 
-    The front page has the ids of all sections, for old links, but they are not there.
+    The front page has the ids of all sections for old links alone.
     """
     ids = {file: set(ID.findall(html)) for file, html in pages.items()}
     ids[FRONT.file] -= set(sections)
@@ -228,12 +222,6 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
     return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
 
 
-def _origin(results: Results) -> str:
-    """What a record was measured with, and when."""
-    record = results.record
-    return f"{config().edition(record.origin.release)}, {record.machine_text}, {record.time_text}"
-
-
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
     floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
@@ -242,5 +230,4 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
 
 def citation() -> dict[str, str]:
     """Read what CITATION.cff says, each key's first line."""
-    found = CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
-    return dict(reversed(found))
+    return dict(reversed(CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))))

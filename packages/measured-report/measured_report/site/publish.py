@@ -1,7 +1,6 @@
 """Publishing: a checked copy of the site goes to a folder, to a branch of a git repository, or over rsync.
 
-A reader gets the site that was there or the new one and never half of each; of rsync that holds but for the moment
-in which all files that were transferred take their places.
+A reader never gets half a site; of rsync that holds but for the moment in which all files take their places.
 """
 
 import shutil
@@ -16,15 +15,13 @@ from measured_report.site.check import check_site
 from measured_report.site.targets import MARK, TARGETS
 
 DEFAULT = "git:origin"
-QUICK = '<meta name="profile" content="quick">'
-"""What marks a page of small grids and short runs."""
+QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
 
 
 def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at ``target`` and return where it lies; what can't be put there leaves nothing.
 
-    Args:
-        target: ``dir:PATH``, ``rsync:HOST:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
+    A target is ``dir:PATH``, ``rsync:HOST:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
     """
     scheme, _, place = (target or DEFAULT).partition(":")
     if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
@@ -45,13 +42,13 @@ def _checked_copy(site: Path) -> Iterator[Path]:
     with tempfile.TemporaryDirectory(prefix="publish-") as folder:
         copy = Path(folder) / "site"
         with locked(site.parent, alone=False):  # not while it is being put in place
-            if not (site / "index.html").is_file():
+            index = site / "index.html"
+            if not index.is_file():
                 raise UsageError(f"{site.name}/ holds no report; make report builds it")
-            if QUICK in (site / "index.html").read_text(encoding="utf-8"):
+            if QUICK in index.read_text(encoding="utf-8"):
                 raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
             shutil.copytree(site, copy, copy_function=shutil.copyfile)
-        problems = check_site(copy)
-        if problems:
+        if problems := check_site(copy):
             raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
         (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")
         copy.chmod(0o755)

@@ -2,8 +2,8 @@
 
 import uuid
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from datetime import datetime
+from operator import itemgetter
 
 from measured_report import ROOT
 from measured_report.changes.flips import flips_between
@@ -16,25 +16,12 @@ from measured_report.site.pages import CARD, Site, citation
 TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")
 
 
-@dataclass(frozen=True)
-class Entry:
-    """One entry of the feed."""
-
-    id: str
-    """The same for the same news, wherever the site lies."""
-    title: str
-    text: str
-    address: str
-    """Below the site."""
-    updated: str
-
-
 def write_root_files(site: Site) -> None:
     """Write all that the site has once."""
     pages = (
         f"{site.places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages
     )
-    entries = sorted(_entries(site.editions, site.places), key=lambda entry: entry.updated, reverse=True)
+    entries = sorted(_entries(site.editions, site.places), key=itemgetter("updated"), reverse=True)
     names = {"address": site.address, "pages": sorted(pages), "citation": citation(), "id": _id(""), "entries": entries}
     for file in TEMPLATES:
         site.draft.write(file, site.templates.layout(f"{file}.j2", names))
@@ -45,7 +32,8 @@ def write_root_files(site: Site) -> None:
     site.draft.write(".gitkeep", "")
 
 
-def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[Entry]:
+def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iterator[dict[str, str]]:
+    """The feed's entries: each edition, and what flips with it; an id is the same for the same news on any site."""
     before: Edition | None = None
     for release, edition in editions.items():
         if not edition.chapters:
@@ -54,12 +42,16 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
         text = claims[0].text if claims else ""
-        yield Entry(_id(release), name, text, f"{place}index.html", max(dates.values()))
+        yield _entry(release, name, text, f"{place}index.html", max(dates.values()))
         for flip in flips_between(before.chapters, edition.chapters) if before else ():
             title = f"{name}: {flip.claim}, {flip.outcomes}"
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
-            yield Entry(_id(f"{release}/{flip.claim}"), title, flip.after.text, where, dates[flip.section])
+            yield _entry(f"{release}/{flip.claim}", title, flip.after.text, where, dates[flip.section])
         before = edition
+
+
+def _entry(key: str, title: str, text: str, address: str, updated: str) -> dict[str, str]:
+    return {"id": _id(key), "title": title, "text": text, "address": address, "updated": updated}
 
 
 def _id(key: str) -> str:

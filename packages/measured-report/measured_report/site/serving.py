@@ -1,7 +1,4 @@
-"""Serving the site here: it is built again when something that it is made from changes, and pages that are open reload.
-
-What reloads them is put into pages as they are served; those that are published know nothing of it.
-"""
+"""Serving the site here: what changes is built again, and pages reload; those that are published know nothing of it."""
 
 import io
 import threading
@@ -26,8 +23,6 @@ setInterval(async () => {
 """
 POLICY = {b"default-src 'none'": b"default-src 'none'; connect-src 'self'", b"script-src ": b"script-src 'self' "}
 """What a page may do besides as it is served: ask for the number of the build, and run the script."""
-PAUSE_S = 0.5
-"""Between two looks at the files."""
 
 
 class _Handler(SimpleHTTPRequestHandler):
@@ -48,9 +43,8 @@ class _Handler(SimpleHTTPRequestHandler):
         else:
             return super().send_head()
         self.send_response(HTTPStatus.OK)
-        for name, value in {"Type": kind, "Length": str(len(content))}.items():
-            self.send_header(f"Content-{name}", value)
-        self.send_header("Cache-Control", "no-store")
+        for name, value in {"Content-Type": kind, "Content-Length": len(content), "Cache-Control": "no-store"}.items():
+            self.send_header(name, str(value))
         self.end_headers()
         return io.BytesIO(content)
 
@@ -78,7 +72,7 @@ class Server(ThreadingHTTPServer):
                 before = now  # as it was when the build began: what changes meanwhile is seen the next time
                 build()
                 self.build_count += 1
-            time.sleep(PAUSE_S)
+            time.sleep(0.5)
 
 
 def reloading(page: bytes) -> bytes:
@@ -93,6 +87,5 @@ def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
     found = {}
     for path in (path for folder in folders for path in folder.rglob("*") if "__pycache__" not in path.parts):
         with suppress(OSError):  # it was removed just now
-            status = path.stat()
-            found[path] = status.st_mtime_ns, status.st_size
+            found[path] = path.stat().st_mtime_ns, path.stat().st_size
     return found

@@ -15,8 +15,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.staging import remove, replace
 from measured_report.records.identity import files_digest
 
-MARK = ".published"
-"""A file of every copy that is published: only what has it is replaced."""
+MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 VERSION = re.compile(r"[0-9a-f]{16}")
 UNFINISHED = re.compile(r"(new|link)-[0-9a-f]+")
 BRANCH = "gh-pages"
@@ -24,10 +23,9 @@ SUBJECT = "The report, as make publish made it"
 
 
 def to_folder(copy: Path, place: str, site: Path) -> str:
-    """Publish to a folder of this machine.
+    """Publish to a folder of this machine: a link to one of the versions, in ``.<name>.versions/<digest>/`` beside it.
 
-    The path becomes a symbolic link. The versions lie beside it, in ``.<name>.versions/<digest>/``, and publishing
-    replaces the link. The version before stays, for those who are reading it.
+    Publishing replaces the link. The version before stays, for those who are reading it.
     """
     # Path.expanduser would raise for a user that does not exist.
     path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
@@ -41,9 +39,8 @@ def to_folder(copy: Path, place: str, site: Path) -> str:
     versions.mkdir(exist_ok=True)
     try:
         with locked(versions):
-            for left in versions.iterdir():
-                if UNFINISHED.fullmatch(left.name):
-                    remove(left)
+            for left in (left for left in versions.iterdir() if UNFINISHED.fullmatch(left.name)):
+                remove(left)
             version = _put_version(copy, versions)
             _switch(path, version)
             _remove_old(versions, version)
@@ -55,7 +52,7 @@ def to_folder(copy: Path, place: str, site: Path) -> str:
 
 
 def _refuse_foreign(path: Path, versions: Path) -> None:
-    """Only what is not there, is empty, or was published here before may be replaced."""
+    """UsageError unless what is there is nothing, is empty, or was published here before."""
     if path.is_symlink():
         if path.resolve().parent != versions.resolve():
             raise UsageError(f"{path} is a link to something else; it was left alone")
@@ -121,9 +118,8 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
         if before:
             _run([*git, "fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref])
             if not _run([*git, "log", "-1", "--format=%s", before]).startswith(SUBJECT):
-                raise UsageError(
-                    f"the branch {branch} of {remote} holds something that was not published; it was left alone"
-                )
+                said = "holds something that was not published; it was left alone"
+                raise UsageError(f"the branch {branch} of {remote} {said}")
         importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
         _run([*importing, str(copy)], {"GIT_DIR": folder, **_author(git)})
         commit, tree = _run([*made, "rev-parse", ref, f"{ref}^{{tree}}"]).split()
@@ -134,7 +130,7 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
 
 
 def _author(git: list[str]) -> dict[str, str]:
-    """Who git says commits in the project; make, where it can't say."""
+    """Name who git says commits in the project; make, where it can't say."""
     try:
         name, _, address = _run([*git, "var", "GIT_COMMITTER_IDENT"]).rpartition(">")[0].rpartition(" <")
     except UsageError:
@@ -146,7 +142,7 @@ def to_rsync(copy: Path, place: str, site: Path) -> str:
     """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
     place = place.rstrip("/") + "/"
     there = _rsync_names(place)
-    if there and MARK not in there:
+    if there and MARK not in there:  # where there is no folder yet there is nothing
         raise UsageError(f"{place} holds something that was not published there; it was left alone")
     options = ["--recursive", "--times", "--perms", "--checksum", "--protect-args", "--delay-updates"]
     # Pages come last, so that what they show is there before them, and what nobody names any more goes after them.
@@ -156,7 +152,6 @@ def to_rsync(copy: Path, place: str, site: Path) -> str:
 
 
 def _rsync_names(place: str) -> set[str]:
-    """What lies at a place already; nothing where there is no folder yet."""
     try:
         listed = _run(["rsync", "--protect-args", "--list-only", place])
     except UsageError as error:
@@ -169,14 +164,11 @@ def _rsync_names(place: str) -> set[str]:
 def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> str:
     """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
-    environment = {**os.environ, "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
-    for each in ("GIT_DIR", "GIT_WORK_TREE"):  # set by a hook or another git, these would lead to another repository
-        environment.pop(each, None)
-    pipe, environment = subprocess.PIPE, {**environment, **(settings or {})}
+    # Set by a hook or another git, these would lead to another repository.
+    own = {each: value for each, value in os.environ.items() if each not in ("GIT_DIR", "GIT_WORK_TREE")}
+    own |= {"GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **(settings or {})}
     try:
-        done = subprocess.run(
-            command, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe, text=True, errors="replace", env=environment
-        )
+        done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=own, check=False)
     except FileNotFoundError:
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
     if done.returncode:
@@ -186,4 +178,3 @@ def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> s
 
 
 TARGETS: dict[str, Callable[[Path, str, Path], str]] = {"dir": to_folder, "git": to_branch, "rsync": to_rsync}
-"""How a copy gets to a place, by how the target begins."""
