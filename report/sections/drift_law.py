@@ -89,24 +89,20 @@ def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     formula = "size of the difference of drift and law, positions rounded"
     gaps = [size_difference(results, f"gap_{run.law.case}", formula, *run.cells) for run in runs]
     gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
-    outcome, beyond_bound = at_most(numbers["largest"], bound), _beyond_bound(results, runs, bound)
-    if outcome == FAILS:
-        outcome = beyond(beyond_bound, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
-    return Claim("rounded_too", outcome, numbers | {"gap": gap})
-
-
-def _beyond_bound(results: Results, runs: Sequence[Run], bound: Value) -> Value:
-    """Derive how far beyond the bound a run is, at most: a drift near zero is off by the noise alone."""
-    return results.value(
+    # How far beyond the bound a run is, at most: a drift near zero is off by the noise alone.
+    far = results.value(
         "rounded_beyond",
         "size of the difference of drift and law, less the bound's share of the law, the largest of all runs",
         lambda share, *found: max(
             abs(drift - given) - 0.01 * share * abs(given) for drift, given in zip(found[::2], found[1::2], strict=True)
         ),
-        bound,
-        *(cell for run in runs for cell in run.cells),
+        *(bound, *(cell for run in runs for cell in run.cells)),
         unit="mm/s",
     )
+    outcome = at_most(numbers["largest"], bound)
+    if outcome == FAILS:
+        outcome = beyond(far, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
+    return Claim("rounded_too", outcome, numbers | {"gap": gap})
 
 
 def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:
