@@ -14,7 +14,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.shared.arithmetic import extreme, other_value, table_of
+from report.shared.arithmetic import cell_count, extreme, other_value, table_of
 from report.shared.drawing import mark_points
 
 order = 184  # after all SCENES, which it reads
@@ -124,19 +124,15 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
 
 
 def _table(results: Results, points: list[Point]) -> Table:
+    scenes = [scene for scene in SCENES if any(point.scene == scene for point in points)]
     columns: dict[str, list[Value]] = {"runs": [], "slowest": [], "fastest": [], "largest factor": []}
-    scenes = {scene: mine for scene in SCENES if (mine := _of(scene, points))}
-    for scene, mine in scenes.items():
-        measured, factors = [point.measured for point in mine], [point.factor for point in mine]
-        columns["runs"].append(results.value(f"{scene}_count", "runs", lambda *found: len(found), *factors))
-        columns["slowest"].append(extreme(results, f"{scene}_slowest", "slowest creep", min, measured))
-        columns["fastest"].append(extreme(results, f"{scene}_fastest", "fastest creep", max, measured))
+    for scene in scenes:
+        creeps, factors = zip(*((it.measured, it.factor) for it in points if it.scene == scene), strict=True)
+        columns["runs"].append(cell_count(results, f"{scene}_count", "runs", factors))
+        columns["slowest"].append(extreme(results, f"{scene}_slowest", "slowest creep", min, creeps))
+        columns["fastest"].append(extreme(results, f"{scene}_fastest", "fastest creep", max, creeps))
         columns["largest factor"].append(extreme(results, f"{scene}_largest", "largest factor", max, factors))
     return table_of("scene", map(SCENES.get, scenes), columns)
-
-
-def _of(scene: str, points: list[Point]) -> list[Point]:
-    return [point for point in points if point.scene == scene]
 
 
 def _draw(points: list[Point]) -> Drawing:
@@ -146,7 +142,7 @@ def _draw(points: list[Point]) -> Drawing:
     axes.fill_between(line, line / 1.5, line * 1.5, color=FAINT, linewidth=0.0, alpha=0.6)
     axes.plot(line, line, color=INK, linewidth=0.8, marker="")
     for number, (scene, label) in enumerate(SCENES.items()):
-        creeps = [(point.predicted.value, point.measured.value) for point in _of(scene, points)]
+        creeps = [(point.predicted.value, point.measured.value) for point in points if point.scene == scene]
         hollow = {"marker": MARKERS[number], "markerfacecolor": "none", "markersize": 7}
         mark_points(axes, creeps, color=SERIES[number], label=label, **hollow)
     axes.set(xscale="log", yscale="log", xlabel="creep predicted [mm/s]", ylabel="creep measured [mm/s]")

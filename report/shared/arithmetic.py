@@ -108,8 +108,7 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
 
 def settles(gain: Quantity) -> Outcome:
     """Tell whether a slip that is so many times less settles the matter."""
-    why, bound = SETTLES
-    return at_least(gain, bound, why)
+    return at_least(gain, SETTLES[1], why=SETTLES[0])
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:

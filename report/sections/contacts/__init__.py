@@ -169,10 +169,10 @@ def _missing_term(results: Results, rows: list[Row]) -> Claim:
         for row in rows
     ]
     largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
-    bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
     numbers = {"departure": largest}
     for row, name in zip(rows, ("", "_stiff"), strict=True):
         numbers |= {f"predicted{name}": row.predicted_slide_mm, f"slide{name}": row.slide_mm}
+    bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
     return Claim("missing_term", at_most(largest, bound), numbers)
 
 

@@ -15,18 +15,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import some_html
-from report.sections.cure.ways import (
-    ADDS,
-    BEST,
-    GRASP_MM,
-    STEPS,
-    WAYS,
-    Way,
-    amplitude_mm,
-    cost_table,
-    use_table,
-    what_to_use,
-)
+from report.sections.cure.ways import ADDS, BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, use_table, what_to_use
 from report.shared.arithmetic import cell_count, departure, extreme, noise_floor, ratio, share, table_of
 from report.shared.drawing import mark_cells, name_lines
 
@@ -55,7 +44,10 @@ def derive(results: Results) -> Section:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
     grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
-    near, far = (amplitude_mm(results, shake) for shake in ("3cm", "10cm"))
+    near, far = (
+        results.value(f"amplitude_{shake}", "in whole mm", lambda m: round(1e3 * m), row.shake_amplitude_m, unit="mm")
+        for shake, row in ((shake, BEST.row(results, shake)) for shake in ("3cm", "10cm"))
+    )
     parts = {way.name: _parts_of(results, way) for way in WAYS}
     slips = {way.name: way.row(results, "3cm").slip_mm for way in WAYS}
     numbers = {"shipped": slips["shipped pads"], "term": slips["the term"], "best": slips[BEST.name], "amplitude": near}

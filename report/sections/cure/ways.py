@@ -103,12 +103,6 @@ def _lost(results: Results, way: Way) -> Quantity:
     return found or absent("1", "it was not tried there")
 
 
-def amplitude_mm(results: Results, shake: str) -> Value:
-    """Derive how far a shake goes."""
-    metres = BEST.row(results, shake).shake_amplitude_m
-    return results.value(f"amplitude_{shake}", "in whole mm", lambda metres: round(1e3 * metres), metres, unit="mm")
-
-
 def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:
     """Tell whether all remedies together are what the rule finds: the least slip of all ways that hold the cube at
     10 cm as well, for next to no time of a frame, as far as it was timed, and break nothing, as far as it was tried.
