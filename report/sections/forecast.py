@@ -75,19 +75,17 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
             yield Point(scene, row.case, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
 
 
-def _below(rate: Quantity, resolution: Quantity) -> bool:
-    """Tell whether a growth [1/s] is below what single precision shows, as section turntable has it [%/s]."""
-    return None not in (rate.value, resolution.value) and 100.0 * abs(rate.value) < resolution.value
-
-
 def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:
     """Derive measured and predicted creep [mm/s], in size; None for a row that is about something else, or too slow to
     be seen."""
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if any(column not in row or row[column].value is None for column in columns):
         return None
-    if scene == "turntable" and row.backend == "warp" and _below(row[columns[1]], resolution):
-        return None
+    if scene == "turntable" and row.backend == "warp":
+        # A growth [1/s] may be below what single precision shows, as that section has it [%/s].
+        growth, least = row[columns[1]].value, resolution.value
+        if least is not None and 100.0 * abs(growth) < least:
+            return None
     radius = (row.start_radius_mm,) if scene == "turntable" else ()
     seconds = SHAKE_S if scene == "contacts" else 1.0
     formula = {"turntable": "growth times the distance at the start", "contacts": f"slide by the {SHAKE_S:g} s"}

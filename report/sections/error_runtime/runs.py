@@ -126,27 +126,24 @@ def hit_iteration_limit(row: Row) -> bool:
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
+    in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
+    fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
+    floors, formula = (
+        {},
+        "largest distance between a run in Warp and the same in C, from the shipped number of substeps on",
+    )
+    for pads in PADS:
+        cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
+        floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
     return Points(
         results=results,
         settings=settings,
         references=[row for row in results.rows if row.method == "reference"],
         worlds=[row for row in results.rows if row.case.startswith("worlds-")],
-        floors={pads: _floor(results, settings, pads) for pads in PADS},
+        floors=floors,
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
     )
-
-
-def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
-    cells = [
-        row.c_difference_mm
-        for row in settings
-        if (row["pads"], row.knob) == (pads, "substeps")
-        and row.method in ("newton", "newton-each-substep", "mujoco")
-        and row.substeps.value >= AS_SHIPPED.substeps
-    ]
-    formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-    return results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
 
 
 def is_own_model(row: Row) -> bool:
