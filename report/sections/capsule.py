@@ -131,18 +131,16 @@ def _table(rows: Rows, published: Mapping[str, Value]) -> Table:
     columns: dict[str, list] = {"published": [published.get(variant, "") for variant in VARIANTS]}
     for engine, name in ENGINES.items():
         columns[name] = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
-    steady, law, force = "steady_creep_mm_s", "predicted_creep_mm_s", "normal_force_n"
-    in_columns = {"steady, in C": steady, "law, in C": law, "pads press with": force}
-    return table_of("run", map(case_html, VARIANTS), {**columns, **in_columns}, in_c)
+    of_c = {"steady, in C": "steady_creep_mm_s", "law, in C": "predicted_creep_mm_s"}
+    return table_of("run", map(case_html, VARIANTS), {**columns, **of_c, "pads press with": "normal_force_n"}, in_c)
 
 
 def _draw(rows: Rows, published: Mapping[str, Value]) -> Drawing:
     drawing, axes = new_figure(7.2, 1.1 + (0.4 if is_narrow() else 0.3) * len(VARIANTS))
     axes.set(xscale="log", xlabel="the capsule sinks with [mm/s]")
     for colour, (engine, name) in zip(SERIES, ENGINES.items(), strict=False):
-        mark_cells(
-            axes, [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS], colour, name, **MARKS[engine]
-        )
+        creeps = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
+        mark_cells(axes, creeps, colour, name, **MARKS[engine])
     law = [rows[f"{variant}-c"].predicted_creep_mm_s for variant in VARIANTS]
     mark_cells(axes, law, INK, "law", marker="|", markersize=15)
     mark_cells(axes, list(map(published.get, VARIANTS)), SERIES[3], "published", marker="D", markersize=4)

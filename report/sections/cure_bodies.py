@@ -56,8 +56,7 @@ def _of(runs: Runs, motions: Iterable[str]) -> list[tuple[str, dict[str, Row]]]:
 
 
 def _stays_as_it_is(results: Results, runs: Runs) -> Iterator[Claim]:
-    """Tell whether bodies move as before on a plane, and stay on the table, whatever they stand on, and also where they
-    have slid before."""
+    """Tell whether bodies move as before on a plane, and stay on the table, whatever they stand on."""
     formula = "distance between the places where the body ends with the term and with nothing done, of the way there"
     shares = [
         results.value(
@@ -104,17 +103,12 @@ def _spinning_ball_goes_aside(results: Results, runs: Runs) -> Claim:
 def _rolling_body_sinks(results: Results, runs: Runs) -> Claim:
     """Tell how much deeper it rolls with the term in the normal rows, and whether the friction rows leave its depth."""
     formula = "how much deeper the body ends with {} than with nothing done"
-    term, full = (
-        [
-            size_difference(
-                results, f"sinks_{way}_{name}", formula.format(WAYS[way]), found["plain"].rise_mm, found[way].rise_mm
-            )
-            for name, found in _of(runs, ["roll"])
-        ]
-        for way in ("term", "full")
-    )
-    least = extreme(results, "sinks_least", "least of these, normal rows too", min, full)
-    most = extreme(results, "sinks_most", "most of these, friction rows alone", max, term)
+    gaps: dict[str, list[Value]] = {"term": [], "full": []}
+    for way, (name, found) in product(gaps, _of(runs, ["roll"])):
+        rises, words = (found["plain"].rise_mm, found[way].rise_mm), formula.format(WAYS[way])
+        gaps[way].append(size_difference(results, f"sinks_{way}_{name}", words, *rises))
+    least = extreme(results, "sinks_least", "least of these, normal rows too", min, gaps["full"])
+    most = extreme(results, "sinks_most", "most of these, friction rows alone", max, gaps["term"])
     same = results.chosen("stays_bound", "as deep as before", 0.01, unit="mm")
     outcome = all_of(at_least(least, 1.0, why="deeper than a contact of this weight is"), at_most(most, same))
     return Claim("rolling_body_sinks", outcome, {"least": least, "most": most, "same": same})

@@ -8,10 +8,10 @@ from measured_report.claims.claim import Claim, at_least, at_most
 from measured_report.parts.figures import INK, SERIES, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.format import format_number
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.names import case_html, name_of, worlds_name
-from report.shared.arithmetic import table_of
+from report.shared.arithmetic import excess, table_of
 from report.shared.timing import CURE_WORLDS, cell
 
 order = 144
@@ -30,7 +30,14 @@ def derive(results: Results) -> Section:
     counts = [count for count in CURE_WORLDS if any(worlds == count for _, worlds in rows)]
     cells = [(case, count) for case in CASES for count in CURE_WORLDS]
     times = {place: cell(results, rows.get(place), "frame_ms", f"a batch of {place[1]} worlds") for place in cells}
-    extra = {(case, count): _extra(results, times, case, count) for case, count in cells if case != CASES[0]}
+    formula = "time of a frame with {} over that as shipped, less one"
+    extra = {
+        (case, count): excess(
+            results, f"{case}_extra_{count}", formula.format(case), times[case, count], times[CASES[0], count]
+        )
+        for case, count in cells
+        if case != CASES[0]
+    }
     worlds = {place: row.worlds for place, row in rows.items()}
     claims = list(_claims(results, worlds, extra))
     costs = Figure(
@@ -39,14 +46,6 @@ def derive(results: Results) -> Section:
         numbers={case: results.derived[f"{case}_worst"] for case in ("term", "best")},
     )
     return Section(tables={"times": _table(counts, times, extra)}, figures={"costs": costs}, claims=claims)
-
-
-def _extra(results: Results, times: Times, case: str, count: int) -> Value:
-    formula, cells = (
-        f"time of a frame with {case} over that as shipped, less one",
-        (times[case, count], times[CASES[0], count]),
-    )
-    return results.value(f"{case}_extra_{count}", formula, lambda a, b: 100 * (a / b - 1), *cells, unit="%")
 
 
 def _claims(results: Results, worlds: Times, extra: Times) -> Iterator[Claim]:
@@ -74,13 +73,10 @@ def _by_count(case: str, worlds: Times, costs: Sequence[Quantity]) -> dict[str, 
     numbers: dict[str, Quantity | bool] = {}
     for name, count, cost in zip(("one", "some", "many"), CURE_WORLDS, costs, strict=True):
         numbers[f"{name}_worlds"] = worlds.get((case, count)) or absent("1", f"there is no run of {count} worlds")
-        numbers |= {name: cost, f"{name}_seen": _is_seen(cost)}
+        # Beyond its noise it is written as a number, and not as a bound.
+        is_seen = None in (cost.value, cost.noise) or abs(cost.value) > cost.noise
+        numbers |= {name: cost, f"{name}_seen": is_seen}
     return numbers
-
-
-def _is_seen(change: Quantity) -> bool:
-    """Tell whether it is beyond its noise, so that it is written as a number and not as a bound."""
-    return None in (change.value, change.noise) or abs(change.value) > change.noise
 
 
 def _table(counts: Sequence[int], times: Times, extra: Times) -> Table:

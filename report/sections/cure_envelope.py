@@ -8,6 +8,7 @@ from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
+from report.sections.envelope import SIDES as OTHERS
 from report.shared.arithmetic import settles, table_of
 
 order = 147
@@ -15,8 +16,6 @@ page = "cure"
 label = "harder shakes with the cure"
 
 SIDES = {"term": "the term", "best": "all remedies"}
-OTHERS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
-"""Sides of the map in section envelope."""
 MAP = "map"
 
 

@@ -20,8 +20,6 @@ label = "held for a minute"
 
 POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
 CASES = ("rounded", "rounded-impratio", "kept", "kept-stiff", "kept-impratio", "best")
-
-
 COLUMNS = {
     "slip": "slip_mm",
     "first second": "increment_first_mm",
@@ -34,10 +32,8 @@ COLUMNS = {
 def derive(results: Results) -> Section:
     rows = {case: results.row[case] for case in CASES}
     traces = {case: results.trace(case) for case in CASES}
-    slips = {case: row.slip_mm for case, row in rows.items()}
-    numbers = {"duration": rows["rounded"].shake_duration_s} | {
-        case: slips[case] for case in ("rounded", "kept", "best")
-    }
+    numbers = {case: rows[case].slip_mm for case in ("rounded", "kept", "best")}
+    numbers["duration"] = rows["rounded"].shake_duration_s
     return Section(
         tables={"cases": by_case(list(rows.values()), COLUMNS)},
         figures={"motion": Figure(lambda: _draw(traces), list(traces.values()), numbers)},

@@ -43,14 +43,13 @@ class Run:
 def derive(results: Results) -> Section:
     bound = results.chosen("law_bound", "one law", 1.5, unit="%")
     rounded = results.others["stiffness"].row if "stiffness" in results.others else {}
-    kept = {row.case: row for row in results.rows}
     runs = {
         kind: [
             _run(results, row, measured[row.case], kind)
             for row in results.rows
             if row.case in measured and is_held(measured[row.case])
         ]
-        for kind, measured in (("kept", kept), ("rounded", rounded))
+        for kind, measured in (("kept", results.row), ("rounded", rounded))
     }
     sources = [cell for found in runs.values() for run in found for cell in run.cells]
     return Section(
@@ -62,8 +61,8 @@ def derive(results: Results) -> Section:
 
 def _run(results: Results, law: Row, measured: Row, kind: str) -> Run:
     formula = f"drift measured with {KINDS[kind]}, less that of the law, in size, of the latter"
-    name, drift = f"off_{kind}_{law.case}", measured.drift_mm_s
-    return Run(law, drift, departure(results, name, formula, drift, law.predicted_drift_mm_s))
+    cells = measured.drift_mm_s, law.predicted_drift_mm_s
+    return Run(law, cells[0], departure(results, f"off_{kind}_{law.case}", formula, *cells))
 
 
 def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
@@ -73,8 +72,8 @@ def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     numbers: dict[str, Quantity] = {**_numbers(results, "kept", runs, bound), "width": width}
     numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
     numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
-    wide = results.chosen("response_range_bound", "enough to see a law", 3.0)
-    outcome, is_wide = at_most(numbers["largest"], bound).having_read(width), at_least(width, wide)
+    outcome, is_wide = at_most(numbers["largest"], bound), at_least(width, 3.0, why="enough to see a law")
+    outcome = outcome.having_read(width)
     if outcome == HOLDS and is_wide == FAILS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)
@@ -89,24 +88,20 @@ def _rounded_too(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     formula = "size of the difference of drift and law, positions rounded"
     gaps = [size_difference(results, f"gap_{run.law.case}", formula, *run.cells) for run in runs]
     gap = extreme(results, "median_gap", "median of these differences", lambda *found: median(found), gaps)
-    outcome, beyond_bound = at_most(numbers["largest"], bound), _beyond_bound(results, runs, bound)
-    if outcome == FAILS:
-        outcome = beyond(beyond_bound, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
-    return Claim("rounded_too", outcome, numbers | {"gap": gap})
-
-
-def _beyond_bound(results: Results, runs: Sequence[Run], bound: Value) -> Value:
-    """Derive how far beyond the bound a run is, at most: a drift near zero is off by the noise alone."""
-    return results.value(
+    # How far beyond the bound a run is, at most: a drift near zero is off by the noise alone.
+    far = results.value(
         "rounded_beyond",
         "size of the difference of drift and law, less the bound's share of the law, the largest of all runs",
         lambda share, *found: max(
             abs(drift - given) - 0.01 * share * abs(given) for drift, given in zip(found[::2], found[1::2], strict=True)
         ),
-        bound,
-        *(cell for run in runs for cell in run.cells),
+        *(bound, *(cell for run in runs for cell in run.cells)),
         unit="mm/s",
     )
+    outcome = at_most(numbers["largest"], bound)
+    if outcome == FAILS:
+        outcome = beyond(far, noise_floor(results, "drift_floor")).having_read(numbers["largest"], bound)
+    return Claim("rounded_too", outcome, numbers | {"gap": gap})
 
 
 def _numbers(results: Results, kind: str, runs: Sequence[Run], bound: Value) -> dict[str, Value]:

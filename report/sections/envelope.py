@@ -55,9 +55,9 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results) -> Points:
-    first, second = SIDES
-    names = [case.removeprefix(f"{first}-") for case in results.row if case.startswith(f"{first}-")]
-    return {name: (results.row[f"{first}-{name}"], results.row[f"{second}-{name}"]) for name in names}
+    first, second = (f"{side}-" for side in SIDES)
+    names = [case.removeprefix(first) for case in results.row if case.startswith(first)]
+    return {name: (results.row[first + name], results.row[second + name]) for name in names}
 
 
 def _held_slip(row: Row) -> Quantity:
@@ -105,21 +105,20 @@ def _gain_everywhere(results: Results, points: Points, gains: Mapping[str, Value
 
 def _map_gain(results: Results, trace: Series) -> Claim:
     formula = "median over the map of the ratio of the slips, where the cube is held before and after"
-    median = results.value("map_gain_median", formula, lambda frame: np.median(_map_gains(frame)), trace)
-    least = results.value("map_gain_least", "least ratio on the map", lambda frame: _map_gains(frame).min(), trace)
+    median = results.value("map_gain_median", formula, lambda frame: np.median(_gains(frame)), trace)
+    least = results.value("map_gain_least", "least ratio on the map", lambda frame: _gains(frame).min(), trace)
     formula = "cells with less slip than as shipped"
     share = results.value("map_gain_share", formula, _share_above_one, trace, unit="%")
     formula = "least of the differences of the slips, as shipped less stiff, in size"
     gap = results.value(
-        "map_gap_least", formula, lambda frame: np.abs(np.subtract(*_slips(frame))).min(), trace, unit="mm"
+        "map_gap_least", formula, lambda frame: abs(np.subtract(*_slips(frame))).min(), trace, unit="mm"
     )
-    every_cell = at_least(share, 100.0, why="every cell")
-    outcome = all_of(every_cell, resolved(noise_floor(results, "slip_floor"), gap))
+    outcome = all_of(at_least(share, 100.0, why="every cell"), resolved(noise_floor(results, "slip_floor"), gap))
     return Claim("map_gain", outcome, {"median": median, "least": least, "share": share})
 
 
 def _share_above_one(frame: pd.DataFrame) -> float:
-    gains = _map_gains(frame)
+    gains = _gains(frame)
     return 100 * float(np.mean(gains > 1.0)) if len(gains) else float("nan")
 
 
@@ -143,13 +142,12 @@ def _growth(results: Results) -> Iterator[Claim]:
 
 def _exponent(results: Results, name: str, where: str, low: Quantity, high: Quantity, less: Row, more: Row) -> Value:
     """Derive the power of what goes from ``low`` to ``high`` with which the slip grows between two runs."""
+
+    def power(low: float, high: float, less: float, more: float) -> float:
+        return float(np.log(more / less) / np.log(high / low))
+
     formula = f"logarithm of the ratio of the slips over that of what is changed, {where}"
-    slips = _held_slip(less), _held_slip(more)
-    return results.value(f"{name}_exponent", formula, _power, low, high, *slips)
-
-
-def _power(low: float, high: float, less: float, more: float) -> float:
-    return float(np.log(more / less) / np.log(high / low))
+    return results.value(f"{name}_exponent", formula, power, low, high, _held_slip(less), _held_slip(more))
 
 
 def _batch_is_fast(results: Results, row: Row) -> Claim:
@@ -171,15 +169,10 @@ def _table(points: Points, gains: Mapping[str, Value]) -> Table:
     sides = dict(zip(("before", "after"), zip(*points.values(), strict=True), strict=True))
     columns: dict[str, list] = {f"slip {when}": [row.slip_mm for row in rows] for when, rows in sides.items()}
     columns["ratio"] = list(gains.values())
-    columns["cube"] = [" → ".join(dict.fromkeys(map(_fate, pair))) for pair in points.values()]
+    fates = {None: "no result", True: "dropped", False: "held"}
+    columns["cube"] = [" → ".join(dict.fromkeys(fates[row.dropped] for row in pair)) for pair in points.values()]
     columns |= {f"height {when}": [row.cube_height_m for row in rows] for when, rows in sides.items()}
     return table_of("shake", [name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], columns)
-
-
-def _fate(row: Row) -> str:
-    if row.dropped is None:
-        return "no result"
-    return "dropped" if row.dropped else "held"
 
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
@@ -193,10 +186,8 @@ def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
     return grid_of(frame, side, "slip_mm").where(grid_of(frame, side, "dropped").astype(str) == "False")
 
 
-def _map_gains(frame: pd.DataFrame) -> np.ndarray:
-    """Compute the ratio of the slips of every cell that is held on both sides."""
-    shipped, stiff = _slips(frame)
-    return shipped / stiff
+def _gains(frame: pd.DataFrame) -> np.ndarray:
+    return np.divide(*_slips(frame))
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
@@ -217,28 +208,25 @@ def draw_maps(frame: pd.DataFrame, sides: Mapping[str, str]) -> Drawing:
     drawing.supxlabel("frequency [Hz]", fontsize=10)
     bar = drawing.colorbar(colours, ax=list(panels), label="slip [mm]", extend="both", pad=0.02)
     bar.ax.yaxis.set_major_formatter(plain_labels())
-    dropped = Line2D([], [], color=INK, marker="x", markersize=5, linewidth=1.6, linestyle="-", label="dropped")
-    failed = Line2D([], [], color=INK, marker="_", markersize=5, linestyle="none", label="no finite result")
-    handles = [dropped] + ([failed] if frame["failure"].notna().any() else [])
+    handles = [Line2D([], [], color=INK, marker="x", markersize=5, linewidth=1.6, linestyle="-", label="dropped")]
+    if frame["failure"].notna().any():
+        handles += [Line2D([], [], color=INK, marker="_", markersize=5, linestyle="none", label="no finite result")]
     drawing.legend(handles=handles, loc="outside upper left", ncols=2)
     return drawing
 
 
 def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd.DataFrame):
     frequency, amplitude = slip.columns.to_numpy(), 100 * slip.index.to_numpy()
-    failed = failure.notna().to_numpy()
-    lost = (dropped.astype(str) == "True").to_numpy()
+    failed, lost = failure.notna().to_numpy(), (dropped.astype(str) == "True").to_numpy()
     shown = np.ma.masked_where(lost | failed | slip.isna().to_numpy(), slip.to_numpy(dtype=float))
     axes.set_facecolor(EMPTY)
     axes.grid(visible=False)
-    norm = LogNorm(*SLIP_RANGE_MM)
-    colours = axes.pcolormesh(
-        frequency, amplitude, shown, norm=norm, cmap="viridis", shading="nearest", rasterized=True, zorder=0.5
-    )
+    style = {"norm": LogNorm(*SLIP_RANGE_MM), "cmap": "viridis", "shading": "nearest", "rasterized": True}
+    colours = axes.pcolormesh(frequency, amplitude, shown, zorder=0.5, **style)
     x, y = np.broadcast_arrays(frequency[np.newaxis, :], amplitude[:, np.newaxis])
     axes.set(xscale="log", yscale="log")
-    axes.scatter(x[lost], y[lost], marker="x", s=9, linewidths=0.8, color=MAP_INK)
-    axes.scatter(x[failed], y[failed], marker="_", s=9, linewidths=0.8, color=MAP_INK)
+    for marker, cells in (("x", lost), ("_", failed)):
+        axes.scatter(x[cells], y[cells], marker=marker, s=9, linewidths=0.8, color=MAP_INK)
     if lost.any() and not lost.all():
         axes.contour(frequency, amplitude, lost.astype(float), levels=[0.5], colors=MAP_INK, linewidths=1.6)
     tick_at(axes.xaxis, FREQUENCY_TICKS_HZ)

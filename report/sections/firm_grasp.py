@@ -39,7 +39,9 @@ MARKERS = ("o", "s", "D", "^", "v", "P")
 def derive(results: Results) -> Section:
     found = {setting: results.row[setting] for setting in SETTINGS}
     runs = {setting: [results.row[f"{step}ms-{setting}"] for step in STEPS] for setting in SETTINGS}
-    least = {setting: _least_step(results, setting, rows) for setting, rows in runs.items()}
+    held = {name: [row.step_ms for row in rows if row.slip_mm.value is not None] for name, rows in runs.items()}
+    formula = "shortest step tried that holds"
+    least = {name: extreme(results, f"{name}_least_step", formula, min, steps) for name, steps in held.items()}
     plain, lost = results.row["2ms-implicitfast"], found["implicitfast"].lost_mm
     figure = Figure(
         draw=lambda: _draw(runs, lost),
@@ -57,11 +59,6 @@ def derive(results: Results) -> Section:
             _same_in_all_engines(results, found),
         ],
     )
-
-
-def _least_step(results: Results, setting: str, runs: Sequence[Row]) -> Value:
-    held = [row.step_ms for row in runs if row.slip_mm.value is not None]
-    return extreme(results, f"{setting}_least_step", "shortest step tried that holds", min, held)
 
 
 def _is_firm(results: Results, plain: Row) -> Claim:

@@ -14,7 +14,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.shared.arithmetic import extreme, other_value, table_of
+from report.shared.arithmetic import cell_count, extreme, other_value, table_of
 from report.shared.drawing import mark_points
 
 order = 184  # after all SCENES, which it reads
@@ -75,19 +75,17 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
             yield Point(scene, row.case, *found, results.value(name, formula, lambda a, b: max(a / b, b / a), *found))
 
 
-def _below(rate: Quantity, resolution: Quantity) -> bool:
-    """Tell whether a growth [1/s] is below what single precision shows, as section turntable has it [%/s]."""
-    return None not in (rate.value, resolution.value) and 100.0 * abs(rate.value) < resolution.value
-
-
 def _creep(results: Results, scene: str, row: Row, resolution: Quantity) -> tuple[Value, Value] | None:
     """Derive measured and predicted creep [mm/s], in size; None for a row that is about something else, or too slow to
     be seen."""
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if any(column not in row or row[column].value is None for column in columns):
         return None
-    if scene == "turntable" and row.backend == "warp" and _below(row[columns[1]], resolution):
-        return None
+    if scene == "turntable" and row.backend == "warp":
+        # A growth [1/s] may be below what single precision shows, as that section has it [%/s].
+        growth, least = row[columns[1]].value, resolution.value
+        if least is not None and 100.0 * abs(growth) < least:
+            return None
     radius = (row.start_radius_mm,) if scene == "turntable" else ()
     seconds = SHAKE_S if scene == "contacts" else 1.0
     formula = {"turntable": "growth times the distance at the start", "contacts": f"slide by the {SHAKE_S:g} s"}
@@ -124,19 +122,15 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
 
 
 def _table(results: Results, points: list[Point]) -> Table:
+    scenes = [scene for scene in SCENES if any(point.scene == scene for point in points)]
     columns: dict[str, list[Value]] = {"runs": [], "slowest": [], "fastest": [], "largest factor": []}
-    scenes = {scene: mine for scene in SCENES if (mine := _of(scene, points))}
-    for scene, mine in scenes.items():
-        measured, factors = [point.measured for point in mine], [point.factor for point in mine]
-        columns["runs"].append(results.value(f"{scene}_count", "runs", lambda *found: len(found), *factors))
-        columns["slowest"].append(extreme(results, f"{scene}_slowest", "slowest creep", min, measured))
-        columns["fastest"].append(extreme(results, f"{scene}_fastest", "fastest creep", max, measured))
+    for scene in scenes:
+        creeps, factors = zip(*((it.measured, it.factor) for it in points if it.scene == scene), strict=True)
+        columns["runs"].append(cell_count(results, f"{scene}_count", "runs", factors))
+        columns["slowest"].append(extreme(results, f"{scene}_slowest", "slowest creep", min, creeps))
+        columns["fastest"].append(extreme(results, f"{scene}_fastest", "fastest creep", max, creeps))
         columns["largest factor"].append(extreme(results, f"{scene}_largest", "largest factor", max, factors))
     return table_of("scene", map(SCENES.get, scenes), columns)
-
-
-def _of(scene: str, points: list[Point]) -> list[Point]:
-    return [point for point in points if point.scene == scene]
 
 
 def _draw(points: list[Point]) -> Drawing:
@@ -146,7 +140,7 @@ def _draw(points: list[Point]) -> Drawing:
     axes.fill_between(line, line / 1.5, line * 1.5, color=FAINT, linewidth=0.0, alpha=0.6)
     axes.plot(line, line, color=INK, linewidth=0.8, marker="")
     for number, (scene, label) in enumerate(SCENES.items()):
-        creeps = [(point.predicted.value, point.measured.value) for point in _of(scene, points)]
+        creeps = [(point.predicted.value, point.measured.value) for point in points if point.scene == scene]
         hollow = {"marker": MARKERS[number], "markerfacecolor": "none", "markersize": 7}
         mark_points(axes, creeps, color=SERIES[number], label=label, **hollow)
     axes.set(xscale="log", yscale="log", xlabel="creep predicted [mm/s]", ylabel="creep measured [mm/s]")

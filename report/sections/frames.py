@@ -47,10 +47,7 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
 
 
 def _robot_is_still(results: Results) -> Claim:
-    formula, drifts = (
-        "largest drift between two bodies of the robot",
-        [results.row[case].total_drift_mm for case in ROBOT],
-    )
+    formula, drifts = "largest drift between two bodies of the robot", (results.row[it].total_drift_mm for it in ROBOT)
     largest = results.value("robot_drift", formula, max, *drifts, unit="mm")
     whole = results.row["cube-in-TCP"].total_drift_mm
     of_cube = share(results, "robot_share", f"{formula}, of the cube's drift against the TCP", largest, whole)

@@ -85,10 +85,8 @@ def _creep_goes_on(results: Results, long: Row, trace: Series) -> Iterator[Claim
     yield Claim("creep_goes_the_other_way", greater(0.0, along, noise=drift_floor, why="no motion that way"))
 
     slip, duration, last = long.slip_mm, long.shake_duration_s, long.increment_final_mm
-    formula = "motion in the last second of the long hold, of its mean per second"
-    final = results.value(
-        "creep_final_share", formula, lambda last, slip, s: 100 * last * s / slip, last, slip, duration, unit="%"
-    )
+    formula, cells = "motion in the last second of the long hold, of its mean per second", (last, slip, duration)
+    final = results.value("creep_final_share", formula, lambda last, slip, s: 100 * last * s / slip, *cells, unit="%")
     moves = greater(last, 0.0, noise=slip_floor, why="no motion at all")
     outcome = all_of(at_least(final, 50.0, why="not dying out"), moves)
     yield Claim("creep_goes_on", outcome, {"slip": slip, "duration": duration, "last": last})
@@ -181,15 +179,12 @@ def _longer_steps_creep_less(results: Results) -> Claim:
 
 
 def _table(results: Results) -> Table:
-    rows = [row for row in results.rows if "slip_mm" in row]
-    return by_case(rows, {**COLUMNS, "monotonic": lambda row: _monotonic(results, row)})
+    def monotonic(row: Row) -> bool | None:
+        """None where there is no whole second of motion."""
+        frame = results.trace(row.case).value
+        return None if frame is None or row.increment_final_mm.value is None else is_monotonic(frame)
 
-
-def _monotonic(results: Results, row: Row) -> bool | None:
-    """None where there is no whole second of motion."""
-    trace = results.trace(row.case)
-    there = row.increment_final_mm.value is not None and trace.value is not None
-    return is_monotonic(trace.value) if there else None
+    return by_case([row for row in results.rows if "slip_mm" in row], {**COLUMNS, "monotonic": monotonic})
 
 
 def _draw_motion(traces: dict[str, Series]) -> Drawing:

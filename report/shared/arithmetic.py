@@ -22,38 +22,24 @@ NO_DRIFT = ("no comparable drift", 10.0)
 """Why, and up to what share of the drift as shipped [%], the arm held still counts as one without."""
 
 
-def ratio(results: Results, name: str, formula: str, above: Quantity, below: Quantity) -> Value:
-    return results.value(name, formula, lambda a, b: a / b, above, below)
+def _of_two(function: Callable[[float, float], float], unit: str = "") -> Callable[..., Value]:
+    """Make what derives a value of two quantities, in the unit of the first where none is given."""
+
+    def derive(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
+        return results.value(name, formula, function, a, b, unit=unit or a.unit)
+
+    return derive
 
 
-def share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
-    """In percent."""
-    return results.value(name, formula, lambda a, b: 100 * a / b, part, whole, unit="%")
-
-
-def size_share(results: Results, name: str, formula: str, part: Quantity, whole: Quantity) -> Value:
-    """In percent, signs left out."""
-    return results.value(name, formula, lambda a, b: 100 * abs(a / b), part, whole, unit="%")
-
-
-def departure(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
-    """Size of the difference, of the reference, in percent."""
-    return results.value(name, formula, lambda a, b: 100 * abs(a / b - 1), found, reference, unit="%")
-
-
-def difference(results: Results, name: str, formula: str, minuend: Quantity, subtrahend: Quantity) -> Value:
-    """In the unit of both."""
-    return results.value(name, formula, lambda a, b: a - b, minuend, subtrahend, unit=minuend.unit)
-
-
-def size_difference(results: Results, name: str, formula: str, a: Quantity, b: Quantity) -> Value:
-    """Derive how far apart two numbers are, in the unit of both."""
-    return results.value(name, formula, lambda a, b: abs(a - b), a, b, unit=a.unit)
-
-
-def excess(results: Results, name: str, formula: str, found: Quantity, reference: Quantity) -> Value:
-    """Derive how much more than the reference it is, of that, in percent; negative where it is less."""
-    return results.value(name, formula, lambda a, b: 100 * (a / b - 1), found, reference, unit="%")
+ratio = _of_two(lambda a, b: a / b, "1")
+share = _of_two(lambda a, b: 100 * a / b, "%")
+size_share = _of_two(lambda a, b: 100 * abs(a / b), "%")
+departure = _of_two(lambda a, b: 100 * abs(a / b - 1), "%")
+"""Size of the difference, of the second."""
+excess = _of_two(lambda a, b: 100 * (a / b - 1), "%")
+"""How much more than the second the first is, of that; negative where it is less."""
+difference = _of_two(lambda a, b: a - b)
+size_difference = _of_two(lambda a, b: abs(a - b))
 
 
 def largest_size(results: Results, name: str, formula: str, cells: Iterable[Quantity], *, unit: str = "1") -> Value:
@@ -122,8 +108,7 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
 
 def settles(gain: Quantity) -> Outcome:
     """Tell whether a slip that is so many times less settles the matter."""
-    why, bound = SETTLES
-    return at_least(gain, bound, why)
+    return at_least(gain, SETTLES[1], why=SETTLES[0])
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:
@@ -176,13 +161,13 @@ def table_of(
 
 def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, list]:
     """Look up the cells of each column in the rows; those that are given stay."""
-    return {above: _cells(rows, column) for above, column in columns.items()}
 
+    def cells(column: Column) -> list:
+        if isinstance(column, str):
+            return [row[column] for row in rows]
+        return list(map(column, rows) if callable(column) else column)
 
-def _cells(rows: Sequence[Row], column: Column) -> list:
-    if isinstance(column, str):
-        return [row[column] for row in rows]
-    return [column(row) for row in rows] if callable(column) else list(column)
+    return {above: cells(column) for above, column in columns.items()}
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:

@@ -28,10 +28,6 @@ REFERENCE = "stiff-pads"
 HARDLY, LITTLE = 0.01, 0.1
 """Chosen: a section none of whose runs changes the slip by more than these shares of it is one that does hardly
 anything, or little. Section reproduction has them as values, in percent."""
-LONGEST_RUN = 48
-"""Characters of a run's name, of which more would not fit beside its mark."""
-LINE_HEIGHT, NARROW_LINE_HEIGHT = 0.38, 0.5
-"""Height of a line of the figure [in]."""
 DOT: dict[str, Any] = {"marker": "o", "markersize": 5, "markevery": 1, "color": SERIES[0], "linestyle": "none"}
 SAME_SHAKE, STIFF, OTHER_SHAKE = "the baseline's shake", "stiff pads, to compare", "another shake or duration"
 DROPPED = "dropped"
@@ -63,18 +59,6 @@ class Line:
         tried = [row for row in self.rows if not row.case.startswith(REFERENCE)]
         return self.farthest is None and len(self.alike) == len(tried) > 1
 
-    def effect(self, noise: Quantity | None) -> str:
-        """How little is changed by what was tried; empty where that is not little."""
-        if not self.does_little:
-            return ""
-        if noise is not None and self.change_mm <= (noise.value or 0.0):
-            return "no effect"
-        return "hardly any effect" if self.change_share <= HARDLY else "little effect"
-
-    @property
-    def lost_count(self) -> int:
-        return sum(row.slip_mm.value is None for row in self.rows)
-
 
 def overview(chapters: Mapping[str, Results]) -> Figure | None:
     """Make the figure of all runs that have a slip, in the order of the page; None without a baseline to compare with.
@@ -83,7 +67,8 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
         chapters: Results of the sections that are shown, by name.
     """
     shown = {name: results for name, results in chapters.items() if name not in SAME_AGAIN}
-    baseline = _baseline(chapters)
+    rows = (results.row[BASELINE] for results in chapters.values() if BASELINE in results.row)
+    baseline = next((row for row in rows if "slip_mm" in row and row.slip_mm.value), None)
     lines = lines_of(shown, baseline) if baseline else []
     if not lines:
         return None
@@ -102,11 +87,6 @@ def overview(chapters: Mapping[str, Results]) -> Figure | None:
     }
     slips = [row.slip_mm for line in lines for row in line.rows]
     return Figure(lambda: _draw(lines, baseline, noise), slips, numbers)
-
-
-def _baseline(chapters: Mapping[str, Results]) -> Row | None:
-    rows = (results.row[BASELINE] for results in chapters.values() if BASELINE in results.row)
-    return next((row for row in rows if "slip_mm" in row and row.slip_mm.value), None)
 
 
 def lines_of(chapters: Mapping[str, Results], baseline: Row) -> list[Line]:
@@ -148,7 +128,7 @@ def _mark(row: Row, baseline: Row) -> str:
 
 
 def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawing:
-    drawing, axes = new_figure(7.2, 1.0 + (NARROW_LINE_HEIGHT if is_narrow() else LINE_HEIGHT) * len(lines))
+    drawing, axes = new_figure(7.2, 1.0 + (0.5 if is_narrow() else 0.38) * len(lines))
     slip = baseline.slip_mm.value
     axes.axvline(slip, color=SERIES[1], linewidth=1.2, zorder=1)
     if noise is not None and noise.value is not None:
@@ -174,10 +154,14 @@ def _draw(lines: Sequence[Line], baseline: Row, noise: Quantity | None) -> Drawi
 
 
 def _label(line: Line, noise: Quantity | None) -> str:
+    """Name a line, and say how many runs it has, how many are lost, and where it does little, how little."""
+    lost_count = sum(row.slip_mm.value is None for row in line.rows)
+    lost = f", {lost_count} without result" if lost_count else ""
+    effect = ": hardly any effect" if line.change_share <= HARDLY else ": little effect"
+    if noise is not None and line.change_mm <= (noise.value or 0.0):
+        effect = ": no effect"
     runs = f"{len(line.rows)} run{'s' * (len(line.rows) > 1)}"
-    lost = f", {line.lost_count} without result" if line.lost_count else ""
-    effect = f": {line.effect(noise)}" if line.does_little else ""
-    return f"{line.label}\n{runs}{lost}{effect}"
+    return f"{line.label}\n{runs}{lost}{effect if line.does_little else ''}"
 
 
 def _name_farthest(axes: Axes, place: int, row: Row) -> None:
@@ -185,7 +169,7 @@ def _name_farthest(axes: Axes, place: int, row: Row) -> None:
 
     It takes no part in the layout, which would give it room by making the axes narrow.
     """
-    text = f"{textwrap.shorten(name_of(row.case), LONGEST_RUN, placeholder=' …')}: {write(row.slip_mm)}"
+    text = f"{textwrap.shorten(name_of(row.case), 48, placeholder=' …')}: {write(row.slip_mm)}"
     share = axes.transAxes.inverted().transform(axes.transData.transform((row.slip_mm.value, place)))[0]
     above: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "annotation_clip": False}
     if is_narrow():

@@ -8,11 +8,11 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import NEAR_NOISE, Claim, Outcome, greater, within
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
-from report.shared.arithmetic import Column, by_case, difference, noise_floor, share
+from report.shared.arithmetic import Column, by_case, difference, largest_size, noise_floor, share
 
 
 @dataclass(frozen=True)
@@ -26,22 +26,13 @@ class Variants:
     """Slip of a case less that of the baseline [mm]."""
     largest: Value
     """The largest of the differences, either way."""
-    most: str
-    """The case that has it."""
-    largest_share: Value
-    """The same in percent of the baseline's slip."""
     floor: Quantity
     """How far apart runs of one case are [mm]."""
-
-    @property
-    def numbers(self) -> dict[str, Quantity | str]:
-        """What the wording of a claim can name."""
-        numbers: dict[str, Quantity | str] = {"largest": self.largest, "share": self.largest_share}
-        return numbers | {"most": case_html(self.most), "baseline": self.baseline.slip_mm, "floor": self.floor}
+    numbers: dict[str, Quantity | str]
+    """What the wording of a claim can name."""
 
     @property
     def all_rows(self) -> list[Row]:
-        """The baseline, and the others after it."""
         return [self.baseline, *self.rows]
 
 
@@ -53,12 +44,27 @@ class Differences(dict):
 
 
 def variant_section(results: Results, variants: Variants, labels: Mapping[str, str], *claims: Claim) -> Section:
-    """Make the section of variants: their table and figure, whether one is the cause or differs at all, and more
-    claims; ``labels`` says in words which columns are parameters of a case."""
+    """Make the section of variants: their table and figure, whether one is the cause or differs from the baseline at
+    all, and more claims; ``labels`` says in words which columns are parameters of a case."""
+    columns: dict[str, Column] = {
+        "changed": lambda row: _changed(row, variants.baseline, labels),
+        "slip": "slip_mm",
+        "against baseline": lambda row: variants.difference.get(row.case, ""),
+        "drift": "drift_mm_s",
+    }
+    slips = [row.slip_mm for row in variants.all_rows]
+    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
+    cause = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
+    found = {case_html(case): value for case, value in variants.difference.items()}
+    differs = variants.numbers | {"beyond": beyond_noise(found, variants.floor)}
     return Section(
-        tables={"cases": variant_table(variants, labels)},
-        figures={"cases": variant_figure(variants)},
-        claims=[not_the_cause(results, variants), within_noise(variants), *claims],
+        tables={"cases": by_case(variants.all_rows, columns)},
+        figures={"cases": Figure(lambda: _draw_variants(variants), slips, variants.numbers)},
+        claims=[
+            Claim("not_the_cause", cause, variants.numbers),
+            Claim("within_noise", within(variants.largest, variants.floor), differs),
+            *claims,
+        ],
     )
 
 
@@ -70,20 +76,13 @@ def variants_of(results: Results, baseline: str) -> Variants:
         formula = f"slip of {row.case} less that of {reference.case}"
         found[row.case] = difference(results, f"{row.case}_difference", formula, row.slip_mm, reference.slip_mm)
     formula = "largest difference in slip from the baseline, either way"
-    largest = results.value(
-        "largest_difference", formula, lambda *cell: max(map(abs, cell)), *found.values(), unit="mm"
-    )
+    largest = largest_size(results, "largest_difference", formula, found.values(), unit="mm")
     formula = "largest difference in slip from the baseline, of the baseline's slip"
-    largest_share = share(results, "largest_share", formula, largest, reference.slip_mm)
-    most = max(found, key=lambda case: abs(found[case].value or 0.0), default="none")
-    return Variants(reference, rows, found, largest, most, largest_share, noise_floor(results, "slip_floor"))
-
-
-def not_the_cause(results: Results, variants: Variants) -> Claim:
-    """Tell whether every variant leaves most of the slip in place."""
-    bound = results.chosen("cause_bound", "a cause would change the slip by more", 10.0, unit="%")
-    outcome = is_small(results, "cause", variants.largest, bound, variants.baseline.slip_mm, variants.floor)
-    return Claim("not_the_cause", outcome, variants.numbers)
+    of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
+    most = case_html(max(found, key=lambda case: abs(found[case].value or 0.0), default="none"))
+    floor = noise_floor(results, "slip_floor")
+    numbers = {"largest": largest, "share": of_slip, "most": most, "baseline": reference.slip_mm, "floor": floor}
+    return Variants(reference, rows, found, largest, floor, numbers)
 
 
 def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: Quantity, noise: Quantity) -> Outcome:
@@ -92,13 +91,6 @@ def is_small(results: Results, name: str, change: Quantity, bound: Value, slip: 
     formula = f"{bound.written} % of the slip, signs left out"
     limit = results.value(f"{name}_limit", formula, lambda a, b: a / 100 * abs(b), bound, slip, unit="mm")
     return greater(limit, change, noise=noise)
-
-
-def within_noise(variants: Variants) -> Claim:
-    """Tell whether any variant differs from the baseline by more than the baseline does from itself."""
-    found = {case_html(case): value for case, value in variants.difference.items()}
-    numbers = variants.numbers | {"beyond": beyond_noise(found, variants.floor)}
-    return Claim("within_noise", within(variants.largest, variants.floor), numbers)
 
 
 def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Markup:
@@ -112,29 +104,12 @@ def beyond_noise(differences: Mapping[Markup, Quantity], floor: Quantity) -> Mar
     )
 
 
-def variant_table(variants: Variants, labels: Mapping[str, str]) -> Table:
-    """Make the table with a line for each case."""
-    columns: dict[str, Column] = {
-        "changed": lambda row: _changed(row, variants.baseline, labels),
-        "slip": "slip_mm",
-        "against baseline": lambda row: variants.difference.get(row.case, ""),
-        "drift": "drift_mm_s",
-    }
-    return by_case(variants.all_rows, columns)
-
-
 def _changed(row: Row, baseline: Row, labels: Mapping[str, str]) -> Markup:
     if row is baseline:
         return Markup("nothing: baseline")
     own = {name: label for name, label in labels.items() if name in row}
     changed = {label: row[name] for name, label in own.items() if name not in baseline or row[name] != baseline[name]}
     return Markup(", ").join(Markup("{} {}").format(label, value) for label, value in changed.items())
-
-
-def variant_figure(variants: Variants) -> Figure:
-    """Draw the slip of every case, and beside it how far it is from the baseline, with the noise."""
-    slips = [row.slip_mm for row in variants.all_rows]
-    return Figure(draw=lambda: _draw_variants(variants), sources=slips, numbers=variants.numbers)
 
 
 def _draw_variants(variants: Variants) -> Drawing:

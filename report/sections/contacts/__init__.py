@@ -2,27 +2,39 @@
 
 from collections.abc import Iterator, Mapping
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Drawing
-
-from measured_report.claims.claim import Claim, all_of, at_most, decided, greater
-from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.claims.claim import (
+    OPPOSITE,
+    Claim,
+    Outcome,
+    all_of,
+    at_least,
+    at_most,
+    decided,
+    greater,
+    same_sign,
+)
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
-from measured_report.values.results import Results, Row, Series
-from report.names import name_of
-from report.sections.contacts.missing_term import CASES, missing_table, missing_term_claims
-from report.shared.arithmetic import by_case, departure, difference, noise_floor, size_share
-from report.shared.drawing import mark_points
+from measured_report.values.results import Results, Row
+from report.names import case_html
+from report.sections.contacts.figures import draw_contacts
+from report.shared.arithmetic import (
+    Column,
+    by_case,
+    departure,
+    difference,
+    noise_floor,
+    ratio,
+    resolved,
+    size_share,
+    table_of,
+)
 
 order = 70
 page = "cause"
 label = "contact rows"
 
-FINGERS = {"leftfinger": "left finger", "rightfinger": "right finger"}
-"""By what the names of their shapes have."""
-
-
+CASES = ("as-shipped", "stiff-pads")
 FORCES = {
     "frame": "frame",
     "contacts": "row_count",
@@ -49,17 +61,27 @@ ROWS = {
     "velocity": "velocity_mm_s",
     "force": "force_n",
 }
+MISSING: dict[str, Column] = {
+    "from the left-out term": "predicted_slide_mm",
+    "from the friction rows": "slide_mm",
+    "measured displacement": "along_mm",
+}
 
 
 def derive(results: Results) -> Section:
-    frames, first = _of_kind(results, "frame"), {}
-    for row in reversed(frames):
-        first[row.case] = row
-    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in _of_kind(results, "run")}
+    frames, rows, more_runs = ([row for row in results.rows if row.kind == kind] for kind in ("frame", "row", "run"))
+    first = {row.case: row for row in reversed(frames)}
+    # Through MuJoCo C, and the same with the left-out acceleration in the contact rows.
+    left_out, restored = (
+        [results.row[f"{case}-{kind}"] for case in CASES] for kind in ("missing-term", "term-restored")
+    )
+    columns = MISSING | {"friction rows, term put back": [row.slide_mm for row in restored]}
+    columns |= {"displacement, term put back": [row.along_mm for row in restored]}
+    runs = {case: results.row[case] for case in CASES} | {row.case: row for row in more_runs}
     tables = {case: results.trace(case) for case in CASES}
     shipped = runs["as-shipped"]
-    rows = Figure(
-        draw=lambda: _draw_contacts(tables, runs),
+    figure = Figure(
+        draw=lambda: draw_contacts(tables, runs),
         sources=[*tables.values(), *(row.slide_mm for row in runs.values())],
         numbers={"slide": shipped.slide_mm, "along": shipped.along_mm},
     )
@@ -67,34 +89,31 @@ def derive(results: Results) -> Section:
         tables={
             "forces": by_case(frames, FORCES),
             "parameters": by_case([first[case] for case in CASES], PARAMETERS),
-            "rows": by_case(_of_kind(results, "row"), ROWS),
-            "missing": missing_table(results),
+            "rows": by_case(rows, ROWS),
+            "missing": table_of("case", map(case_html, CASES), columns, left_out),
         },
-        figures={"rows": rows},
+        figures={"rows": figure},
         claims=[
             _far_inside_cone(results, runs),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
             *_slide_claims(results, runs),
-            _step_closes_account(results, runs["stiff-pads"]),
-            *missing_term_claims(results),
+            _step_closes_account(results, runs["stiff-pads"], restored[1].drift_mm_s),
+            _missing_term(results, left_out),
+            _term_restored(results, left_out, restored),
+            _rest_is_creep(results, left_out, restored),
+            _rest_goes_with_step(results, restored[0]),
+            _slide_falls_with_timeconst(results, left_out, restored),
         ],
     )
 
 
-def _of_kind(results: Results, kind: str) -> list[Row]:
-    return [row for row in results.rows if row.kind == kind]
-
-
 def _far_inside_cone(results: Results, runs: Mapping[str, Row]) -> Claim:
-    formula = "most of its friction cone that a contact uses through the shake, with {} pads"
-    used, _ = (
-        results.value(
-            f"grip_used_{pads}", formula.format(pads), lambda use: 100 * use, runs[case].cone_use_max, unit="%"
-        )
-        for case, pads in zip(CASES, ("shipped", "stiff"), strict=True)
-    )
-    outcome = at_most(runs["as-shipped"].cone_use_max, 0.1, why="far from the limit, which is 1")
-    return Claim("far_inside_cone", outcome.having_read(used), {"used": used})
+    for pads, case in (("stiff", "stiff-pads"), ("shipped", "as-shipped")):
+        formula = f"most of its friction cone that a contact uses through the shake, with {pads} pads"
+        share = runs[case].cone_use_max
+        used = results.value(f"grip_used_{pads}", formula, lambda use: 100 * use, share, unit="%")
+    outcome = at_most(share, 0.1, why="far from the limit, which is 1").having_read(used)
+    return Claim("far_inside_cone", outcome, {"used": used})
 
 
 def _friction_rows(results: Results, frames: list[Row], timeconst: Quantity) -> Iterator[Claim]:
@@ -128,9 +147,8 @@ def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:
         yield Claim(name, at_most(off, bound), numbers | {"is_more": is_more})
 
 
-def _step_closes_account(results: Results, stiff: Row) -> Claim:
+def _step_closes_account(results: Results, stiff: Row, drift: Quantity) -> Claim:
     """Tell whether slide and the drift that is there without any slide add up to the motion, with stiff pads."""
-    drift = results.row[f"{stiff.case}-term-restored"].drift_mm_s
     whole = results.value(
         "slide_and_step",
         "slide of the friction rows, and the drift in MuJoCo C with the left-out acceleration put back over as long",
@@ -144,35 +162,82 @@ def _step_closes_account(results: Results, stiff: Row) -> Claim:
     return Claim("step_closes_account_when_stiff", outcome, {"drift": drift, "sum": whole})
 
 
-def _draw_contacts(tables: Mapping[str, Series], runs: Mapping[str, Row]) -> Drawing:
-    drawing, (left, right) = new_figure(7.2, 3.2, ncols=2, width_ratios=(3, 2))
-    _draw_sliding(left, tables)
-    for number, run in enumerate(runs.values()):
-        label = "" if number else "from the rows", "" if number else "measured"
-        right.bar(number - 0.2, run.slide_mm.value, 0.36, color=SERIES[4], hatch="///", label=label[0])
-        right.bar(number + 0.2, run.along_mm.value, 0.36, color=SERIES[0], label=label[1])
-    right.set_xticks(range(len(runs)), map(name_of, runs))
-    right.grid(visible=False, axis="x")
-    right.set_ylabel("motion along the main axis [mm]")
-    right.legend(loc="upper right")
-    right.margins(y=0.35)
-    return drawing
+def _missing_term(results: Results, rows: list[Row]) -> Claim:
+    formula = "slide that the left-out acceleration gives, less the slide of the friction rows, in size, of the latter"
+    departures = [
+        departure(results, f"missing_term_departure_{row.case}", formula, row.predicted_slide_mm, row.slide_mm)
+        for row in rows
+    ]
+    largest = results.value("missing_term_departure", "larger of both departures", max, *departures, unit="%")
+    numbers = {"departure": largest}
+    for row, name in zip(rows, ("", "_stiff"), strict=True):
+        numbers |= {f"predicted{name}": row.predicted_slide_mm, f"slide{name}": row.slide_mm}
+    bound = results.chosen("missing_term_bound", "the same slide", 5.0, unit="%")
+    return Claim("missing_term", at_most(largest, bound), numbers)
 
 
-def _draw_sliding(axes: Axes, tables: Mapping[str, Series]) -> None:
-    """Draw the loaded contacts of each finger side by side, by their speed."""
-    for number, (case, trace) in enumerate(tables.items()):
-        if trace.value is not None:
-            loaded = trace.value.query("normal_force_n > 0")
-            found = [sorted(loaded["slide_mm_s"][loaded["geom_1"].str.contains(finger)]) for finger in FINGERS]
-            points = [
-                (finger + 0.7 * ((rank + 0.5) / len(speeds) - 0.5), speed)
-                for finger, speeds in enumerate(found)
-                for rank, speed in enumerate(speeds)
-            ]
-            mark_points(axes, points, marker="os"[number], markersize=6, label=name_of(case))
-    axes.axhline(0.0, color=INK, linewidth=0.8, linestyle="-", marker="")
-    axes.set_xticks(range(len(FINGERS)), FINGERS.values())
-    axes.set(xlim=(-0.5, len(FINGERS) - 0.5), ylabel="sliding velocity [mm/s]")
-    axes.grid(visible=False, axis="x")
-    axes.legend(loc="best")
+def _term_restored(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
+    bound = results.chosen("restored_share_bound", "no slide to speak of", 5.0, unit="%")
+    formula = "size of the slide of the friction rows with the term put back, of that without it"
+    numbers: dict[str, Quantity] = {"bound": bound}
+    shares, falls = [], []
+    for case, name, plain, back in zip(CASES, ("", "_stiff"), left_out, restored, strict=True):
+        shares.append(size_share(results, f"restored_share_{case}", formula, back.slide_mm, plain.slide_mm))
+        falls.append(_is_smaller(results, f"restored_{case}", back.slide_mm, plain.slide_mm))
+        numbers |= {f"slide{name}": plain.slide_mm, f"restored{name}": back.slide_mm}
+    largest = results.value("restored_share", "larger of both shares", max, *shares, unit="%")
+    return Claim("term_restored", all_of(at_most(largest, bound), *falls), numbers)
+
+
+def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -> Outcome:
+    """Tell whether one of two lengths is smaller than the other in size, by more than the noise."""
+    less, more = (
+        results.value(f"{name}_{which}_size", "its size", abs, found, unit="mm")
+        for which, found in (("small", small), ("large", large))
+    )
+    return greater(more, less, noise=noise_floor(results, "slip_floor"))
+
+
+def _rest_is_creep(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
+    """What the rows' slide leaves over is the motion that is there without any slide."""
+    formula = "size of: measured displacement less slide of the rows, less the displacement with the term put back"
+    rests = [
+        results.value(
+            f"rest_{case}",
+            formula,
+            lambda along, slide, creep: abs(along - slide - creep),
+            *(plain.along_mm, plain.slide_mm, back.along_mm),
+            unit="mm",
+        )
+        for case, plain, back in zip(CASES, left_out, restored, strict=True)
+    ]
+    largest = results.value("rest", "larger of both", max, *rests, unit="mm")
+    bound = results.chosen("rest_bound", "all accounted for", 0.03, unit="mm")
+    outcome = all_of(at_most(largest, bound), resolved(noise_floor(results, "slip_floor"), bound))
+    creep, creep_stiff = (row.along_mm for row in restored)
+    numbers = {"creep": creep, "creep_stiff": creep_stiff, "rest": largest, "bound": bound}
+    return Claim("rest_is_creep", outcome, numbers)
+
+
+def _rest_goes_with_step(results: Results, shipped: Row) -> Claim:
+    """Tell whether what moves the cube when nothing slides is proportional to the time step."""
+    single, double = shipped.along_mm, results.row["double-step-term-restored"].along_mm
+    formula = "displacement with a step twice as long over that with the shipped one, both with the term put back"
+    growth = ratio(results, "rest_growth", formula, double, single)
+    off = results.value("rest_growth_off", "how far that ratio is from two", lambda found: abs(found - 2.0), growth)
+    outcome = all_of(at_most(off, 0.25, why="near two"), _is_smaller(results, "rest_step", single, double))
+    return Claim("rest_goes_with_step", outcome, {"double": double, "growth": growth})
+
+
+def _slide_falls_with_timeconst(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
+    """What stiff pads really gain: the displacement also has the creep, which hides a part of what still slides."""
+    (shipped, stiff), (_, creep) = left_out, restored
+    formula = "slide of the friction rows as shipped, over that with stiff pads"
+    slide = ratio(results, "slide_gain", formula, shipped.slide_mm, stiff.slide_mm)
+    formula = "measured displacement as shipped, over that with stiff pads"
+    along = ratio(results, "along_gain", formula, shipped.along_mm, stiff.along_mm)
+    falls = at_least(slide, 1.0, why="the slide falls at all")
+    directions = same_sign(stiff.slide_mm, creep.along_mm, noise=noise_floor(results, "slip_floor"))
+    outcome = all_of(greater(along, slide, noise=1.0, why="the same gain"), falls)
+    numbers = {"slide": slide, "along": along, "hides": directions.said == OPPOSITE.said}
+    return Claim("slide_falls_less_than_displacement", outcome, numbers)

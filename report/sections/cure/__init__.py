@@ -1,61 +1,54 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
 import math
-from collections.abc import Iterator, Mapping
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise, product
+from typing import Any
 
 from markupsafe import Markup
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
-from measured_report.parts.section import Figure, Section
+from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
-from measured_report.values.results import Results
+from measured_report.values.results import Results, Row
 from report.names import some_html
-from report.sections.cure.budget import (
-    budget_table,
-    closed_count,
-    closing_table,
-    draw_budget,
-    kept_runs,
-    lacks_the_sway,
-    parts_of,
-    run_count,
-)
-from report.sections.cure.ways import (
-    ADDS,
-    BEST,
-    GRASP_MM,
-    STEPS,
-    WAYS,
-    Way,
-    amplitude_mm,
-    cost_table,
-    use_table,
-    what_to_use,
-)
-from report.shared.arithmetic import departure, noise_floor, share
+from report.sections.cure.ways import ADDS, BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, use_table, what_to_use
+from report.shared.arithmetic import cell_count, departure, extreme, noise_floor, ratio, share, table_of
+from report.shared.drawing import mark_cells, name_lines
 
 order = 149  # after all of its page, which it reads
 page = "cure"
 label = "the cure"
 leads = True
 
+PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
+"""Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
+HATCHES = ("", "///", "...", "xxx", "\\\\\\")
+PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
+SHAKES = {"held": "held still", "3cm": "30 mm", "10cm": "100 mm"}
 OTHER_CONTACTS = {
-    "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
-    "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
+    "mujoco": ("mujoco-euler-400-shipped-3cm-full-kept", "contacts that MuJoCo finds"),
+    "pyramid": ("pyramidal-euler-400-shipped-3cm-full-kept", "a pyramidal cone"),
 }
 """All remedies with other contacts than Newton's and with another cone."""
-CONTACTS = {"mujoco": "contacts that MuJoCo finds", "pyramid": "a pyramidal cone"}
 Slips = Mapping[str, Quantity]
 """At 3 cm, by the name of the way."""
+Parts = Mapping[str, Mapping[str, Value]]
+"""By the name of the way."""
 
 
 def derive(results: Results) -> Section:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
     grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
-    near, far = (amplitude_mm(results, shake) for shake in ("3cm", "10cm"))
-    parts = {way.name: parts_of(results, way) for way in WAYS}
+    near, far = (
+        results.value(f"amplitude_{shake}", "in whole mm", lambda m: round(1e3 * m), row.shake_amplitude_m, unit="mm")
+        for shake, row in ((shake, BEST.row(results, shake)) for shake in ("3cm", "10cm"))
+    )
+    parts = {way.name: _parts_of(results, way) for way in WAYS}
     slips = {way.name: way.row(results, "3cm").slip_mm for way in WAYS}
     numbers = {"shipped": slips["shipped pads"], "term": slips["the term"], "best": slips[BEST.name], "amplitude": near}
     numbers |= {name: parts["shipped pads"][name] for name in ("left_out", "sum")}
@@ -63,10 +56,10 @@ def derive(results: Results) -> Section:
         tables={
             "use": use_table(results),
             "cost": cost_table(results),
-            "budget": budget_table(results, parts, near),
-            "closing": closing_table(results, least, most),
+            "budget": _budget_table(results, parts, near),
+            "closing": _closing_table(results, least, most),
         },
-        figures={"budget": Figure(lambda: draw_budget(results, parts), list(slips.values()), numbers)},
+        figures={"budget": Figure(lambda: _draw_budget(results, parts), list(slips.values()), numbers)},
         claims=[
             what_to_use(results, far, grasp),
             _budget_closes(results, least, most),
@@ -75,7 +68,7 @@ def derive(results: Results) -> Section:
             *_stiff_pads(results, slips),
             _with_other_contacts(results),
             _pyramid_yields(results),
-            lacks_the_sway(results, far),
+            _lacks_the_sway(results, far),
         ],
     )
 
@@ -85,9 +78,9 @@ def _way(name: str) -> Way:
 
 
 def _budget_closes(results: Results, least: Value, most: Value) -> Claim:
-    kept = kept_runs(results)
-    closed = closed_count(results, "closed_count", kept, least, most)
-    count = run_count(results, "kept_count", kept)
+    kept = _kept_runs(results)
+    closed = _closed_count(results, "closed_count", kept, least, most)
+    count = _run_count(results, "kept_count", kept)
     part = share(results, "closed_share", "of the runs that keep the cube, those of them", closed, count)
     outcome = all_of(at_least(closed, 8.0, why="not by chance"), at_least(part, 80.0, why="by far the most of them"))
     numbers = {"closed": closed, "count": count, "share": part, "least": least, "most": most}
@@ -103,11 +96,10 @@ def _remedies_hold(results: Results, slips: Slips, far: Value, grasp: Value) -> 
     yield Claim("term_alone", outcome, {"shipped": shipped, "term": term})
 
     steps = {step: slips[name] for step, name in STEPS.items()}
-    added = list(STEPS.values())[1:]
     idle = [
         Markup.escape(name.removeprefix(ADDS))
-        for name, (before, after) in zip(added, pairwise(steps.values()), strict=True)
-        if greater(before, after, noise=noise) != HOLDS
+        for before, name in pairwise(STEPS.values())
+        if greater(slips[before], slips[name], noise=noise) != HOLDS
     ]
     falls = decreases(list(steps.values()), noise=noise)
     yield Claim("each_takes_its_part", falls, {**steps, "idle": some_html(idle)})
@@ -115,17 +107,14 @@ def _remedies_hold(results: Results, slips: Slips, far: Value, grasp: Value) -> 
     is_little = at_most(best, 0.03, why="what a grasp of this kind does not show")
     outcome = all_of(is_little, greater(shipped, best, noise=noise))
     yield Claim("best_holds", outcome, {"best": best, "shipped": shipped})
-    yield _best_holds_farther(results, far, grasp)
     yield Claim("stiff_pads_hold_better", greater(term, stiff, noise=noise), {"term": term, "stiff": stiff})
 
-
-def _best_holds_farther(results: Results, amplitude: Value, grasp: Value) -> Claim:
-    slip, shipped = (way.row(results, "10cm").slip_mm for way in (BEST, _way("shipped pads")))
-    outcome = at_most(slip, 0.1, why="a tenth of a millimetre at a shake three times as wide")
+    best, shipped = (way.row(results, "10cm").slip_mm for way in (BEST, _way("shipped pads")))
+    outcome = at_most(best, 0.1, why="a tenth of a millimetre at a shake three times as wide")
     if at_least(shipped, grasp) != HOLDS:
         outcome = Outcome("unknown", "the scene with shipped pads keeps the cube there").having_read(shipped)
-        slip = absent("mm", outcome.reason)
-    return Claim("best_holds_farther", outcome, {"best": slip, "amplitude": amplitude})
+        best = absent("mm", outcome.reason)
+    yield Claim("best_holds_farther", outcome, {"best": best, "amplitude": far})
 
 
 def _term_uncovers_step(results: Results, parts: Mapping[str, Value]) -> Claim:
@@ -149,10 +138,14 @@ def _stiff_pads(results: Results, slips: Slips) -> Iterator[Claim]:
     plain, term, noise = slips["stiff pads"], slips["stiff pads, the term"], noise_floor(results, "slip_floor")
     yield Claim("stiff_pads_with_term", greater(term, plain, noise=noise), {"plain": plain, "term": term})
 
+    def size(*cells: float) -> float:
+        """Compute the length of the sum of vectors, each given as x and z."""
+        return math.hypot(sum(cells[::2]), sum(cells[1::2]))
+
     row = _way("stiff pads").row(results, "3cm")
     of_term, of_step = ((row[f"{name}_x_mm"], row[f"{name}_z_mm"]) for name in ("left_out", "step"))
     sizes = {
-        name: results.value(f"stiff_{name}", f"size of {words} along the pads, predicted", _size, *cells, unit="mm")
+        name: results.value(f"stiff_{name}", f"size of {words} along the pads, predicted", size, *cells, unit="mm")
         for name, words, cells in (
             ("term", "the term", of_term),
             ("step", "the error of the step", of_step),
@@ -163,27 +156,125 @@ def _stiff_pads(results: Results, slips: Slips) -> Iterator[Claim]:
     yield Claim("step_alone_is_more", outcome, sizes)
 
 
-def _size(*cells: float) -> float:
-    """Compute the length of the sum of vectors, each given as x and z."""
-    return math.hypot(sum(cells[::2]), sum(cells[1::2]))
-
-
 def _with_other_contacts(results: Results) -> Claim:
-    slips = {name: results.row[case].slip_mm for name, case in OTHER_CONTACTS.items()}
+    slips = {name: results.row[case].slip_mm for name, (case, _) in OTHER_CONTACTS.items()}
+    bound, why = 0.1, "as good as with Newton's contacts, or nearly"
+    named = zip(slips.values(), OTHER_CONTACTS.values(), strict=True)
+    worse = [Markup.escape(words) for slip, (_, words) in named if at_most(slip, bound, why) != HOLDS]
     largest = results.value("other_slip", "larger of both", max, *slips.values(), unit="mm")
-    tests = {
-        name: at_most(slip, 0.1, why="as good as with Newton's contacts, or nearly")
-        for name, slip in (slips | {"largest": largest}).items()
-    }
-    worse = some_html([Markup.escape(words) for name, words in CONTACTS.items() if tests[name] != HOLDS])
-    return Claim("with_other_contacts", tests["largest"], slips | {"worse": worse})
+    return Claim("with_other_contacts", at_most(largest, bound, why), slips | {"worse": some_html(worse)})
 
 
 def _pyramid_yields(results: Results) -> Claim:
     """What the pyramidal cone leaves is load alone, on rows that are softer the less deep the contacts are."""
-    row = results.row[OTHER_CONTACTS["pyramid"]]
+    row = results.row[OTHER_CONTACTS["pyramid"][0]]
     cells = row.creep_x_mm, row.creep_z_mm
     load = results.value("pyramid_load", "size of the part of load", math.hypot, *cells, unit="mm")
     off = departure(results, "pyramid_load_off", "slip less that part, in size, of the slip", load, row.slip_mm)
     outcome = at_most(off, 15.0, why="that part and no other")
     return Claim("pyramid_yields", outcome, {"slip": row.slip_mm, "load": load})
+
+
+def _kept_runs(results: Results) -> list[Row]:
+    """Select the combinations that have a slip to show and keep the cube."""
+    runs = [row for row in results.rows if row.kind == "run" and row.slip_mm.value is not None]
+    return [row for row in runs if row.slip_mm.value < GRASP_MM]
+
+
+def _closed_count(results: Results, name: str, runs: Sequence[Row], least: Value, most: Value) -> Value:
+    """Count the runs whose remainder is below ``least`` [mm], or below ``most`` of the slip [%]."""
+    return results.value(
+        name,
+        "runs whose remainder is below either bound",
+        lambda absolute, relative, *found: sum(
+            remainder <= max(absolute, 0.01 * relative * slip)
+            for remainder, slip in zip(found[::2], found[1::2], strict=True)
+        ),
+        *(least, most),
+        *(cell for row in runs for cell in (row.remainder_mm, row.slip_mm)),
+    )
+
+
+def _run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
+    return cell_count(results, name, "runs that keep the cube", [row.slip_mm for row in runs])
+
+
+def _parts_of(results: Results, way: Way) -> dict[str, Value]:
+    """Derive the parts of a way at 3 cm along the direction in which its cube went, their sum, and how far it went."""
+
+    def along(x: float, z: float, slip_x: float, slip_z: float) -> float:
+        return (x * slip_x + z * slip_z) / (slip_x**2 + slip_z**2) ** 0.5 + 0.0  # no negative zero
+
+    row, parts = way.row(results, "3cm"), {}
+    for name, column in {**{name: name for name in PARTS}, "sum": "predicted", "slip": "slip"}.items():
+        formula = f"{column} of {row.case} along the pads, in the direction in which the cube went there"
+        cells = row[f"{column}_x_mm"], row[f"{column}_z_mm"], row.slip_x_mm, row.slip_z_mm
+        parts[name] = results.value(f"{row.case}_{name}", formula, along, *cells, unit="mm")
+    return parts
+
+
+def _budget_table(results: Results, parts: Parts, amplitude: Value) -> Table:
+    shown = {label: name for name, label in PARTS.items()} | {"sum": "sum", "measured": "slip"}
+    columns = {label: [parts[way.name][name] for way in WAYS] for label, name in shown.items()}
+    columns["remainder"] = [way.row(results, "3cm").remainder_mm for way in WAYS]
+    return table_of("what is done", [way.name for way in WAYS], columns, amplitude=amplitude)
+
+
+def _closing_table(results: Results, least: Value, most: Value) -> Table:
+    """Count for each kind of run how many keep the cube, and of how many of these the budget closes."""
+    kept = _kept_runs(results)
+    columns: dict[str, list[Value]] = {}
+    for pads, shake in product(PADS, SHAKES):
+        runs, name = [row for row in kept if (row.pads, row.shake) == (pads, shake)], f"{pads}_{shake}"
+        remainders, slips = [row.remainder_mm for row in runs], [row.slip_mm for row in runs]
+        for above, value in {
+            "keep the cube": _run_count(results, f"kept_{name}", runs),
+            "budget closes": _closed_count(results, f"closed_{name}", runs, least, most),
+            "largest remainder": extreme(results, f"remainder_{name}", "largest remainder", max, remainders),
+            "largest slip": extreme(results, f"slip_{name}", "largest slip", max, slips),
+        }.items():
+            columns.setdefault(above, []).append(value)
+    return table_of("runs", [f"{pads}, {shake}" for pads, shake in product(PADS.values(), SHAKES.values())], columns)
+
+
+def _lacks_the_sway(results: Results, amplitude: Value) -> Claim:
+    """Tell whether what the budget leaves of the widest shake is a matter of soft pads, in which the cube sways."""
+    soft, stiff = (results.derived[f"remainder_{pads}_10cm"] for pads in PADS)
+    formula = "largest remainder with shipped pads over that with stiff ones"
+    more = ratio(results, "remainder_ratio", formula, soft, stiff)
+    numbers = {"soft": soft, "stiff": stiff, "amplitude": amplitude}
+    return Claim("lacks_the_sway", at_least(more, 3.0, why="clearly more"), numbers)
+
+
+def _draw_budget(results: Results, parts: Parts) -> Drawing:
+    """All ways on the left, and those with a remedy once more on a scale of their own on the right."""
+    drawing, (whole, close) = new_figure(7.2, 4.6, ncols=2, sharey=True)
+    for axes in (whole, close):
+        _stack(axes, parts)
+        axes.axvline(0.0, color=INK, linewidth=0.8, marker="")
+        axes.grid(visible=False, axis="y")
+        axes.set_xlabel("along the way of the cube [mm]")
+    values = [abs(value.value) for way in WAYS[1:] for value in parts[way.name].values() if value.value is not None]
+    reach = 1.1 * max(values, default=1.0)
+    close.set_xlim(-reach, reach)
+    name_lines(whole, [way.name for way in WAYS])
+    whole.set_title("whole")
+    close.set_title("close")
+    drawing.legend(*whole.get_legend_handles_labels(), loc="outside upper center", ncols=4)
+    return drawing
+
+
+def _stack(axes: Axes, parts: Parts) -> None:
+    """What goes along the cube's way is stacked to the right of zero, what goes against it to the left."""
+    ends = {(way.name, sign): 0.0 for way in WAYS for sign in (True, False)}
+    for number, (name, label) in enumerate(PARTS.items()):
+        sizes, starts = [], []
+        for way in WAYS:
+            size = parts[way.name][name].value or 0.0
+            sizes.append(size)
+            starts.append(ends[way.name, size > 0.0])
+            ends[way.name, size > 0.0] += size
+        fill: dict[str, Any] = {"color": SERIES[number], "hatch": HATCHES[number], "linewidth": 0}
+        axes.barh(range(len(WAYS)), sizes, 0.6, left=starts, label=label, **fill)
+    for name, label, marker, size in (("sum", "sum of the parts", "|", 15), ("slip", "measured", "o", 5)):
+        mark_cells(axes, [parts[way.name][name] for way in WAYS], INK, label, marker=marker, markersize=size)

@@ -79,18 +79,12 @@ def use_table(results: Results) -> Table:
     """Make the table of what to use: for each way its slips, and what it breaks or may break."""
     ways = [*WAYS, *([KF_OFF] if KF_OFF.case("3cm") in results.row else [])]
     columns: dict[str, list] = {
-        above: [_slip(way.row(results, shake)) for way in ways]
+        above: ["lost" if row.dropped else row.slip_mm for row in (way.row(results, shake) for way in ways)]
         for above, shake in (("slip, 30 mm", "3cm"), ("slip, 100 mm", "10cm"), ("held still", "held"))
     }
-    columns |= {
-        "lost at the limits": [_lost(results, way) for way in ways],
-        "may break": [way.may_break for way in ways],
-    }
+    columns["lost at the limits"] = [_lost(results, way) for way in ways]
+    columns["may break"] = [way.may_break for way in ways]
     return table_of("what is done", [way.name for way in ways], columns)
-
-
-def _slip(row: Row) -> Quantity | str:
-    return "lost" if row.dropped else row.slip_mm
 
 
 def cost_table(results: Results) -> Table:
@@ -107,12 +101,6 @@ def _lost(results: Results, way: Way) -> Quantity:
     limits = results.others.get("cure_limits")
     found = limits.derived.get(f"lost_{way.tried}") if limits else None
     return found or absent("1", "it was not tried there")
-
-
-def amplitude_mm(results: Results, shake: str) -> Value:
-    """Derive how far a shake goes."""
-    metres = BEST.row(results, shake).shake_amplitude_m
-    return results.value(f"amplitude_{shake}", "in whole mm", lambda metres: round(1e3 * metres), metres, unit="mm")
 
 
 def what_to_use(results: Results, amplitude: Value, grasp: Value) -> Claim:

@@ -8,10 +8,8 @@ from markupsafe import Markup
 from measured_report.claims.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.claims import accuracy_claims
-from report.sections.error_runtime.counting import counts, hit_iteration_limit
+from report.sections.error_runtime.claims import accuracy_claims, knob_claims, model_claims
 from report.sections.error_runtime.figures import draw_grasp, draw_numerical
-from report.sections.error_runtime.knobs import knob_claims, model_claims
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
@@ -21,15 +19,14 @@ from report.sections.error_runtime.runs import (
     TIME,
     Points,
     assignment,
-    distinct,
-    front_rows,
+    counts,
+    hit_iteration_limit,
     is_clamped,
-    order_of,
     points_of,
     with_shipped_steps,
 )
 from report.sections.error_runtime.worlds import derive_worlds
-from report.shared.arithmetic import Column, cell_or_absent, table_of
+from report.shared.arithmetic import Column, table_of
 
 order = 155
 page = "error"
@@ -37,18 +34,13 @@ label = "error and run time"
 
 PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "integrator", "contacts", "collide_count")
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""
-
-
 SHOWN: dict[str, Column] = {"numerical error": ERROR, "grasp error": GRASP}
 
 
 def derive(results: Results) -> Section:
     points = points_of(results)
-    orders = {(pads, method): order_of(points, pads, method) for pads in PADS for method in LABELS}
-    front = front_rows(points, points.front)
-    warp_front = [row for row in front_rows(points, points.backend_front) if row.backend == points.warp]
     worlds_figure, worlds_claim = derive_worlds(points)
-    soft, stiff = (cell_or_absent(points.reference(pads), GRASP, "mm/cycle") for pads in PADS)
+    soft, stiff = map(points.converged, PADS)
     of_models = model_claims(points)
     pads_decide = any(claim.name == "pads_decide" and claim.outcome == HOLDS for claim in of_models)
     grasp_numbers = _as_shipped(points, GRASP) | {"soft": soft, "stiff": stiff, "pads_decide": pads_decide}
@@ -56,8 +48,8 @@ def derive(results: Results) -> Section:
     return Section(
         tables={
             "marked": _marked_table(points),
-            "front": _front_table(distinct(points, front)),
-            "warp_front": _front_table(distinct(points, warp_front)),
+            "front": _front_table(points.best(points.front)),
+            "warp_front": _front_table(points.best(points.backend_front, points.engines[:1])),
             "knobs": _knob_table(points),
             "failures": _failure_table(points),
         },
@@ -66,7 +58,7 @@ def derive(results: Results) -> Section:
             "grasp": Figure(lambda: draw_grasp(points), grasp_errors, grasp_numbers),
             "worlds": worlds_figure,
         },
-        claims=[*accuracy_claims(points, orders), *knob_claims(points), *of_models, worlds_claim],
+        claims=[*accuracy_claims(points), *knob_claims(points), *of_models, worlds_claim],
     )
 
 
@@ -132,11 +124,12 @@ def _numbered(rows: Sequence[Row], columns: Mapping[str, Column], **numbers) -> 
 
 def _knob_table(points: Points) -> Table:
     """Show each knob beside the setting as shipped from which it is turned."""
-    rows = []
-    for pads in PADS:
-        base = points.results.row.get(with_shipped_steps(pads, "newton"))
-        rows += ([base] if base else []) + [row for row in points.knobs(pads) if row.method == "newton"]
-    return _numbered(rows, {"changed": _changed, **SHOWN, "time": TIME, "most iterations": "iteration_peak_count"})
+    shipped = [with_shipped_steps(pads, "newton") for pads in PADS]
+    rows = [row for row in points.settings if row.method == "newton"]
+    rows = [row for row in rows if row.knob != "substeps" or row.case in shipped]
+    rows.sort(key=lambda row: (list(PADS).index(row["pads"]), row.knob != "substeps"))
+    columns = {"changed": _changed, **SHOWN, "time": TIME, "most iterations": "iteration_peak_count"}
+    return _numbered(rows, columns)
 
 
 def _changed(row: Row) -> Markup | str:

@@ -10,8 +10,7 @@ from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_fig
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 from report.names import name_of
-from report.sections.error_runtime.counting import counts
-from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points
+from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, counts
 from report.shared.timing import decade_axis, world_axis
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
@@ -34,7 +33,11 @@ def draw_numerical(points: Points) -> Drawing:
         axes.set_title(title)
         _set_axes(axes, rows, ERROR, LEAST_ERROR_MM)
         axes.set_xlabel("numerical error [mm]")
-        _shade_floor(axes, points.floors[pads].value)
+        floor = points.floors[pads].value
+        if floor is not None:
+            axes.axvspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
+            place = {"xycoords": ("data", "axes fraction"), "ha": "right", "va": "top"}
+            axes.annotate("Warp's rounding ", (floor, 0.97), fontsize=8, **place)
         for backend in points.engines:
             mine = [row for row in rows if row["pads"] == pads and row.backend == backend]
             if mine:
@@ -49,7 +52,7 @@ def draw_grasp(points: Points) -> Drawing:
     drawing, axes = new_figure(7.2, 3.6)
     places = [(pads, backend) for pads in PADS for backend in points.engines]
     found = [find(*place) for place in places for find in (points.shipped, points.recommended)]
-    rows = [row for row in found if row is not None and row[GRASP].value]
+    rows = [row for row in found if row and row[GRASP].value]
     errors = [row[GRASP].value for row in rows]
     _set_axes(axes, rows, GRASP, 0.5 * min(errors))
     axes.set(xlim=(axes.get_xlim()[0], 1.6 * max(errors)), ylim=(None, 5 * axes.get_ylim()[1]))
@@ -59,9 +62,9 @@ def draw_grasp(points: Points) -> Drawing:
             place = (0.02, 2.0 * max(times))
             axes.annotate(NAMES[backend], place, xycoords=("axes fraction", "data"), fontsize=9, va="center")
     for colour, side, (pads, title) in zip((SERIES[1], SERIES[0]), ("left", "right"), PADS.items(), strict=True):
-        reference = points.reference(pads)
-        if reference is not None and reference[GRASP].value:
-            _name_converged(axes, reference[GRASP], title, colour, side)
+        converged = points.converged(pads)
+        if converged.value:
+            _name_converged(axes, converged, title, colour, side)
         for backend in points.engines:
             _mark_both(axes, points, pads, backend, GRASP, colour, side, side if is_narrow() else "left")
     axes.set(xlabel="grasp error [mm/cycle]", ylabel="run time [ms per simulated s]")
@@ -75,13 +78,6 @@ def _set_axes(axes: Axes, rows: Sequence[Row], error: str, left: float) -> None:
     axes.set(xlim=(left, right), ylim=(0.4 * min(times), 4.0 * max(times)))
     axes.minorticks_off()
     axes.text(0.03, 0.03, "↙ lower left is better", transform=axes.transAxes, fontsize=8.5)
-
-
-def _shade_floor(axes: Axes, floor: float | None) -> None:
-    if floor is not None:
-        axes.axvspan(LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-        text = "Warp's rounding "
-        axes.annotate(text, (floor, 0.97), xycoords=("data", "axes fraction"), fontsize=8, ha="right", va="top")
 
 
 def _place(row: Row, error: str) -> tuple[float, float]:

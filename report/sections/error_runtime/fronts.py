@@ -16,12 +16,11 @@ def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozen
     for row in rows:
         if None not in (row[error].value, row.ms_per_s.value):
             competing.setdefault(tuple(row[name] for name in groups), []).append(row)
-    return frozenset(case for group in competing.values() for case in _unbeaten(group, error))
-
-
-def _unbeaten(rows: Sequence[Row], error: str) -> Iterable[str]:
-    best = pareto_front(*(np.array([row[column].value for row in rows]) for column in (error, "ms_per_s")))
-    return (row.case for row, is_best in zip(rows, best, strict=True) if is_best)
+    cases: set[str] = set()
+    for group in competing.values():
+        best = pareto_front(*(np.array([row[column].value for row in group]) for column in (error, "ms_per_s")))
+        cases |= {row.case for row, is_best in zip(group, best, strict=True) if is_best}
+    return frozenset(cases)
 
 
 def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:

@@ -1,7 +1,6 @@
 """The points of the diagram of error against run time, sorted, and what is derived from all of them."""
 
-import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from markupsafe import Markup
@@ -9,10 +8,8 @@ from markupsafe import Markup
 from experiments.facts.case import AS_SHIPPED
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.counting import ERROR, TIME, counts
 from report.sections.error_runtime.fronts import front
-from report.shared.arithmetic import log_slope
-from report.shared.timing import cell, widest
+from report.shared.timing import cell
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
 LABELS = {
@@ -26,8 +23,9 @@ LABELS = {
     "c-rk4": "MuJoCo C, one core, RK4",
 }
 ENGINES = {"warp-cuda": "MuJoCo Warp on the GPU", "warp-cpu": "MuJoCo Warp on the CPU", "mujoco-c": "MuJoCo C"}
-MODEL_KNOBS = ("cone", "impratio")
-GRASP = "grasp_error_mm_per_cycle"
+ERROR, GRASP, TIME = "numerical_error_mm", "grasp_error_mm_per_cycle", "ms_per_s"
+LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m
+"""Chosen: farther than its edge from where the converged solution has it, the cube has left the grasp."""
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
@@ -54,27 +52,18 @@ class Points:
     backend_front: frozenset[str]
     """The same among those of one backend."""
 
-    @property
-    def warp(self) -> str:
-        """The backend that Warp was measured with first of all: the GPU where there is one."""
-        return self.results.row[SHIPPED].backend
-
     def ladder(self, pads: str, method: str) -> list[Row]:
         """Select a method's points, coarsest first."""
         mine = (row for row in self.settings if (row["pads"], row.method, row.knob) == (pads, method, "substeps"))
         return sorted(mine, key=lambda row: row.substeps.value)
-
-    def knobs(self, pads: str) -> list[Row]:
-        """Select the points where something else than the substeps is varied."""
-        return [row for row in self.settings if row["pads"] == pads and row.knob != "substeps"]
 
     def cell(self, case: str, column: str) -> Quantity:
         return cell(self.results, self.results.row.get(case), column, case)
 
     @property
     def engines(self) -> tuple[str, str]:
-        """The two backends to compare."""
-        return self.warp, "mujoco-c"
+        """The two backends to compare: Warp's, on the GPU where there is one, and C."""
+        return self.results.row[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
         """Look up the settings as shipped on a backend, where they count."""
@@ -83,104 +72,89 @@ class Points:
         return row if row and counts(row) and row.backend == backend else None
 
     def recommended(self, pads: str, backend: str) -> Row | None:
-        """Find what to set in place of the shipped settings on a backend; None where these are best or do not count."""
+        """Find what to set in place of the shipped settings on a backend; None where these are best or do not count.
+
+        It is the fastest of the same model that is no farther from its solution. Where the contacts' timeconst is
+        raised, or cone or impratio are others, it is another model.
+        """
         shipped = self.shipped(pads, backend)
+        if not shipped:
+            return None
         rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
-        return shipped and no_worse(rows, shipped)
+        own = [row for row in rows if is_own_model(row) and not is_clamped(row)]
+        closer = [row for row in own if row[ERROR].value <= shipped[ERROR].value]
+        fastest = min(closer, key=lambda row: row[TIME].value, default=shipped)
+        return None if fastest.case == shipped.case else fastest
 
-    def reference(self, pads: str) -> Row | None:
-        """Look up the converged solution with the cone and impratio as shipped."""
-        return next((row for row in self.references if row["pads"] == pads and is_own_model(row)), None)
+    def converged(self, pads: str) -> Quantity:
+        """Look up the grasp error of the converged solution with the cone and impratio as shipped."""
+        found = (row[GRASP] for row in self.references if row["pads"] == pads and is_own_model(row))
+        return next(found, self.cell(f"{pads}/reference", GRASP))
+
+    def best(self, cases: frozenset[str], backends: Collection[str] = ENGINES) -> list[Row]:
+        """Select the rows on a front, by pads and rising time, but those of Warp that gain less on the row before than
+        Warp's floor: no one can tell that."""
+        rows = [row for row in self.settings if row.case in cases and row.backend in backends]
+        kept: list[Row] = []
+        for row in sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row[TIME].value or 0.0)):
+            floor = 0.0 if row.backend == "mujoco-c" else self.floors[row["pads"]].value or 0.0
+            is_first = not kept or kept[-1]["pads"] != row["pads"]
+            if is_first or row[ERROR].value < kept[-1][ERROR].value - floor:
+                kept.append(row)
+        return kept
 
 
-def no_worse(rows: Sequence[Row], shipped: Row) -> Row | None:
-    """Find the fastest row of the same model that is no farther from its solution than ``shipped``, if not itself.
+def counts(row: Row) -> bool:
+    """Whether a run was timed, holds the cube, and its solver converged."""
+    return row[TIME].value is not None and holds_cube(row) and not uses_all_iterations(row)
 
-    Where the contacts' timeconst is raised, or cone or impratio are others, it is another model.
-    """
-    own = [row for row in rows if is_own_model(row) and not is_clamped(row)]
-    closer = [row for row in own if row[ERROR].value <= shipped[ERROR].value]
-    fastest = min(closer, key=lambda row: row[TIME].value, default=shipped)
-    return None if fastest.case == shipped.case else fastest
+
+def holds_cube(row: Row) -> bool:
+    return row[ERROR].value is not None and abs(row[ERROR].value) < LOST_MM
+
+
+def uses_all_iterations(row: Row) -> bool:
+    limit = row.iterations.value if "iterations" in row else AS_SHIPPED.iterations
+    return None in (limit, row.iteration_peak_count.value) or row.iteration_peak_count.value >= limit
+
+
+def hit_iteration_limit(row: Row) -> bool:
+    """Whether a run does not count because the solver used all of its iterations, and for no other reason."""
+    return holds_cube(row) and uses_all_iterations(row)
 
 
 def points_of(results: Results) -> Points:
     settings = [row for row in results.rows if row.method in LABELS and row.knob and row["pads"] in PADS]
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
+    in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
+    fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
+    floors, formula = (
+        {},
+        "largest distance between a run in Warp and the same in C, from the shipped number of substeps on",
+    )
+    for pads in PADS:
+        cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
+        floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
     return Points(
         results=results,
         settings=settings,
         references=[row for row in results.rows if row.method == "reference"],
         worlds=[row for row in results.rows if row.case.startswith("worlds-")],
-        floors={pads: _floor(results, settings, pads) for pads in PADS},
+        floors=floors,
         front=front(own_model, ERROR, ("pads",)),
         backend_front=front(own_model, ERROR, ("pads", "backend")),
     )
 
 
-def _floor(results: Results, settings: Sequence[Row], pads: str) -> Value:
-    cells = [
-        row.c_difference_mm
-        for row in settings
-        if (row["pads"], row.knob) == (pads, "substeps")
-        and row.method in ("newton", "newton-each-substep", "mujoco")
-        and row.substeps.value >= AS_SHIPPED.substeps
-    ]
-    formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
-    return results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
-
-
-def time_range(points: Points, name: str, *cases: str) -> Value:
-    """Derive how far apart the times of one run are, of these cases the one where it is most."""
-    edges = [points.cell(case, f"{TIME}_{edge}") for case in cases for edge in ("p5", "p95")]
-    formula = "largest of the ranges from the 5th to the 95th percentile of the run time"
-    return points.results.value(name, formula, widest, *edges, unit="ms/s")
-
-
 def is_own_model(row: Row) -> bool:
     """Tell whether cone and impratio are as shipped, so that the errors of two rows are from one solution."""
-    return not any(name in row for name in MODEL_KNOBS)
+    return not ("cone" in row or "impratio" in row)
 
 
 def is_clamped(row: Row) -> bool:
     """Tell whether MuJoCo raises the contacts' timeconst to two substeps."""
     cells = row.timeconst_ms.value, row.substep_ms.value
     return None in cells or cells[0] < 2.0 * cells[1]
-
-
-def order_of(points: Points, pads: str, method: str) -> Value:
-    """Derive the order of convergence over the points whose model is the same, well above what Warp resolves."""
-    floor = points.floors[pads].value or 0.0
-    above = 5.0 * floor if method.startswith(("newton", "mujoco", "cpu")) else 0.0
-    used = [
-        row
-        for row in points.ladder(pads, method)
-        if counts(row) and not is_clamped(row) and (row.numerical_error_mm.value or 0.0) > above
-    ]
-    return points.results.value(
-        f"order_{pads}_{method}",
-        "slope of log error against log step, over the points that count, leave the timeconst alone and are above five "
-        "times the floor of Warp",
-        lambda *cells: log_slope(cells[::2], cells[1::2]) if len(cells) >= 4 else math.nan,
-        *(quantity for row in used for quantity in (row.substep_ms, row.numerical_error_mm)),
-    )
-
-
-def front_rows(points: Points, cases: frozenset[str]) -> list[Row]:
-    """Select the rows on a front of numerical error and run time, by pads and rising time."""
-    rows = [row for row in points.settings if row.case in cases]
-    return sorted(rows, key=lambda row: (list(PADS).index(row["pads"]), row.ms_per_s.value or 0.0))
-
-
-def distinct(points: Points, front: Sequence[Row]) -> list[Row]:
-    """Leave out of a front rows of Warp that gain less on the row before than Warp's floor: no one can tell that."""
-    kept: list[Row] = []
-    for row in front:
-        before = [other[ERROR].value for other in kept if other["pads"] == row["pads"]]
-        floor = 0.0 if row.backend == "mujoco-c" else points.floors[row["pads"]].value or 0.0
-        if not before or row[ERROR].value < before[-1] - floor:
-            kept.append(row)
-    return kept
 
 
 def assignment(row: Row, name: str) -> Markup:

@@ -18,7 +18,11 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     formula = "simulated seconds of one world per second, MuJoCo C on one core"
     time = points.cell("one-core", TIME)
     one_core = results.value("one_core_rate", formula, lambda time: 1e3 / time, time, unit="world-s/s")
-    rates = [_rate(points, row) for row in rows]
+    formula, unit = "simulated seconds of all worlds together per second", "world-s/s"
+    rates = [
+        results.value(f"rate_{row.case}", formula, lambda n, time: 1e3 * n / time, row.worlds, row.ms_per_s, unit=unit)
+        for row in rows
+    ]
     crossover = results.value(
         "crossover_worlds",
         "least number of worlds with which Warp is as fast as C, interpolated in logarithms between measured ones",
@@ -34,11 +38,6 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         numbers={"rates": Markup("; ").join(said)},
     )
     return figure, _crossover_claim(points, engine, one_core, rates, crossover)
-
-
-def _rate(points: Points, row: Row) -> Value:
-    formula, cells = "simulated seconds of all worlds together per second", (row.worlds, row.ms_per_s)
-    return points.results.value(f"rate_{row.case}", formula, lambda n, time: 1e3 * n / time, *cells, unit="world-s/s")
 
 
 def _rate_range(points: Points, name: str, row: Row) -> Value:
