@@ -20,9 +20,9 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
 
     asked: str
     """As the command that measured it named its package: a release, a path or an address."""
-    date: str
+    date: str = ""
     """Of the release or the commit, as 2026-11-11; empty where it is not known."""
-    sections: tuple[str, ...]
+    sections: tuple[str, ...] = ()
     """Those that have been measured."""
 
 
@@ -33,7 +33,8 @@ def read_manifest(results: Path) -> Manifest | None:
         return None
     try:
         found = read_toml(path)
-        return msgspec.convert({"asked": found.pop(config().package), **found}, Manifest)
+        told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
+        return msgspec.convert({**told, **found}, Manifest)
     except (KeyError, ValueError, OSError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
