@@ -11,7 +11,6 @@ from typing import Any
 
 from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault, faults_of
-from measured_report.changes.flips import Flip
 from measured_report.changes.moves import Move
 from measured_report.claims.claim import Claim
 from measured_report.deriving.editions import Edition
@@ -53,19 +52,15 @@ def check_text(found: Check, form: str) -> str:
         release = {config().package: found.release}
         claims = [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in found.claims]
         absent = [{"section": section, "reason": reason} for section, reason in found.absent]
-        return _json("check", found, **release, faults=_fault_data(found.faults), claims=claims, absent=absent)
+        return _json("check", found, **release, faults=list(map(vars, found.faults)), claims=claims, absent=absent)
+    said = [(f"{section}.{claim.name}", claim.outcome.said, claim.text) for section, claim in found.claims]
     if form == "markdown":
-        counts = Counter(claim.outcome.said for _, claim in found.claims)
-        counted = ", ".join(f"{count} {name}" for name, count in counts.items())
-        told = [
-            (f"{section}.{claim.name}", claim.outcome.said, claim.text)
-            for section, claim in found.claims
-            if claim.outcome.name != "holds"
-        ]
-        lines = [f"### {config().edition_name} {found.release}: {counted}", *_fault_table(found.faults)]
-        return _cut("\n".join([*lines, *_table(("claim", "outcome", "says"), told)]))
+        counts = Counter(outcome for _, outcome, _ in said)
+        counted = ", ".join(f"{count} {outcome}" for outcome, count in counts.items())
+        told = _table(("claim", "outcome", "says"), [line for line in said if line[1] != "holds"])
+        return _markdown(f"### {config().edition_name} {found.release}: {counted}", *_fault_table(found.faults), *told)
     lines = [fault.text for fault in found.faults]
-    lines += [f"{claim.outcome.said:12} {section}.{claim.name}: {claim.text}" for section, claim in found.claims]
+    lines += [f"{outcome:12} {name}: {text}" for name, outcome, text in said]
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in found.absent]
     return "\n".join(lines)
 
@@ -74,21 +69,9 @@ def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     """Return the comparison as text, markdown or json, every value that moved in it or only how many did."""
     if form == "json":
         return _json("diff", found, **_diff_data(found))
-    return _cut("\n".join(_diff_in_markdown(found))) if form == "markdown" else _diff_in_text(found, all_values)
-
-
-def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
-    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
-    if form == "json":
-        return _json("upgrade", found, verdict=list(verdict), **_diff_data(found))
     if form == "markdown":
-        return _cut("\n".join([*(f"- {_escaped(line)}" for line in verdict), "", *_diff_in_markdown(found)]))
-    return "\n".join(verdict)
-
-
-def _diff_in_text(found: Comparison, all_values: bool) -> str:
-    a, b = (f"{config().package} {release}" for release in found.releases)
-    lines = [f"{a} → {b}", _summary(found)]
+        return _markdown(*_diff_in_markdown(found))
+    lines = [" → ".join(f"{config().package} {release}" for release in found.releases), _summary(found)]
     lines += [each.text for each in (*found.faults, *found.flips)]
     lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
     if all_values:
@@ -98,6 +81,15 @@ def _diff_in_text(found: Comparison, all_values: bool) -> str:
         lines += ["VALUES=all lists them"]
     lines += ["", *(f"not compared: {note}" for note in found.notes)]
     return "\n".join(lines).rstrip()
+
+
+def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
+    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+    if form == "json":
+        return _json("upgrade", found, verdict=list(verdict), **_diff_data(found))
+    if form == "markdown":
+        return _markdown(*(f"- {_escaped(line)}" for line in verdict), "", *_diff_in_markdown(found))
+    return "\n".join(verdict)
 
 
 def _summary(found: Comparison) -> str:
@@ -111,19 +103,19 @@ def _summary(found: Comparison) -> str:
 
 def _diff_in_markdown(found: Comparison) -> list[str]:
     lines = [f"### {config().edition_name} {' → '.join(found.releases)}", "", _summary(found).capitalize() + "."]
-    lines += _fault_table(found.faults)
     flipped = [(flip.claim, flip.outcomes, flip.after.text) for flip in found.flips]
-    lines += _table(("claim that flipped", "outcome", "now"), flipped)
     sums = [(section, *sums.values()) for section, sums in _sums(found.moves).items()]
+    lines += _fault_table(found.faults)
+    lines += _table(("claim that flipped", "outcome", "now"), flipped)
     lines += _table(("section", "moved", "better", "worse", "near the noise"), sums)
     if found.notes:
-        lines += ["", "<details><summary>Not compared</summary>", "", *(f"- {_escaped(note)}" for note in found.notes)]
-        lines += ["", "</details>"]
+        notes = (f"- {_escaped(note)}" for note in found.notes)
+        lines += ["", "<details><summary>Not compared</summary>", "", *notes, "", "</details>"]
     return lines
 
 
 def _fault_table(faults: Iterable[Fault]) -> list[str]:
-    rows = [(fault.kind, fault.release, f"{fault.section}.{fault.claim}".rstrip("."), fault.reason) for fault in faults]
+    rows = [(fault.kind, fault.release, fault.place, fault.reason) for fault in faults]
     return _table(("can't be trusted", config().package, "where", "why"), rows)
 
 
@@ -143,7 +135,9 @@ def _escaped(cell: Any) -> str:
     return text
 
 
-def _cut(text: str) -> str:
+def _markdown(*lines: str) -> str:
+    """Return the lines, no more of them than a comment holds."""
+    text = "\n".join(lines)
     return text if len(text) <= MARKDOWN_LIMIT else f"{text[:MARKDOWN_LIMIT].rpartition(chr(10))[0]}\n\n… and more\n"
 
 
@@ -151,7 +145,7 @@ def _sums(moves: Iterable[Move]) -> dict[str, dict[str, int]]:
     """Count by section how many values moved, how many of them for better and worse, and how many near the noise."""
     sums: dict[str, dict[str, int]] = {}
     for move in moves:
-        found = sums.setdefault(move.section, {"moved": 0, "better": 0, "worse": 0, "near": 0})
+        found = sums.setdefault(move.section, dict.fromkeys(("moved", "better", "worse", "near"), 0))
         found["moved"] += 1
         found["near"] += move.is_near
         if move.direction and not move.is_near:
@@ -166,28 +160,24 @@ def _sum_line(section: str, sums: Mapping[str, int]) -> str:
 
 
 def _diff_data(found: Comparison) -> dict[str, Any]:
+    flips = [
+        {"section": flip.section, "claim": flip.name}
+        | {"before": _claim_data(flip.before), "after": _claim_data(flip.after)}
+        for flip in found.flips
+    ]
     return {
         "a": found.releases[0],
         "b": found.releases[1],
-        "faults": _fault_data(found.faults),
-        "flips": [_flip_data(flip) for flip in found.flips],
+        "faults": list(map(vars, found.faults)),
+        "flips": flips,
         "moved": _sums(found.moves),
         "moves": [_move_data(move) for move in found.moves],
         "notes": found.notes,
     }
 
 
-def _fault_data(faults: Iterable[Fault]) -> list[dict[str, str]]:
-    return [dict(vars(fault)) for fault in faults]
-
-
 def _claim_data(claim: Claim) -> dict[str, str]:
     return {"outcome": claim.outcome.name, "said": claim.outcome.said, "text": claim.text}
-
-
-def _flip_data(flip: Flip) -> dict[str, Any]:
-    sides = {"before": _claim_data(flip.before), "after": _claim_data(flip.after)}
-    return {"section": flip.section, "claim": flip.name, **sides}
 
 
 def _move_data(move: Move) -> dict[str, Any]:

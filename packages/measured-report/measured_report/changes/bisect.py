@@ -19,7 +19,6 @@ from measured_report.files.config import config
 from measured_report.measuring.measure import measure
 from measured_report.pages.prose import Templates
 from measured_report.records.provenance import MISSING
-from measured_report.records.record import Record
 from measured_report.values.noise import NOISE
 
 Point = TypeVar("Point")
@@ -58,8 +57,14 @@ class Bisection:
         return answer
 
     def _edition(self, stack: Stack, sections: Sequence[str]) -> Edition:
+        """Derive these sections, measured unless there is a record of what would be; one of older code will do."""
         project = self.project.of(str(stack.label))
-        lacking = [section for section in sections if not _is_measured(project, section)]
+        states = [state_of(project, section) for section in sections]
+        lacking = [
+            state.section
+            for state in states
+            if not state.record or any(note.startswith("packages") for note in state.notes)
+        ]
         if lacking:
             project = measure(project, stack, lacking, self.device)
         return derive_edition(project, self.templates)
@@ -69,21 +74,12 @@ class Bisection:
         answer = self.answer(stack)
         return None if answer is None else self.query.is_first(answer, *ends)
 
-    def record(self, stack: Stack) -> Record:
-        return state_of(self.project.of(str(stack.label)), self.query.section).record
-
     def ends(self, first: Stack, last: Stack) -> tuple[Answer, Answer]:
         """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
         answers = self._answer(first), self._answer(last)
         if None in answers or answers[0] == answers[1]:
             raise Alike(f"{self.query.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
         return answers
-
-
-def _is_measured(project: Project, section: str) -> bool:
-    """Whether a record is there of what would be measured; one of older code will do."""
-    state = state_of(project, section)
-    return bool(state.record) and not any(note.startswith("packages") for note in state.notes)
 
 
 def _said(answer: Answer | None) -> str:
@@ -115,35 +111,33 @@ def bisect_releases(search: Bisection, first: Stack, last: Stack) -> str:
     is_first = partial(search.is_first, search.ends(first, last))
     between = [stack_of(release) for release in releases_between(first.label, last.label)]
     before, after, skipped = first_change([first, *between, last], is_first)
-    lines = [f"{search.query.text} changes between {before.label} and {after.label}"]
+    said = f"{search.query.text} changes between {before.label} and {after.label}\n"
     if skipped:
-        lines.append(f"between them cannot tell: {', '.join(str(stack.label) for stack in skipped)}")
-    lines.append(_which_package(search, before, after, is_first))
-    return "\n".join(lines)
+        said += f"between them cannot tell: {', '.join(str(stack.label) for stack in skipped)}\n"
+    return said + _which_package(search, before, after, is_first)
 
 
 def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Callable[[Stack], bool | None]) -> str:
     """Say which package did it: the first alone, with the others as they were, or one of those, with the first so."""
     package, together = config().package, config().changes.together
     others = [name for names in together for name in names]
-    old, new = (search.record(stack).identity.packages for stack in (before, after))
+    states = (state_of(search.project.of(str(stack.label)), search.query.section) for stack in (before, after))
+    old, new = (state.record.identity.packages for state in states)
     if not others:
         return f"{package} {after.label.version} did it: it is the only package"
     if any(old[name] == MISSING for name in others):
         return "which package did it cannot be told: one of them is not there in all"
-    alone = is_first(stack_of(str(after.label), _pinned(old, others)))
+    alone = is_first(_pinned(after, old, others))
     if alone is False:
         kept = ", ".join(f"{name} {old[name]}" for name in others)
         return f"{package} {after.label.version} did it: it is so with {kept} as well, which {before.label} has"
     # A newer edition may not run with older packages, but an older one with newer.
-    if alone is None and is_first(stack_of(str(before.label), _pinned(new, others))):
-        stays = f"{before.label} stays as it is with all others of {after.label}"
-        return f"{package} {after.label.version} did it: {stays}"
+    if alone is None and is_first(_pinned(before, new, others)):
+        return f"{package} {after.label.version} did it: {before.label} stays as it is with all others of {after.label}"
     found = [
         " and ".join(names)
         for names in together
-        if any(old[name] != new[name] for name in names)
-        and is_first(stack_of(str(before.label), _pinned(new, names))) is False
+        if any(old[name] != new[name] for name in names) and is_first(_pinned(before, new, names)) is False
     ]
     if found:
         so = f"{package} {before.label.version} does so too with that of {after.label}"
@@ -151,8 +145,8 @@ def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Cal
     return "which package did it cannot be told: no one of them does it alone"
 
 
-def _pinned(versions: Mapping[str, str], packages: Sequence[str]) -> str:
-    return " ".join(f"{package}=={versions[package]}" for package in packages)
+def _pinned(stack: Stack, versions: Mapping[str, str], packages: Sequence[str]) -> Stack:
+    return stack_of(str(stack.label), " ".join(f"{package}=={versions[package]}" for package in packages))
 
 
 def bisect_commits(repository: Path, first: str, last: str, clone: Path, is_first: Callable[[], bool | None]) -> str:
@@ -190,7 +184,5 @@ def _git(folder: Path, *command: str) -> str:
 
 def common_repository(first: Stack, last: Stack) -> tuple[Path, str, str] | None:
     """Return the local repository that both are commits of, and their references; None where they are not."""
-    paths = [stack.asked.rpartition("@") for stack in (first, last)]
-    if paths[0][0] and paths[0][0] == paths[1][0] and Path(paths[0][0]).is_dir():
-        return Path(paths[0][0]), paths[0][2], paths[1][2]
-    return None
+    (path, _, old), (other, _, new) = (stack.asked.rpartition("@") for stack in (first, last))
+    return (Path(path), old, new) if path and path == other and Path(path).is_dir() else None

@@ -7,7 +7,7 @@ from measured_report.changes.costs import is_cost
 from measured_report.changes.faults import Fault, faults_between, faults_of
 from measured_report.changes.flips import Flip, flips_between
 from measured_report.changes.moves import Move, moves_between
-from measured_report.deriving.chapters import Chapter, Chapters
+from measured_report.deriving.chapters import Chapters
 from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
 from measured_report.values.noise import NOISE, noise_floors
@@ -60,7 +60,7 @@ def _costs_apart(before: Chapters, after: Chapters) -> list[str]:
     """Say where costs are not compared, once for each pair of machines, with the sections."""
     sections: dict[tuple[str, str], list[str]] = {}
     for section in before:
-        if section in after and _has_costs(before[section]):
+        if section in after and any(map(is_cost, before[section].results.record.units)):
             sides = before[section].results.record, after[section].results.record
             if sides[0].machine_for_speed != sides[1].machine_for_speed:
                 machines = sides[0].machine_in_full, sides[1].machine_in_full
@@ -69,10 +69,6 @@ def _costs_apart(before: Chapters, after: Chapters) -> list[str]:
         f"speed and cost in {', '.join(names)}: measured on {' and on '.join(machines)}"
         for machines, names in sections.items()
     ]
-
-
-def _has_costs(chapter: Chapter) -> bool:
-    return any(map(is_cost, chapter.results.record.units))
 
 
 def _near_claims(*sides: Chapters) -> Iterable[str]:

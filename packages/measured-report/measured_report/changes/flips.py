@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from measured_report.changes.costs import terms_of
 from measured_report.claims.claim import Claim
@@ -69,7 +69,8 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
         answers = {
             release: claim
             for release, those in claims.items()
-            if (claim := those.get((section, name))) and (_is_told(claim) or len(releases[release]) == len(sections))
+            if (claim := those.get((section, name)))
+            and (claim.outcome.name != "unknown" or claim.outcome.is_near or len(releases[release]) == len(sections))
         }
         terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers.items()}
         here = terms.get(shown, next(iter(terms.values()), None))
@@ -83,10 +84,6 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
 
 def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
     return {(name, claim.name): claim for name, chapter in chapters.items() for claim in chapter.section.claims}
-
-
-def _is_told(claim: Claim) -> bool:
-    return claim.outcome.name != "unknown" or claim.outcome.is_near
 
 
 def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
@@ -121,20 +118,15 @@ class FlipList:
         return Markup('<figure class="turns">\n{}\n</figure>').format(groups or Markup("<p>None.</p>"))
 
     def _group(self, page: Page, flips: Sequence[Flip]) -> Markup:
+        lines = [Markup("<h{0}>{1}</h{0}>\n<dl>").format(self.level, page.label)]
         # One link to a section is enough for whoever goes from link to link.
         first: Mapping[str, Flip] = {flip.section: flip for flip in reversed(self.flips)}
-        parts = Markup("\n").join(
-            Markup("<dt>{}: {}</dt>\n{}").format(
-                self._place(flip, is_linked=flip is first[flip.section] and flip.section in self.shown),
-                flip.before.said("asks").rstrip(","),
-                Markup("\n").join(_answer(names, claim) for names, claim in flip.said),
-            )
-            for flip in flips
-        )
-        return Markup("<h{0}>{1}</h{0}>\n<dl>\n{2}\n</dl>").format(self.level, page.label, parts)
-
-    def _place(self, flip: Flip, *, is_linked: bool) -> Markup:
-        return Markup('<a href="#{}">{}</a>').format(flip.section, flip.label) if is_linked else escape(flip.label)
+        for flip in flips:
+            is_linked = flip is first[flip.section] and flip.section in self.shown
+            place = Markup('<a href="#{}">{}</a>' if is_linked else "{1}").format(flip.section, flip.label)
+            lines.append(Markup("<dt>{}: {}</dt>").format(place, flip.before.said("asks").rstrip(",")))
+            lines += [_answer(names, claim) for names, claim in flip.said]
+        return Markup("\n").join([*lines, Markup("</dl>")])
 
 
 def _answer(names: Sequence[str], claim: Claim) -> Markup:

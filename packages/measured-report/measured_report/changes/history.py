@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from measured_report.changes.flips import decided_flips
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Answer, Query
-from measured_report.deriving.chapters import Chapters, Releases
+from measured_report.deriving.chapters import Releases
 from measured_report.records.columns import column_of
-from measured_report.values.noise import NOISE, Floor, noisiest
+from measured_report.values.noise import NOISE, noisiest
 
 
 @dataclass(frozen=True)
@@ -34,34 +34,25 @@ class Point:
 def points(releases: Releases, query: Query) -> list[Point]:
     """Return what the editions answer that can, oldest first."""
     column = query.column
-    noisiest_floor = _floors(releases).get(column)
+    floors = {release: chapters[NOISE].results.floors for release, chapters in releases.items() if NOISE in chapters}
+    widest = noisiest(floors.values())
     found: list[Point] = []
     for release, chapters in releases.items():
         answer = query.answer(chapters)
         if answer is not None:
-            floor = _floors({release: chapters}).get(column, noisiest_floor)
+            floor = floors.get(release, widest).get(column, widest.get(column))
             is_noisy = floor and not isinstance(answer, str)
             noise = max(floor.at(answer), column_of(column).resolution) if is_noisy else None
-            point = Point(release, answer, noise, _said(query, chapters, answer, noise))
+            said = query.claim(chapters).outcome.said if query.is_claim else f"{answer:.4g}"
+            point = Point(release, answer, noise, said if noise is None else f"{said} ± {noise:.2g}")
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found
-
-
-def _floors(releases: Releases) -> dict[str, Floor]:
-    """Return noise by column, of the edition that is noisiest."""
-    return noisiest(chapters[NOISE].results.floors for chapters in releases.values() if NOISE in chapters)
 
 
 def _mark(column: str, before: Point, after: Point) -> str:
     if isinstance(before.answer, str) or isinstance(after.answer, str):
         return "flipped" if before.answer != after.answer else ""
     return Move(column, before.answer, after.answer, max(before.noise or 0.0, after.noise or 0.0)).mark
-
-
-def _said(query: Query, chapters: Chapters, answer: Answer, noise: float | None) -> str:
-    if query.is_claim:
-        return query.claim(chapters).outcome.said
-    return f"{answer:.4g}" + (f" ± {noise:.2g}" if noise is not None else "")
 
 
 def history(releases: Releases, query: Query) -> str:

@@ -17,7 +17,6 @@ from measured_report.values.results import Row
 
 CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
 """What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
-Key = tuple[tuple[str, Any], ...]
 
 
 @dataclass(frozen=True)
@@ -88,8 +87,8 @@ def moves_between(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) 
     ranges = _ranges(records)
     for key in old:
         if key in new and not any(map(_is_split, rows := (old[key], new[key]))):
-            terms = [_terms(record, row) for record, row in zip(records, rows, strict=True)]
-            found = _moves_of_rows(rows, floors, ranges, has_same_terms=terms[0] == terms[1])
+            cells = ({column: _plain(row[column]) for column in row.columns} for row in rows)
+            found = _moves_of_rows(rows, floors, ranges, has_same_terms=len(set(map(cost_terms, records, cells))) == 1)
             yield from (replace(move, section=before.name, place=dict(key)) for move in found)
 
 
@@ -98,11 +97,12 @@ def _moves_of_rows(
 ) -> Iterator[Move]:
     """Yield what moved in a row; ``has_same_terms`` says whether costs in it compare."""
     rules = config().changes
-    keys = *rules.keys, *rules.untold_keys
-    lost = list(map(_is_lost, rows))
+    # The run of a row may be lost, which makes its numbers chance.
+    lost = [any("loss" in column_of(name).kinds and bool(row[name]) for name in row.columns) for row in rows]
     for column in rows[0].columns:
         kinds = column_of(column).kinds
-        if column not in rows[1] or column in keys or "chance" in kinds or column.endswith((REASON, *EDGES)):
+        is_key = column in (*rules.keys, *rules.untold_keys)
+        if column not in rows[1] or is_key or "chance" in kinds or column.endswith((REASON, *EDGES)):
             continue
         cells = rows[0][column], rows[1][column]
         noise: tuple[float | None, bool] = None, False
@@ -136,14 +136,14 @@ def _noise(
 def _ranges(records: Iterable[Record]) -> dict[str, float]:
     """Return the largest size of each column's numbers."""
     ranges: dict[str, float] = {}
-    for record in records:
-        for row in record.rows:
-            numbers = {column: row[column] for column in record.units if isinstance(row.get(column), int | float)}
-            ranges |= {column: max(ranges.get(column, 0.0), abs(value)) for column, value in numbers.items()}
+    cells = ((column, row.get(column)) for record in records for row in record.rows for column in record.units)
+    for column, cell in cells:
+        if isinstance(cell, int | float):
+            ranges[column] = max(ranges.get(column, 0.0), abs(cell))
     return ranges
 
 
-def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
+def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing tells apart are left out."""
     rules = config().changes
     names = (*rules.keys, *rules.untold_keys)
@@ -155,19 +155,10 @@ def _rows_by_key(chapter: Chapter) -> dict[Key, Row]:
     return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
 
 
-def _is_lost(row: Row) -> bool:
-    """Whether the run of a row was lost, which makes its numbers chance."""
-    return any("loss" in column_of(name).kinds and bool(row[name]) for name in row.columns)
-
-
 def _is_split(row: Row) -> bool:
     """Whether repeats of a run end in different classes: it is chance then which one the row is about."""
     classes = config().changes.classes
     return classes in row and len(set(row[classes].split(", "))) > 1
-
-
-def _terms(record: Record, row: Row) -> tuple:
-    return cost_terms(record, {column: _plain(row[column]) for column in row.columns})
 
 
 def _plain(cell: Any) -> Any:

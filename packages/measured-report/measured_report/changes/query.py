@@ -75,16 +75,15 @@ class Query:
         """Return what a row of the edition ``release`` has; no number, and a reason, when that has nothing."""
         same = config().changes.same_runs
         sections = (self.section, *(same if self.section in same else ()))
-        found = (chapter for section in sections if (chapter := chapters.get(section)))
-        chapter = next((each for each in found if self.device or self.case in each.results.row), None)
-        row = self._row(chapter.results) if chapter else None
+        rows = (self._row(chapters[section].results) for section in sections if section in chapters)
+        row = next(filter(None, rows), None)
         if row and self.column in row:
             return row[self.column]
         return absent(self.unit, f"{self.section} has not been measured so with {config().edition_name} {release}")
 
     def _row(self, results: Results) -> Row | None:
         if not self.device:
-            return results.row.get(self.case)
+            return results.row[self.case]
         wanted = self.case, self.device, self.worlds
         rows = [row for row in results.rows if "device" in row]
         return next((row for row in rows if (row.case, row.device, row.worlds.value) == wanted), None)

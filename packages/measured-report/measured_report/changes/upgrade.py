@@ -54,11 +54,13 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
     if found.faults:
         lines.append(f"can't be trusted: {_few([fault.text for fault in found.faults])}")
     flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
+    cause = Query(config().changes.cause, is_claim=True).claim(after.chapters)
+    why = cause.text if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
     return [
         *lines,
         f"flipped: {_few(flips) if flips else 'no claim'}",
         f"moved: {_moved(found.moves, before, after)}",
-        f"why: {_why(after) if flips else 'nothing to explain'}",
+        f"why: {why if flips else 'nothing to explain'}",
         f"what to do: {_advice(found, before, after)}",
     ]
 
@@ -68,8 +70,7 @@ def _other_packages(before: Edition, after: Edition) -> str:
     sides = _deciding(before), _deciding(after)
     if not all(sides):
         return ""
-    old, new = (records[0].identity.packages for records in sides)
-    changed = package_changes(old, new, config().packages[1:])
+    changed = package_changes(*(records[0].identity.packages for records in sides), config().packages[1:])
     return f" ({', '.join(changed)})" if changed else ""
 
 
@@ -99,12 +100,6 @@ def _moved(moves: Sequence[Move], before: Edition, after: Edition) -> str:
     better, worse = (sum(move.mark == mark for move in moves) for mark in ("better", "worse"))
     headline = f"{rules.headline_label} {old} → {new}; " if rules.headline else ""
     return f"{headline}{len(moves)} values beyond the noise, {better} better, {worse} worse"
-
-
-def _why(after: Edition) -> str:
-    claim = Query(config().changes.cause, is_claim=True).claim(after.chapters)
-    is_known = claim is not None and claim.outcome == HOLDS
-    return claim.text if is_known else "the sections that were measured do not say"
 
 
 def _advice(found: Comparison, before: Edition, after: Edition) -> str:
