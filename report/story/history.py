@@ -12,7 +12,7 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import Quantity, absent
-from report.sections.upgrade.ends import cell, with_mark
+from report.sections.upgrade.ends import with_mark
 from report.sections.upgrade.tables import FLOORS, HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
@@ -36,7 +36,7 @@ def _numbers(releases: Releases) -> Table:
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
-            cells = (with_mark(cell(releases, release, headline), marks.get(release, "")) for release in releases)
+            cells = (with_mark(headline.cell(releases[release], release), marks.get(release, "")) for release in releases)
             cells = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
             for column, content in zip(columns.values(), cells, strict=True):
                 column.append(content)

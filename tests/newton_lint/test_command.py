@@ -12,7 +12,7 @@ import newton
 import pytest
 
 from measured_report import ROOT
-from measured_report.claims.citations import tomllib
+from measured_report.files.config import read_toml
 from newton_lint.command import main
 
 SCENE = """
@@ -145,7 +145,7 @@ def test_a_reader_may_stop_before_the_end(scene):
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
     """With the files of the wheel and nothing else of the project."""
     package = ROOT / "packages/newton-lint"
-    project = tomllib.loads((package / "pyproject.toml").read_text(encoding="utf-8"))
+    project = read_toml(package / "pyproject.toml")
     for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]:
         shutil.copytree(package / name, tmp_path / "site" / name)
     module, _, function = project["project"]["scripts"]["newton-lint"].partition(":")

@@ -13,7 +13,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.upgrade import tables
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
-from report.sections.upgrade.ends import Ends, cell, change, floor, machines_differ, unchanged, up_to
+from report.sections.upgrade.ends import Ends, change, floor, machines_differ, unchanged, up_to
 
 order = 200
 page = "releases"
@@ -54,26 +54,23 @@ def derive(results: Results, releases: Releases) -> Section:
 def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
     old, new = ends.cells(tables.SLIP)
     moved = change(results, "slip_change", old, new)
-    numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": _grows(moved)}
+    grows = (moved.value or 0) > 0
+    numbers = {"a": ends.old, "b": ends.new, "before": old, "after": new, "noise": noise, "grows": grows}
     return Claim("slip_is_the_same", ends.one or unchanged(old, new, moved, noise), numbers)
 
 
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
     """The release of the page, which is neither the oldest nor the newest, against the newest."""
     own = results.edition
-    before, after = cell(ends.releases, own, tables.SLIP), cell(ends.releases, ends.new, tables.SLIP)
+    before, after = tables.SLIP.cell(ends.releases[own], own), tables.SLIP.cell(ends.releases[ends.new], ends.new)
     moved = change(results, "slip_change_from_here", before, after)
     numbers = {"a": own, "b": ends.new, "before": before, "after": after}
     return Claim("same_as_newest", unchanged(before, after, moved, noise), numbers)
 
 
-def _grows(moved: Value) -> bool:
-    return moved.value is not None and moved.value > 0
-
-
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
     """Between which neighbours the slip changes, of the releases that say."""
-    cells = {release: cell(releases, release, tables.SLIP) for release in releases}
+    cells = {release: tables.SLIP.cell(releases[release], release) for release in releases}
     there = [release for release in releases if cells[release].value is not None]
     found = {}
     for before, after in pairwise(there):
@@ -81,37 +78,32 @@ def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outco
         found[before, after] = unchanged(cells[before], cells[after], moved, noise)
     steps = [step for step, outcome in found.items() if outcome == FAILS]
     outcome = decided(len(steps) == 1).having_read(*(cells[release] for release in there), noise)
-    if open_steps := [step for step in found.values() if step.name == "unknown"]:
-        outcome = open_steps[0]
+    outcome = next((step for step in found.values() if step.name == "unknown"), outcome)
     if len(there) < 3:
         outcome = Outcome("unknown", "no release between was measured")
     return Claim("in_one_step", nothing_to_explain(same) or outcome, {"steps": steps})
 
 
 def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[str]) -> Claim:
-    decided_count = sum(flip.is_decided for flip in flipped)
-    open_count = len(flipped) - decided_count
-    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: decided_count)
-    others = results.value(
-        "undecided_count", "other claims that one release can tell and another can't", lambda: open_count
-    )
-    outcome = decided(not decided_count)
-    if len(releases) < 2:
-        outcome = Outcome("unknown", f"only Newton {releases[0]} has results")
+    found = sum(flip.is_decided for flip in flipped)
+    count = results.value("turned_count", "claims that one release upholds and another doesn't", lambda: found)
+    formula = "other claims that one release can tell and another can't"
+    others = results.value("undecided_count", formula, lambda: len(flipped) - found)
+    is_one = len(releases) < 2
+    outcome = Outcome("unknown", f"only Newton {releases[0]} has results") if is_one else decided(not found)
     return Claim("claims_stand", outcome, {"count": count, "open": others})
 
 
 def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
     """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
-    edges = [
-        cell(ends.releases, release, tables.edge(headline, end)) for release in (ends.old, ends.new) for end in EDGES
-    ]
+    low, high = (ends.cells(tables.edge(headline, end)) for end in EDGES)
+    formula = "larger of the ranges from the 5th to the 95th percentile of a frame's time"
     spread = results.value(
         f"{name}_spread",
-        "larger of the ranges from the 5th to the 95th percentile of a frame's time",
+        formula,
         lambda a, b, c, d: max(b - a, d - c),
-        *edges,
+        *(low[0], high[0], low[1], high[1]),
         unit="ms",
         across=True,
     )
@@ -120,4 +112,4 @@ def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Q
     outcome = ends.one or unchanged(old, new, moved, spread)
     if differ := machines_differ(ends.releases, headline.section):
         outcome, times = differ, {time: absent("ms", differ.reason) for time in times}
-    return Claim(claim, outcome, numbers={"a": ends.old, "b": ends.new, "grows": _grows(moved), **times})
+    return Claim(claim, outcome, {"a": ends.old, "b": ends.new, "grows": (moved.value or 0) > 0, **times})

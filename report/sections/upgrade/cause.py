@@ -20,7 +20,7 @@ def nothing_to_explain(same: Outcome) -> Outcome | None:
 def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     """What is new in the live contacts, and whether the old number comes back without it."""
     was, own = ends.live(SHIPPED, "friction_timeconst_s")
-    is_new = ends.one or _is_new(was, own)
+    is_new = ends.one or all_of(decided(not was.value, was), decided((own.value or 0) > 0, own))
     old, new = ends.live(SHIPPED, "slip_mm")
     taken, given = ends.live(TAKEN, "slip_mm")[1], ends.live(GIVEN, "slip_mm")[0]
     off = ends.live(SWITCHED, "slip_mm")[1]
@@ -69,11 +69,6 @@ def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
     )
     numbers = {"before": before, "after": after, "a": ends.old, "b": ends.new, "moved": change}
     return Claim("pyramid_as_before", ends.one or at_most(change, SAME, why="the same slip"), numbers)
-
-
-def _is_new(before: Quantity, after: Quantity) -> Outcome:
-    is_there = after.value is not None and after.value > 0
-    return all_of(decided(not before.value, before), decided(is_there, after))
 
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:

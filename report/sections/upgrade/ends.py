@@ -13,11 +13,6 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 
 
-def cell(releases: Releases, release: str, asked: Query) -> Quantity:
-    """Return the number of a row that a release has; none, and a reason, when it has nothing."""
-    return asked.cell(releases[release], release)
-
-
 def up_to(releases: Releases, shown: str) -> Releases:
     """Return what the page of an edition compares: those before it and itself; the oldest is held against all."""
     names = list(releases)
@@ -34,9 +29,8 @@ def floor(results: Results, releases: Releases, name: str, unit: str) -> Value:
 
 
 def change(results: Results, name: str, before: Quantity, after: Quantity) -> Value:
-    return results.value(
-        name, "later release less earlier one", lambda a, b: b - a, before, after, unit=before.unit, across=True
-    )
+    formula = "later release less earlier one"
+    return results.value(name, formula, lambda a, b: b - a, before, after, unit=before.unit, across=True)
 
 
 def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
@@ -46,9 +40,7 @@ def marked(difference: Value | None, noise: Quantity, column: str, before: Quant
     """
     told = difference is not None and None not in (difference.value, noise.value)
     mark = Move(column, before, after, noise.value).mark if told else ""
-    if not mark:
-        return after.bare
-    if is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
+    if mark and is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
         return Markup('{} <span class="moved">other machine</span>').format(after.bare)
     return with_mark(after, mark)
 
@@ -77,7 +69,7 @@ class Ends:
         return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
 
     def cells(self, headline: Query) -> tuple[Quantity, Quantity]:
-        return cell(self.releases, self.old, headline), cell(self.releases, self.new, headline)
+        return headline.cell(self.releases[self.old], self.old), headline.cell(self.releases[self.new], self.new)
 
     def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
         """Return what this section measured in the two."""
@@ -86,12 +78,8 @@ class Ends:
 
 def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
     """Whether a change is no more than noise and rounding; clearly more is the opposite."""
-    lacking = [quantity.reason for quantity in (moved, noise) if quantity.value is None]
-    if lacking:
-        found = Outcome("unknown", lacking[0])
-    else:
-        found = beyond(moved, noise) if Move("", before, after, noise.value).is_real else HOLDS
-    return found.having_read(before, after, moved, noise)
+    is_same = None not in (moved.value, noise.value) and not Move("", before, after, noise.value).is_real
+    return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:

@@ -1,6 +1,6 @@
 """The tables and the figure of what releases have side by side."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from markupsafe import Markup
@@ -15,18 +15,16 @@ from measured_report.values.format import unit_label
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
-from report.sections.upgrade.ends import cell, change, machines_differ, marked
+from report.sections.upgrade.ends import change, machines_differ, marked
 from report.shared.arithmetic import table_of
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
 TAKEN, GIVEN = "as-shipped-friction-timeconst-off", "as-shipped-friction-timeconst-on"
 """Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
 HEADLINES = tuple(Query(value, label=label) for label, value in config().changes.headlines.items())
-_BY_VALUE = {headline.text: headline for headline in HEADLINES}
-SLIP = _BY_VALUE[f"upgrade.{SHIPPED}.slip_mm"]
-MUJOCO_CONTACTS = _BY_VALUE["upgrade.as-shipped-mujoco-contacts.slip_mm"]
-MUJOCO_C = _BY_VALUE["reproduction.as-shipped-mujoco-c.slip_mm"]
-PYRAMID = _BY_VALUE["solver.cone-pyramidal.slip_mm"]
+SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
+MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
+MUJOCO_C, PYRAMID = Query("reproduction.as-shipped-mujoco-c.slip_mm"), Query("solver.cone-pyramidal.slip_mm")
 SPEEDS = (
     Query(f"speed.{SHIPPED}.frame_ms", label="a frame with shipped pads"),
     Query("speed.fixed.frame_ms", label="a frame of the fixed scene"),
@@ -67,13 +65,13 @@ TRIED = {
 }
 SETTINGS = {"option": "solver option", "default": "default", "sum": "sum of the engine's"}
 """Kinds of rows that are no runs: each has a name and a value."""
-DRAWN = (SLIP, *HEADLINES[2:6])
+DRAWN = (HEADLINES[0], *HEADLINES[2:6])
 
 
 def headline_table(results: Results, releases: Releases, floors: Mapping[str, Value]) -> Table:
     columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
     for headline in HEADLINES:
-        cells = {release: cell(releases, release, headline) for release in releases}
+        cells = {release: headline.cell(releases[release], release) for release in releases}
         base = next((release for release in releases if cells[release].value is not None), None)
         for release, found in cells.items():
             is_moved = base not in (None, release)
@@ -97,12 +95,13 @@ def speed_table(results: Results, releases: Releases) -> Table:
     columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
     for headline in SPEEDS:
         differ = machines_differ(releases, headline.section)
-        base = cell(releases, next(iter(releases)), headline)
-        for release in releases:
-            found, name = cell(releases, release, headline), f"{_name(headline)}_{release}"
-            edges = [cell(releases, release, edge(headline, end)) for end in EDGES]
+        cells = {release: headline.cell(chapters, release) for release, chapters in releases.items()}
+        base = next(iter(cells.values()))
+        for release, found in cells.items():
+            name = f"{_name(headline)}_{release}"
+            edges = [edge(headline, end).cell(releases[release], release) for end in EDGES]
             spread = results.value(f"{name}_spread", "95th less 5th percentile", lambda a, b: b - a, *edges, unit="ms")
-            moved = None if found is base or differ else change(results, name, base, found)
+            moved = None if differ else change(results, name, base, found)
             columns[f"Newton {release}"].append(marked(moved, spread, headline.column, base, found))
     return _table(SPEEDS, columns)
 
@@ -113,18 +112,20 @@ def edge(headline: Query, end: str) -> Query:
 
 def live_table(releases: Releases) -> Table:
     found = [Query(f"upgrade.{SHIPPED}.{column}") for column in LIVE]
-    columns = {
-        f"Newton {release}": [cell(releases, release, headline).bare for headline in found] for release in releases
-    }
     units = [unit_label(headline.unit) for headline in found]
     labels = [label + (f" [{unit}]" if unit else "") for label, unit in zip(LIVE.values(), units, strict=True)]
-    return table_of("", labels, columns)
+    return table_of("", labels, {release: [each.bare for each in cells] for release, cells in _cells(releases, found)})
 
 
 def tried_table(releases: Releases) -> Table:
     tried = [Query(f"upgrade.{case}.slip_mm") for case in TRIED]
-    columns = {f"Newton {release}": [cell(releases, release, each) for each in tried] for release in releases}
-    return table_of("", TRIED.values(), columns)
+    return table_of("", TRIED.values(), dict(_cells(releases, tried)))
+
+
+def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, list[Quantity]]]:
+    """Yield a column for each release."""
+    for release, chapters in releases.items():
+        yield f"Newton {release}", [each.cell(chapters, release) for each in asked]
 
 
 def option_table(releases: Releases) -> Table:
@@ -150,8 +151,8 @@ def option_table(releases: Releases) -> Table:
 def slip_figure(releases: Releases) -> Figure:
     return Figure(
         draw=lambda: _draw_slips(releases),
-        sources=[cell(releases, release, headline) for headline in DRAWN for release in releases],
-        numbers={"slips": [(release, cell(releases, release, SLIP)) for release in releases]},
+        sources=[headline.cell(releases[release], release) for headline in DRAWN for release in releases],
+        numbers={"slips": [(release, SLIP.cell(releases[release], release)) for release in releases]},
     )
 
 
@@ -168,7 +169,7 @@ def _draw_slips(releases: Releases) -> Drawing:
     places = range(len(releases))
     ends: list[tuple[int, Quantity]] = []
     for headline in DRAWN:
-        cells = [cell(releases, release, headline) for release in releases]
+        cells = [headline.cell(releases[release], release) for release in releases]
         there = [(place, found) for place, found in zip(places, cells, strict=True) if found.value is not None]
         if there:
             line = [(place, found.value) for place, found in there]

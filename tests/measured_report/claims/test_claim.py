@@ -126,8 +126,8 @@ def test_an_outcome_without_numbers_is_unknown_and_says_why():
 
 def make_claim(outcome) -> Claim:
     words = {"holds": "It is {}.", "fails": "It is not {}.", "asks": "whether it is", "because": "Since it is soft."}
-    parts = {part: lambda numbers, text=text: Markup(text).format(numbers["slip"]) for part, text in words.items()}
-    return Claim("slips", outcome, {"slip": quantity(6.3617)}, Wording("a place", parts, frozenset({"slip"})))
+    wording = Wording("a place", words, frozenset({"slip"}), lambda text, numbers: Markup(text).format(numbers["slip"]))
+    return Claim("slips", outcome, {"slip": quantity(6.3617)}, wording)
 
 
 def test_each_outcome_has_its_wording():

@@ -6,23 +6,17 @@
 and an ``excerpt`` that the file must hold.
 """
 
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
 
-from jinja2 import Environment, nodes
+from jinja2 import nodes
 from jinja2.ext import Extension
 from jinja2.parser import Parser
 from markupsafe import Markup
 
 from measured_report import ReportError
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from measured_report.files.config import read_toml
 
 NAME = "sources.toml"
 
@@ -50,17 +44,13 @@ def references(templates: Path) -> Mapping[str, Reference]:
     if not path.is_file():
         return {}
     try:
-        found = {name: Reference(**fields) for name, fields in tomllib.loads(path.read_text(encoding="utf-8")).items()}
-    except (tomllib.TOMLDecodeError, TypeError) as error:
+        found = {name: Reference(**fields) for name, fields in read_toml(path).items()}
+    except (ValueError, TypeError) as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
     for name, reference in found.items():
         if not (reference.url or all((reference.package, reference.version, reference.file, reference.excerpt))):
             raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file and excerpt")
     return found
-
-
-def _known(environment: Environment) -> Mapping[str, Reference]:
-    return cast(Mapping[str, Reference], environment.globals["references"])
 
 
 class StatedTag(Extension):
@@ -71,14 +61,13 @@ class StatedTag(Extension):
     def parse(self, parser: Parser) -> nodes.Node:
         line = next(parser.stream).lineno
         name = parser.stream.expect("name")
-        if name.value not in _known(self.environment):
+        if name.value not in self.environment.globals["references"]:
             parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
         call = self.call_method("_stated", [nodes.Const(name.value)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, name: str, caller) -> Markup:
-        reference = _known(self.environment)[name]
         words = Markup(" ".join(caller().split()))
         html = '<span class="stated">{} <span class="source">[not measured here: {}]</span></span>\n'
-        return Markup(html).format(words, reference)
+        return Markup(html).format(words, self.environment.globals["references"][name])

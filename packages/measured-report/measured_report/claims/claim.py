@@ -75,7 +75,6 @@ class Outcome:
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")
 OPPOSITE = Outcome("fails", is_opposite=True)
-WITHIN_NOISE = Outcome("unknown", "the difference is within the noise")
 
 
 @dataclass(frozen=True)
@@ -137,19 +136,17 @@ class Claim:
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     """Holds or fails by a condition that was computed from these; cannot tell where one of them is missing."""
-    return _judged(lambda: HOLDS if is_so else FAILS, *quantities)
+    return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is reached; one that is missed shows nothing."""
-    a, bound = _quantities(why, a, bound)
-    return _judged(lambda: HOLDS if a.value >= bound.value else FAILS, a, bound)
+    return _judged(lambda a, bound: HOLDS if a.value >= bound.value else FAILS, a, bound, why=why)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
     """Whether a bound is kept; one that is not shows nothing."""
-    a, bound = _quantities(why, a, bound)
-    return _judged(lambda: HOLDS if a.value <= bound.value else FAILS, a, bound)
+    return _judged(lambda a, bound: HOLDS if a.value <= bound.value else FAILS, a, bound, why=why)
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
@@ -159,15 +156,18 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
 
 def greater(a: Number, b: Number, *, noise: Number, why: str = "") -> Outcome:
     """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
-    a, b, noise = _quantities(why, a, b, noise)
-    return _judged(lambda: _trend([b.value, a.value], noise.value), a, b, noise)
+    return _judged(lambda a, b, noise: _trend([b.value, a.value], noise.value), a, b, noise, why=why)
 
 
 def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
     before; falling so all the way is the opposite."""
-    *sequence, noise = _quantities(why, *sequence, noise)
-    return _judged(lambda: _trend([quantity.value for quantity in sequence], noise.value), *sequence, noise)
+
+    def judge(*quantities: Quantity) -> Outcome:
+        *values, most = (quantity.value for quantity in quantities)
+        return _trend(values, most)
+
+    return _judged(judge, *sequence, noise, why=why)
 
 
 def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
@@ -179,7 +179,7 @@ def _trend(values: Sequence[float], noise: float) -> Outcome:
     if len(values) < 2:
         return Outcome("unknown", "it takes two values to see a trend")
     if abs(values[-1] - values[0]) <= noise:
-        return WITHIN_NOISE
+        return Outcome("unknown", "the difference is within the noise")
     if _rises(values, noise):
         return HOLDS
     return OPPOSITE if _rises(values[::-1], noise) else FAILS
@@ -193,62 +193,56 @@ def _rises(values: Sequence[float], noise: float) -> bool:
 
 def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
     """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
-    *quantities, noise = _quantities(why, *quantities, noise)
 
-    def judge() -> Outcome:
-        if any(abs(quantity.value) <= noise.value for quantity in quantities):
+    def judge(*quantities: Quantity) -> Outcome:
+        *values, most = (quantity.value for quantity in quantities)
+        if any(abs(value) <= most for value in values):
             return Outcome("unknown", "one of them is within the noise")
-        return HOLDS if len({quantity.value > 0 for quantity in quantities}) == 1 else OPPOSITE
+        return HOLDS if len({value > 0 for value in values}) == 1 else OPPOSITE
 
-    return _judged(judge, *quantities, noise)
+    return _judged(judge, *quantities, noise, why=why)
 
 
 def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
     """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
-    *sequence, noise = _quantities(why, *sequence, noise)
 
-    def judge() -> Outcome:
-        if not sequence:
+    def judge(*quantities: Quantity) -> Outcome:
+        *values, _ = (quantity.value for quantity in quantities)
+        if not values:
             return Outcome("unknown", "there is nothing to compare")
-        values = [quantity.value for quantity in sequence]
-        return within(replace(sequence[0], value=max(values) - min(values)), noise)
+        return within(replace(quantities[0], value=max(values) - min(values)), quantities[-1])
 
-    return _judged(judge, *sequence, noise)
+    return _judged(judge, *sequence, noise, why=why)
 
 
 def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
     """Whether a difference is no more than noise; one that is little more can't tell."""
-    difference, noise = _quantities(why, difference, noise)
-    return _judged(lambda: HOLDS if difference.value <= noise.value else beyond(difference, noise), difference, noise)
+    return _judged(lambda a, noise: HOLDS if a.value <= noise.value else beyond(a, noise), difference, noise, why=why)
 
 
-def beyond(difference: Quantity, noise: Number, why: str = "") -> Outcome:
+def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
-    difference, noise = _quantities(why, difference, noise)
-
-    def judge() -> Outcome:
-        if abs(difference.value) > NEAR_NOISE * noise.value:
-            return OPPOSITE
+    found = _absent(difference, noise)
+    if not found:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
-        return Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
+        near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
+        found = OPPOSITE if abs(difference.value) > NEAR_NOISE * noise.value else near
+    return found.having_read(difference, noise)
 
-    return (_absent(difference, noise) or judge()).having_read(difference, noise)
 
+def _judged(judge: Callable[..., Outcome], *numbers: Number, why: str = "") -> Outcome:
+    """Return what ``judge`` says of them where all are there and may be compared; having read them in any case.
 
-def _quantities(why: str, *numbers: Number) -> list[Quantity]:
-    """All as quantities: a plain number has the unit of those that are quantities, and was chosen for ``why``."""
+    A plain number has the unit of those that are quantities, and was chosen for ``why``.
+    """
     unit = next((number.unit for number in numbers if isinstance(number, Quantity)), "1")
     assert why or all(isinstance(number, Quantity) for number in numbers), "a bound that is a number needs its why"
-    return [
+    quantities = [
         number if isinstance(number, Quantity) else Bound(number, unit, "", noise=0.0, why=why) for number in numbers
     ]
-
-
-def _judged(judge: Callable[[], Outcome], *quantities: Quantity) -> Outcome:
-    """What ``judge`` says where all are there and may be compared; having read them in any case."""
     reason = mixed(*(quantity.origins for quantity in quantities))
-    found = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge())
+    found = _absent(*quantities) or (Outcome("unknown", reason) if reason else judge(*quantities))
     return found.having_read(*quantities)
 
 

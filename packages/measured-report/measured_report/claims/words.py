@@ -16,9 +16,8 @@ Each stands where it is printed. Its parts can name what Python hands over with 
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
@@ -47,9 +46,6 @@ TYPED = re.compile(r"(?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?(?:mm/s|mm|Â
 CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
 """Names that Jinja has for itself, so that what is given under them is never said."""
 
-Part = Callable[[Mapping[str, Any]], Markup]
-"""One part as a function of what it can name."""
-
 
 @dataclass(frozen=True)
 class Wording:
@@ -57,13 +53,17 @@ class Wording:
 
     place: str
     """File and line."""
-    parts: Mapping[str, Part]
+    blocks: Mapping[str, str]
+    """Names of its blocks by part."""
     names: frozenset[str]
     """All that the parts name."""
+    render: Callable[[str, Mapping[str, Any]], Markup] | None = None
+    """Renders the block of a name with what it can name; None until the template is compiled."""
 
     def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
-        """A part with its numbers; empty where the template has no such part."""
-        return self.parts[part](numbers) if part in self.parts else Markup("")
+        """Return a part with its numbers; empty where the template has no such part."""
+        assert self.render, f"{self.place}: the words can't be rendered yet"
+        return self.render(self.blocks[part], numbers) if part in self.blocks else Markup("")
 
     def refuse_unknown(self, what: str, numbers: Mapping[str, Any]) -> None:
         """ReportError when the wording names something that it is not given, or could not name what it is given."""
@@ -94,8 +94,8 @@ class WordTags(Extension):
                 parser.fail(f"{kind.value} {name}: what it says belongs behind one of its tags", line)
             token = next(parser.stream)
             part, line = token.value, token.lineno
-        missing = [part for part in parts if part not in OPTIONAL and not _has_part(blocks, part)]
-        if missing:
+        said = {block.name.rpartition(SEPARATOR)[2] for block in blocks}
+        if missing := [part for part in parts if part not in OPTIONAL | said]:
             parser.fail(f"{kind.value} {name} has no {{% {missing[0]} %}}", kind.lineno)
         call = nodes.Call(nodes.Name(kind.value, "load"), [nodes.Const(name)], [], None, None)
         # Jinja keeps every block of a template, those as well that are never reached where they stand.
@@ -118,47 +118,19 @@ def _is_blank(body: list[nodes.Node]) -> bool:
     return all(isinstance(node, nodes.TemplateData) and not node.data.strip() for node in found)
 
 
-def _has_part(blocks: list[nodes.Block], part: str) -> bool:
-    return any(block.name.rpartition(SEPARATOR)[2] == part for block in blocks)
-
-
-@dataclass(frozen=True)
-class Worded:
-    """What a template says of one claim, figure or table, before it is known how that is rendered."""
-
-    place: str
-    blocks: Mapping[str, str]
-    """Names of its blocks by part."""
-    names: frozenset[str]
-
-    def wording(self, render: Callable[[str, Mapping[str, Any]], Markup]) -> Wording:
-        """The same with its parts; ``render`` renders the block of the given name with the given names."""
-        return Wording(self.place, {part: partial(render, block) for part, block in self.blocks.items()}, self.names)
-
-
-def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Worded]:
-    """What a parsed template says, by kind and name.
-
-    Args:
-        environment: What it was parsed with.
-        parsed: The template.
-        place: Its path, to name in errors.
-    """
-    found: dict[tuple[str, str], Worded] = {}
-    for kind, name, part, block in _blocks(parsed):
-        body = nodes.Template(block.body)
-        body.set_environment(environment)
-        names = find_undeclared_variables(body)
-        known = found.get((kind, name), Worded(f"{place}:{block.lineno}", {}, frozenset()))
-        if part in known.blocks:
-            raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
-        found[kind, name] = Worded(known.place, {**known.blocks, part: block.name}, known.names | names)
-    return found
-
-
-def _blocks(parsed: nodes.Template) -> Iterator[tuple[str, str, str, nodes.Block]]:
+def worded(environment: Environment, parsed: nodes.Template, place: str) -> dict[tuple[str, str], Wording]:
+    """Return what a template, parsed with ``environment``, says, by kind and name; errors name it as ``place``."""
+    found: dict[tuple[str, str], Wording] = {}
     for block in parsed.find_all(nodes.Block):
         kind, _, rest = block.name.partition(SEPARATOR)
-        if kind in PARTS:
-            name, _, part = rest.rpartition(SEPARATOR)
-            yield kind, name, part, block
+        if kind not in PARTS:
+            continue
+        name, _, part = rest.rpartition(SEPARATOR)
+        body = nodes.Template(block.body)
+        body.set_environment(environment)
+        known = found.get((kind, name), Wording(f"{place}:{block.lineno}", {}, frozenset()))
+        if part in known.blocks:
+            raise TemplateSyntaxError(f"{kind} {name} is worded twice", block.lineno)
+        names = known.names | find_undeclared_variables(body)
+        found[kind, name] = Wording(known.place, {**known.blocks, part: block.name}, names)
+    return found

@@ -25,7 +25,7 @@ from measured_report.files.config import config
 from measured_report.pages.outline import FRONT, PAGES, Page
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.parts.contradictions import refuse_contradictions
-from measured_report.parts.section import Making, Section
+from measured_report.parts.section import Section
 from measured_report.records.code import files
 from measured_report.records.identity import files_digest
 from measured_report.records.traces import traces_of
@@ -86,8 +86,8 @@ class Edition:
         section = self._told(anchor, names)
         if not section.claims:  # where what it is about was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
-        making = Making(f"{config().story.replace('.', '/')}/", "make page")
-        section = section.worded(anchor, text.name, text.words, making)
+        story = f"{config().story.replace('.', '/')}/"
+        section = section.worded(anchor, text.name, text.words, story, "make page")
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
@@ -214,7 +214,7 @@ def _chapter(
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, read, derive)
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
-    section = entry.section.worded(name, text.name, text.words, Making(outline.source, project.rerun(name)))
+    section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
     names = {
         "release": state.record.origin.release,
         "row": results.row,

@@ -5,7 +5,7 @@ import re
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache as once
 from importlib.metadata import version
 from pathlib import Path
@@ -123,7 +123,8 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return _put_back(" ".join(text.split()).replace(OPEN, BLANK), printed)
 
-        return Text(name, template, {what: each.wording(render) for what, each in words.items()}, self.converter)
+        words = {what: replace(each, render=render) for what, each in words.items()}
+        return Text(name, template, words, self.converter)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         """Render a template of HTML."""

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from measured_report import ReportError
-from measured_report.claims.citations import tomllib
+from measured_report.files.config import read_toml
 from measured_report.parts.section import Section
 
 NAME = "pairs.toml"
@@ -21,8 +21,8 @@ def refuse_contradictions(templates: Path, sections: Mapping[str, Section]) -> N
     if not path.is_file():
         return
     try:
-        pairs = tomllib.loads(path.read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
+        pairs = read_toml(path)
+    except ValueError as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
     if unknown := sorted(set(pairs) - set(KINDS)):
         raise ReportError(f"templates/{NAME} has {unknown[0]}; it may have {' and '.join(KINDS)}")

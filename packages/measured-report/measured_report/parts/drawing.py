@@ -23,16 +23,12 @@ def draw_all(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[P
         meanwhile()
         drawn = [*map(_draw, places)]
     else:
-        with workers(count, "fork", _begin) as pool:
+        # A drawing makes many objects, and all of a process's drawings together fit into memory.
+        with workers(count, "fork", gc.disable) as pool:
             drawing = pool.map(_draw, places)
             meanwhile()
             drawn = list(drawing)
     return list(zip(drawn[::2], drawn[1::2], strict=True))
-
-
-def _begin() -> None:
-    """Look for no garbage: a drawing makes many objects, and all of a process's drawings together fit into memory."""
-    gc.disable()
 
 
 def _draw(index: int) -> Markup:

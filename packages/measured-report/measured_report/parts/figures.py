@@ -6,31 +6,21 @@ import re
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from contextvars import ContextVar
+from contextvars import ContextVar, copy_context
 from typing import Any
 
 import matplotlib
 from cycler import cycler
 from markupsafe import Markup, escape
+from matplotlib import ticker
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
-from matplotlib.ticker import (
-    AutoLocator,
-    FixedLocator,
-    FuncFormatter,
-    LogFormatter,
-    LogFormatterMathtext,
-    LogLocator,
-    MaxNLocator,
-    NullLocator,
-    ScalarFormatter,
-)
 
-from measured_report.values.format import format_number, format_power, format_short, format_tick, whole
+from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
 
 INK = "#1b1f24"
@@ -47,26 +37,18 @@ PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint)"} | {
 STYLE: dict[str, Any] = {
     "svg.fonttype": "none",
     "text.parse_math": False,
-    "figure.facecolor": "none",
-    "axes.facecolor": "none",
-    "savefig.facecolor": "none",
-    "axes.edgecolor": INK,
-    "axes.labelcolor": INK,
-    "axes.titlecolor": INK,
+    **dict.fromkeys(("figure.facecolor", "axes.facecolor", "savefig.facecolor"), "none"),
+    **dict.fromkeys(("axes.edgecolor", "axes.labelcolor", "axes.titlecolor", "text.color"), INK),
+    **dict.fromkeys(("xtick.color", "ytick.color", "hatch.color"), INK),
     "axes.formatter.useoffset": False,
     "axes.titlesize": 10,
     "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
     "axes.titlelocation": "left",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
+    **dict.fromkeys(("axes.spines.top", "axes.spines.right"), False),
     "axes.grid": True,
     "axes.axisbelow": True,
     "grid.color": FAINT,
     "grid.linewidth": 0.6,
-    "text.color": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
-    "hatch.color": INK,
     "font.size": 10,
     "legend.frameon": False,
     "lines.linewidth": 1.6,
@@ -88,7 +70,7 @@ MOST_TICKS = 5
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
 _is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
-_told: ContextVar[dict[str, list[str]] | None] = ContextVar("told", default=None)
+_told: ContextVar[dict[str, list[str]]] = ContextVar("told")
 """Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 
 PIECE = re.compile(
@@ -108,7 +90,7 @@ LETTER = re.compile(r"[^\W\d_]")
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
-class LogLabels(LogFormatter):
+class LogLabels(ticker.LogFormatter):
     """Labels of a logarithmic axis as text; Matplotlib's own are formulas, which take long to typeset."""
 
     def __call__(self, value: float, position: int | None = None) -> str:
@@ -121,17 +103,9 @@ class LogLabels(LogFormatter):
         return format_number(value, noise=0.0)
 
 
-def _label_plainly(axis: Axis) -> None:
-    if isinstance(axis.get_major_formatter(), LogFormatterMathtext):
-        axis.set_major_formatter(LogLabels())
-    minor = axis.get_minor_formatter()
-    if isinstance(minor, LogFormatterMathtext):
-        axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
-
-
-def plain_labels(*, digits: int = 6) -> FuncFormatter:
+def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
     """Labels as plain numbers, without zeros at their ends."""
-    return FuncFormatter(lambda value, _: format_tick(value, digits=digits))
+    return ticker.FuncFormatter(lambda value, _: f"{value:.{digits}g}")
 
 
 def write(quantity: Quantity, *, is_short: bool = False) -> str:
@@ -142,29 +116,28 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
         is_short: Whether there is room for no more than four characters.
     """
     text = format_short(quantity.value) if is_short else quantity.written
-    told = _told.get()
-    if told is not None and quantity.source:
-        told.setdefault(text, []).append(quantity.source)
+    if quantity.source:
+        _told.get({}).setdefault(text, []).append(quantity.source)
     return text
 
 
 def tick_125(axis: Axis) -> None:
     """Label a logarithmic axis at 1, 2 and 5 of each decade, so that less than a decade has labels too."""
-    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
+    axis.set_major_locator(ticker.LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
     axis.set_major_formatter(plain_labels())
-    axis.set_minor_locator(NullLocator())
+    axis.set_minor_locator(ticker.NullLocator())
 
 
 def tick_decades(axis: Axis) -> None:
     """Ticks of a logarithmic axis at whole powers of ten alone."""
-    axis.set_major_locator(LogLocator(numticks=12))
-    axis.set_minor_locator(NullLocator())
+    axis.set_major_locator(ticker.LogLocator(numticks=12))
+    axis.set_minor_locator(ticker.NullLocator())
 
 
 def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     """Ticks at ``places`` alone."""
-    axis.set_major_locator(FixedLocator(places))
-    axis.set_minor_locator(NullLocator())
+    axis.set_major_locator(ticker.FixedLocator(places))
+    axis.set_minor_locator(ticker.NullLocator())
     axis.set_major_formatter(plain_labels(digits=digits))
 
 
@@ -199,16 +172,6 @@ def is_narrow() -> bool:
     return _is_narrow.get()
 
 
-@contextmanager
-def narrow_screen() -> Iterator[None]:
-    """Draw for a narrow screen what is drawn within."""
-    token = _is_narrow.set(True)
-    try:
-        yield
-    finally:
-        _is_narrow.reset(token)
-
-
 class _NarrowDrawing(Drawing):
     """A figure whose legend is no wider than it."""
 
@@ -229,20 +192,20 @@ def _fit_narrow(drawing: Drawing) -> None:
     """Texts neither too small to be read nor too long to leave room for what is drawn, and no more ticks than help."""
     for axes in drawing.axes:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
-        is_named = not isinstance(axes.yaxis.get_major_formatter(), ScalarFormatter)
+        is_named = not isinstance(axes.yaxis.get_major_formatter(), ticker.ScalarFormatter)
         names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
         is_long = any(len(name) > LONGEST_NAME for name in names)
         if is_long:
             axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(fold(axes.get_title("left")), fontsize=9)
-        if isinstance(axes.xaxis.get_major_locator(), AutoLocator):
-            axes.xaxis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
+        if isinstance(axes.xaxis.get_major_locator(), ticker.AutoLocator):
+            axes.xaxis.set_major_locator(ticker.MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for axis in (axes.xaxis, axes.yaxis):
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
             low, high = axis.get_view_interval()
             if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
-                axis.set_minor_locator(NullLocator())
+                axis.set_minor_locator(ticker.NullLocator())
     if drawing.get_supxlabel():
         drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
     for text in _texts(drawing):
@@ -274,15 +237,24 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
-    """The figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
-    with own_style({"svg.hashsalt": name}), _telling() as told:
-        buffer = io.StringIO()
+def draw_svg(draw: Callable[[], Drawing], *, name: str, is_narrow: bool = False) -> Markup:
+    """Draw the figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
+    return copy_context().run(_draw_svg, draw, name, "narrow" if is_narrow else "broad")
+
+
+def _draw_svg(draw: Callable[[], Drawing], name: str, kind: str) -> Markup:
+    told: dict[str, list[str]] = {}
+    _told.set(told)
+    _is_narrow.set(kind == "narrow")
+    buffer = io.StringIO()
+    with own_style({"svg.hashsalt": name}):
         # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
         drawing = draw()
-        for axes in drawing.axes:
-            _label_plainly(axes.xaxis)
-            _label_plainly(axes.yaxis)
+        for axis in [axis for axes in drawing.axes for axis in (axes.xaxis, axes.yaxis)]:
+            if isinstance(axis.get_major_formatter(), ticker.LogFormatterMathtext):
+                axis.set_major_formatter(LogLabels())
+            if isinstance(minor := axis.get_minor_formatter(), ticker.LogFormatterMathtext):
+                axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
         if is_narrow():
             _fit_narrow(drawing)
         FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
@@ -290,20 +262,8 @@ def draw_svg(draw: Callable[[], Drawing], *, name: str) -> Markup:
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
-    kind = "narrow" if is_narrow() else "broad"
     opening = Markup('<svg class="{}" viewBox="{}" role="img">')
     return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
-
-
-@contextmanager
-def _telling() -> Iterator[dict[str, list[str]]]:
-    """Keep what ``write`` writes within."""
-    told: dict[str, list[str]] = {}
-    token = _told.set(told)
-    try:
-        yield told
-    finally:
-        _told.reset(token)
 
 
 def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
@@ -328,19 +288,13 @@ def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
             found, rest = [], text
             for number in longest_first:
                 rest, count = numbers[number].subn("", rest)
-                found += [_next(told[number]) for _ in range(count)]
+                sources = told[number]  # each is used up, unless it is the last
+                found += [sources.pop(0) if len(sources) > 1 else sources[0] for _ in range(count)]
             if found:
-                return str(
-                    Markup('<text data-src="{}"{}>{}</text>').format(" ".join(found), Markup(opening[5:]), Markup(text))
-                )
+                return f'<text data-src="{escape(" ".join(found))}"{opening[5:]}>{text}</text>'
         return piece[0]
 
     return PIECE.sub(link, svg)
-
-
-def _next(sources: list[str]) -> str:
-    """The first, which is then used up unless it is the last."""
-    return sources.pop(0) if len(sources) > 1 else sources[0]
 
 
 def _lean(svg: str) -> str:

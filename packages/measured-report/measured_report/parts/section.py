@@ -54,16 +54,6 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Making:
-    """How a figure comes about."""
-
-    source: str
-    """Path of the code that draws it."""
-    command: str
-    """Measures again what it draws."""
-
-
-@dataclass(frozen=True)
 class Figure:
     """A figure, which is drawn only after everything else has been checked."""
 
@@ -76,7 +66,10 @@ class Figure:
     wording: Wording | None = None
     anchor: str = ""
     """Its id, unique on the page."""
-    making: Making | None = None
+    drawn_by: str = ""
+    """Path of the code that draws it."""
+    command: str = ""
+    """Measures again what it draws."""
     pictures: Pictures | None = None
     """None where it is not kept, and still to be drawn."""
 
@@ -95,13 +88,10 @@ class Figure:
 
     def picture(self, *, is_narrow: bool) -> Markup:
         """Draw it for one kind of screen; where what was measured can't be drawn, that is said in its place, once."""
-        from measured_report.parts.figures import draw_svg, narrow_screen
+        from measured_report.parts.figures import draw_svg
 
         try:
-            if not is_narrow:
-                return draw_svg(self.draw, name=self.anchor)
-            with narrow_screen():
-                return draw_svg(self.draw, name=f"narrow-{self.anchor}")
+            return draw_svg(self.draw, name=f"{'narrow-' if is_narrow else ''}{self.anchor}", is_narrow=is_narrow)
         except (ArithmeticError, LookupError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())
             words = Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason)
@@ -109,7 +99,6 @@ class Figure:
 
     def html(self, pictures: Pictures | None) -> Markup:
         """What the page shows, with the figure as it is drawn, where anything of it exists."""
-        assert self.making, f"no one says how the figure {self.anchor} comes about"
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
@@ -125,7 +114,7 @@ class Figure:
             '<figure id="{}">{}{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
             "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
-        ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.making.source, self.making.command)
+        ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.drawn_by, self.command)
 
     @property
     def undrawn(self) -> Markup:
@@ -184,15 +173,16 @@ class Section:
         return replace(self, tables=tables)
 
     def worded(
-        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], making: Making | None = None
+        self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = "", command: str = ""
     ) -> "Section":
-        """The same with the words of the template; ReportError unless each thing has its words, and they their thing.
+        """Give it the words of the template; ReportError unless each thing has its words, and they their thing.
 
         Args:
             anchor: How the ids of its figures begin.
             place: The template, to name in errors.
             words: What the template says, by kind and name.
-            making: How its figures come about, where they are to be drawn.
+            drawn_by: As each figure has it.
+            command: As each figure has it.
         """
         claims = {claim.name: claim for claim in self.claims}
         things = {"claim": claims, "figure": self.figures, "table": self.tables}
@@ -210,7 +200,7 @@ class Section:
                     thing = replace(thing, wording=wording)
                     thing = thing.checked() if kind == "claim" else thing
                 if kind == "figure":
-                    thing = replace(thing, anchor=f"{anchor}-{name}", making=making)
+                    thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
                 found[kind][name] = thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
 

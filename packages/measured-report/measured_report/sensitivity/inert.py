@@ -47,12 +47,6 @@ class Survey:
     values: Mapping[str, Value]
     """Every derived value by its pointer."""
 
-    @property
-    def claims(self) -> list[Claim]:
-        """Those with words: where a number was not measured, that is all that is said."""
-        claims = self.perturbation.releases[self.release][self.section].section.claims
-        return [claim for claim in claims if claim.outcome.said != "cannot tell" or not _lacks_number(claim)]
-
     def measured(self, pointer: str) -> list[str]:
         """The measured numbers and traces that a number comes from; none for what was chosen."""
         roots = self.values[pointer].reads if pointer in self.values else {pointer}
@@ -60,7 +54,10 @@ class Survey:
 
     def numbers(self) -> Iterator[tuple[Claim, str, str]]:
         """Claim, name and pointer of every measured number that the words of a claim name."""
-        for claim in self.claims:
+        for claim in self.perturbation.releases[self.release][self.section].section.claims:
+            lacks_number = any(isinstance(each, Quantity) and each.value is None for each in claim.numbers.values())
+            if lacks_number and claim.outcome.said == "cannot tell":  # which is all that is said
+                continue
             for name in sorted(claim.wording.names & set(claim.numbers)):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
                     if self.measured(pointer):
@@ -93,10 +90,6 @@ class Survey:
             if not any(moves(claim.name, each, change) for each in tries for change in FACTORS):
                 found.add(f"{self.section}.{claim.name} {name}")
         return found
-
-
-def _lacks_number(claim: Claim) -> bool:
-    return any(isinstance(number, Quantity) and number.value is None for number in claim.numbers.values())
 
 
 def _shapes(section: Section) -> dict[str, tuple[str, str]]:

@@ -6,8 +6,6 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
-import pandas as pd
-
 from measured_report.deriving.chapters import Chapters
 from measured_report.deriving.editions import derive_section, editions_of
 from measured_report.editions.project import Project, own_release
@@ -58,13 +56,10 @@ class PerturbedResults(Results):
         if change == MISSING:
             return Series(None, series.source, LACK)
         if change and series.value is not None:
-            return replace(series, value=_scaled(series.value, FACTORS[change]))
+            names = set(series.value.select_dtypes("number")) - {"time_s"}
+            scaled = {name: FACTORS[change] * series.value[name] for name in names if not column_of(name).is_setting}
+            return replace(series, value=series.value.assign(**scaled))
         return series
-
-
-def _scaled(frame: pd.DataFrame, factor: float) -> pd.DataFrame:
-    columns = [name for name in frame.select_dtypes("number") if name != "time_s" and not column_of(name).is_setting]
-    return frame.assign(**{column: factor * frame[column] for column in columns})
 
 
 @dataclass(frozen=True)
@@ -76,13 +71,15 @@ class Perturbation:
 
     def of(self, release: str, name: str, pointers: Iterable[Pointer], change: str) -> Section:
         """A section with the same change made to some numbers and traces."""
+        tracked = (chapter.results for chapters in self.releases.values() for chapter in chapters.values())
+        whole = {results.source: results.record for results in tracked}
         records: dict[str, Record] = {}
         traces = {}
         for pointer in pointers:
             if pointer.is_trace:
                 traces[pointer.text] = change
             else:
-                record = records.get(pointer.file) or self._record(pointer.file)
+                record = records.get(pointer.file) or whole[pointer.file]
                 records[pointer.file] = perturbed_record(record, pointer, change)
         return self.section(release, name, records, traces)
 
@@ -115,10 +112,6 @@ class Perturbation:
         noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
         floors = noise_floors([noise]) if noise else tracked.floors
         return PerturbedResults(record, tracked.path, tracked.others, {}, floors, tracked.label, traces)
-
-    def _record(self, file: str) -> Record:
-        results = (chapter.results for chapters in self.releases.values() for chapter in chapters.values())
-        return next(each.record for each in results if each.source == file)
 
 
 def of_tracked() -> Perturbation:

@@ -55,7 +55,7 @@ def _drawn(edition: Edition) -> Iterator[tuple[str, ...]]:
             for source in figure.sources:
                 value = getattr(source, "value", None)
                 number = json.dumps(value) if isinstance(value, int | float) else ""
-                place = (edition.project.release, figure.anchor, figure.making.source, source.source)
+                place = (edition.project.release, figure.anchor, figure.drawn_by, source.source)
                 yield (*place, number, getattr(source, "unit", ""))
 
 

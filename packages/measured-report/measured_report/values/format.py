@@ -39,7 +39,9 @@ def format_number(value: float | int | None, *, noise: float | None = None) -> s
     if value == 0:
         return "0"
     if noise == 0:
-        return _format_chosen(value)
+        exact = Decimal(repr(value)).normalize()
+        is_computed = len(exact.as_tuple().digits) > DIGITS_TYPED
+        return _format_rounded(exact, DIGITS_KNOWN, ROUND_HALF_UP) if is_computed else _format_decimal(exact)
     if noise and abs(value) <= noise:
         return f"<{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
     return _format_decimal(rounded(value, noise))
@@ -72,11 +74,6 @@ def format_code(value: float | int | None) -> str:
     return ABSENT if value is None else f"{value:.{DIGITS_TYPED}g}"
 
 
-def format_tick(value: float, *, digits: int = DIGITS_TYPED) -> str:
-    """A number at an axis, without zeros at its end."""
-    return f"{value:.{digits}g}"
-
-
 def format_short(value: float) -> str:
     """``value`` up to 99, of no known noise, in two digits and as few characters as can be: where there is no room."""
     if value < 0.005:
@@ -100,13 +97,6 @@ def whole(text: str) -> re.Pattern:
 def format_power(exponent: int) -> str:
     """A power of ten."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
-
-
-def _format_chosen(value: float) -> str:
-    exact = Decimal(repr(value)).normalize()
-    if len(exact.as_tuple().digits) > DIGITS_TYPED:
-        return _format_rounded(exact, DIGITS_KNOWN, ROUND_HALF_UP)
-    return _format_decimal(exact)
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:

@@ -59,6 +59,8 @@ class Quantity:
     """What it was measured with; none for what was not measured."""
     noise: float | None = None
     """How far apart two measurements of it come out, in its unit; None where nobody knows, 0 for what is exact."""
+    formula: str = ""
+    """How it is computed, in words; empty for what was measured."""
 
     @property
     def reads(self) -> frozenset[str]:
@@ -95,14 +97,10 @@ class Quantity:
             return Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
         attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
         attributes |= {"data-as": written_as} if written_as else {}
-        attributes |= {"title": self._hint} if self._hint else {}
+        attributes |= {"title": self.reason or self.formula} if self.reason or self.formula else {}
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
         written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
         return Markup(f"<data{written}>{escape(text)}</data>")
-
-    @property
-    def _hint(self) -> str:
-        return self.reason
 
     def __html__(self) -> Markup:
         return self._with_unit(self.bare)
@@ -127,8 +125,6 @@ def absent(unit: str, reason: str) -> Quantity:
 class Value(Quantity):
     """A number derived from others, which says how."""
 
-    formula: str = ""
-    """How it is computed, in words."""
     sources: Sequence[str] = ()
     """Pointers to what it is computed from."""
     roots: frozenset[str] = frozenset()
@@ -137,10 +133,6 @@ class Value(Quantity):
     @property
     def reads(self) -> frozenset[str]:
         return super().reads | self.roots
-
-    @property
-    def _hint(self) -> str:
-        return self.reason or self.formula
 
     @property
     def entry(self) -> dict:

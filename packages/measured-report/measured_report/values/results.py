@@ -59,29 +59,24 @@ class Row:
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
         self._record = record
-        self._place = f"{record.section}: {self._cells['case']}"
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
         self._floors = floors
 
     def __getitem__(self, column: str) -> Any:
-        units = self._record.units
+        units, case = self._record.units, self._cells["case"]
         if column not in self._cells:
-            return self._lacking(column)
+            if column in units:
+                return absent(units[column], self._lack or f"{case} has no {column}")
+            if not self._lack and not any(column in row for row in self._record.rows):
+                raise ResultsError(f"{self._record.section}: {case} has no column {column}")
+            return ""
         value = self._cells[column]
         if column not in units or isinstance(value, bool | str):
             return value
         reason = self._cells.get(f"{column}_reason", "")
         noise = cell_noise(column, self._cells, self._floors)
         return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
-
-    def _lacking(self, column: str) -> Any:
-        if column in self._record.units:
-            reason = self._lack or f"{self._cells['case']} has no {column}"
-            return absent(self._record.units[column], reason)
-        if not self._lack and not any(column in row for row in self._record.rows):
-            raise ResultsError(f"{self._place} has no column {column}")
-        return ""
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
