@@ -54,21 +54,13 @@ class Repeat:
 
 
 def verify(edition: Edition, found: Mapping[str, Any]) -> tuple[str, bool]:
-    """Return what was found, in lines, and whether it agrees with what is tracked; see ``repeats_of``."""
+    """Return what was found, in lines, and whether it agrees with what is tracked."""
     repeats = repeats_of(edition, found)
     return "\n".join(_lines(edition, found, repeats)), all(repeat.agrees for repeat in repeats)
 
 
 def repeats_of(edition: Edition, found: Mapping[str, Any]) -> list[Repeat]:
-    """Pair what was measured with each tracked run of the same cases on the same engine.
-
-    Args:
-        edition: The tracked results of the same release.
-        found: What PROGRAM writes.
-
-    Raises:
-        ReportError: The release has no such results.
-    """
+    """Pair what PROGRAM measured with each tracked run of the same cases on the same engine, of the same release."""
     if SECTION not in edition.chapters or "noise" not in edition.chapters:
         raise ReportError(f"newton {edition.project.release} has no results of {SECTION} and noise to compare with")
     results, noise = edition.chapters[SECTION].results, edition.chapters["noise"].results
@@ -76,8 +68,7 @@ def repeats_of(edition: Edition, found: Mapping[str, Any]) -> list[Repeat]:
     repeats = []
     for row in found["rows"]:
         for suffix in SUFFIXES:
-            tracked = results.row[row["case"] + suffix]
-            if tracked:
+            if tracked := results.row[row["case"] + suffix]:
                 processor = results.record.machine["cpu"] if suffix else results.record.processor
                 is_same = here == processor == noise.record.processor
                 bound = noise.derived["slip_floor"] if is_same else results.derived["engine_bound"]
@@ -87,9 +78,9 @@ def repeats_of(edition: Edition, found: Mapping[str, Any]) -> list[Repeat]:
 
 
 def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[Repeat]) -> Iterator[str]:
-    machine, chapter = found["machine"], edition.chapters[SECTION]
+    machine, chapter = found["machine"]["gpu"] or found["machine"]["cpu"], edition.chapters[SECTION]
     values = chapter.results.derived
-    where = f"newton {edition.project.release} on {machine['gpu'] or machine['cpu']}"
+    where = f"newton {edition.project.release} on {machine}"
     yield f"{where}: measured in {found['measure_s']:.0f} s, after {found['compile_s']:.0f} s for kernels\n"
     yield "{:12}{:>12}{:>14}{:>14}   {:22}".format("slip", "here", "tracked", "difference", "bound").rstrip()
     yield from (repeat.text for repeat in repeats)
@@ -98,8 +89,7 @@ def _lines(edition: Edition, found: Mapping[str, Any], repeats: Sequence[Repeat]
         yield f"\nwith stiff pads the slip is {shipped / stiff:.1f} times less; tracked: {values['stiff_gain']}"
     if any(repeat.is_same_processor for repeat in repeats):
         noise = edition.chapters["noise"].results
-        runs = f"{len(noise.rows)} runs on this processor"
-        yield f"noise: {noise.derived['slip_floor']}, by {runs} (noise.slip_floor)"
+        yield f"noise: {noise.derived['slip_floor']}, by {len(noise.rows)} runs on this processor (noise.slip_floor)"
     if not all(repeat.is_same_processor for repeat in repeats):
         yield f"devices: {values['engine_bound']}, chosen for other devices, whose noise is not known"
         yield f"  (reproduction.engine_bound); the tracked ones are {values['engine_difference']} apart"

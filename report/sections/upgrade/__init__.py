@@ -97,15 +97,11 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
 def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
     """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
-    low, high = (ends.cells(tables.edge(headline, end)) for end in EDGES)
     formula = "larger of the ranges from the 5th to the 95th percentile of a frame's time"
+    low, high = (ends.cells(tables.edge(headline, end)) for end in EDGES)
+    edges = low[0], high[0], low[1], high[1]
     spread = results.value(
-        f"{name}_spread",
-        formula,
-        lambda a, b, c, d: max(b - a, d - c),
-        *(low[0], high[0], low[1], high[1]),
-        unit="ms",
-        across=True,
+        f"{name}_spread", formula, lambda a, b, c, d: max(b - a, d - c), *edges, unit="ms", across=True
     )
     moved = change(results, f"{name}_change", old, new)
     times: dict[str, Quantity] = {"before": old, "after": new, "spread": spread}

@@ -48,15 +48,12 @@ def cause_claims(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim
 
 def _mujoco_contacts_as_before(results: Results, ends: Ends) -> Claim:
     found, engine = ends.cells(MUJOCO_CONTACTS), ends.cells(MUJOCO_C)
-    elsewhere = results.value(
-        "elsewhere_change",
-        "larger change in slip where MuJoCo finds the contacts, of the older slip",
-        lambda a, b, c, d: 100 * max(abs(b / a - 1), abs(d / c - 1)),
-        *found,
-        *engine,
-        unit="%",
-        across=True,
-    )
+    formula = "larger change in slip where MuJoCo finds the contacts, of the older slip"
+
+    def larger(a: float, b: float, c: float, d: float) -> float:
+        return 100 * max(abs(b / a - 1), abs(d / c - 1))
+
+    elsewhere = results.value("elsewhere_change", formula, larger, *found, *engine, unit="%", across=True)
     numbers = {"a": ends.old, "b": ends.new, "found": found[1], "c": engine[1], "elsewhere": elsewhere}
     return Claim("mujoco_contacts_as_before", ends.one or at_most(elsewhere, SAME, why="the same slip"), numbers)
 
@@ -73,14 +70,8 @@ def _pyramid_as_before(results: Results, ends: Ends) -> Claim:
 
 def _miss(results: Results, name: str, start: Quantity, end: Quantity, goal: Quantity) -> Value:
     """Derive how far a switched case is from going all the way to the slip of the other release."""
+    formula = "how far the switched case goes from the slip of its own release to that of the other"
     share = results.value(
-        name,
-        "how far the switched case goes from the slip of its own release to that of the other",
-        lambda a, b, whole: 100 * (b - a) / (whole - a),
-        start,
-        end,
-        goal,
-        unit="%",
-        across=True,
+        name, formula, lambda a, b, whole: 100 * (b - a) / (whole - a), start, end, goal, unit="%", across=True
     )
     return results.value(f"{name}_miss", "how far that is from all of it", lambda a: abs(a - 100), share, unit="%")

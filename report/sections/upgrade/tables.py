@@ -83,7 +83,8 @@ def headline_table(results: Results, releases: Releases, floors: Mapping[str, Va
 
 def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table:
     """Make a table with a line for each headline, with its unit, which the cells of a line share."""
-    return table_of("", [f"{headline.label} [{unit_label(headline.unit)}]" for headline in headlines], columns)
+    labels = [f"{headline.label} [{unit_label(headline.unit)}]".removesuffix(" []") for headline in headlines]
+    return table_of("", labels, columns)
 
 
 def _name(headline: Query) -> str:
@@ -111,10 +112,8 @@ def edge(headline: Query, end: str) -> Query:
 
 
 def live_table(releases: Releases) -> Table:
-    found = [Query(f"upgrade.{SHIPPED}.{column}") for column in LIVE]
-    units = [unit_label(headline.unit) for headline in found]
-    labels = [label + (f" [{unit}]" if unit else "") for label, unit in zip(LIVE.values(), units, strict=True)]
-    return table_of("", labels, {release: [each.bare for each in cells] for release, cells in _cells(releases, found)})
+    asked = [Query(f"upgrade.{SHIPPED}.{column}", label=label) for column, label in LIVE.items()]
+    return _table(asked, {release: [each.bare for each in cells] for release, cells in _cells(releases, asked)})
 
 
 def tried_table(releases: Releases) -> Table:
@@ -166,20 +165,18 @@ def _apart(values: Sequence[float], step: float = 1.22) -> list[float]:
 
 def _draw_slips(releases: Releases) -> Drawing:
     drawing, axes = new_figure(7.2, 3.4)
-    places = range(len(releases))
     ends: list[tuple[int, Quantity]] = []
     for headline in DRAWN:
-        cells = [headline.cell(releases[release], release) for release in releases]
-        there = [(place, found) for place, found in zip(places, cells, strict=True) if found.value is not None]
-        if there:
-            line = [(place, found.value) for place, found in there]
-            axes.plot(*zip(*line, strict=True), label=headline.label.removeprefix("slip "), markevery=1)
+        cells = enumerate(headline.cell(chapters, release) for release, chapters in releases.items())
+        if there := [(place, found) for place, found in cells if found.value is not None]:
+            x, y = zip(*((place, found.value) for place, found in there), strict=True)
+            axes.plot(x, y, label=headline.label.removeprefix("slip "), markevery=1)
             ends.append(there[-1])
     heights = _apart([found.value for _, found in ends])
     for (place, found), height in zip(ends, heights, strict=True):
         say_value(axes, place, height, write(found))
     axes.set_yscale("log")
-    axes.set_xticks(list(places), list(releases))
+    axes.set_xticks(range(len(releases)), list(releases))
     axes.set(xlim=(-0.3, len(releases) - 0.6), xlabel="Newton release", ylabel="slip [mm]")
     drawing.legend(loc="outside upper left", ncols=3, fontsize=9)
     return drawing

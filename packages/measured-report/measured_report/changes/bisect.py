@@ -40,15 +40,8 @@ class Bisection:
     device: str
     templates: Templates
 
-    def answer(self, stack: Stack) -> Answer | None:
-        """Return what a stack answers, measured unless that was done before; None, and say why, where it can't tell."""
-        try:
-            return self._answer(stack)
-        except ReportError as error:
-            print(f"{stack.label}: cannot be measured: {error}".rstrip(": "), flush=True)
-            return None
-
     def _answer(self, stack: Stack) -> Answer | None:
+        """Return what a stack answers, measured unless that was done before."""
         edition = self._edition(stack, [self.query.section])
         answer = self.query.answer(edition.chapters)
         if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
@@ -70,8 +63,12 @@ class Bisection:
         return derive_edition(project, self.templates)
 
     def is_first(self, ends: tuple[Answer, Answer], stack: Stack) -> bool | None:
-        """Whether a stack answers as the first end does; None where it can't tell."""
-        answer = self.answer(stack)
+        """Whether a stack answers as the first end does; None, and say why, where it can't tell."""
+        try:
+            answer = self._answer(stack)
+        except ReportError as error:
+            print(f"{stack.label}: cannot be measured: {error}".rstrip(": "), flush=True)
+            return None
         return None if answer is None else self.query.is_first(answer, *ends)
 
     def ends(self, first: Stack, last: Stack) -> tuple[Answer, Answer]:
@@ -89,9 +86,7 @@ def _said(answer: Answer | None) -> str:
 def first_change(points: Sequence[Point], is_first: Callable[[Point], bool | None]) -> tuple[Point, Point, list[Point]]:
     """Return the neighbours between which the answer changes, and what lies between them that can't tell.
 
-    Args:
-        points: In order; the first and the last are known to differ.
-        is_first: Whether a point is as the first is; None where it can't tell.
+    The first point and the last are known to differ; ``is_first`` is None for one that can't tell.
     """
     low, high, skipped = 0, len(points) - 1, set[int]()
     while inner := [place for place in range(low + 1, high) if place not in skipped]:
@@ -150,14 +145,9 @@ def _pinned(stack: Stack, versions: Mapping[str, str], packages: Sequence[str]) 
 
 
 def bisect_commits(repository: Path, first: str, last: str, clone: Path, is_first: Callable[[], bool | None]) -> str:
-    """Find the first commit of a repository that is not as ``first`` is, by ``git bisect`` in a clone.
+    """Find the first commit of a repository that is not as ``first`` is, by ``git bisect`` in a clone at ``clone``.
 
-    Args:
-        repository: A repository of this machine.
-        first: A commit of it.
-        last: A later one, which is not as the first is.
-        clone: Where the clone lies, or will.
-        is_first: Whether the commit that the clone has now is as the first is; None where it can't tell.
+    ``is_first`` says whether the commit that the clone has now is as the first is; None where it can't tell.
     """
     if not clone.exists():
         _git(clone.parent, "clone", "--quiet", str(repository), str(clone))

@@ -19,7 +19,6 @@ class Flip:
     section: str
     name: str
     label: str
-    """What the section is called."""
     page: Page
     said: Sequence[tuple[Sequence[str], Claim]]
     """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
@@ -110,7 +109,6 @@ class FlipList:
     shown: Sequence[str]
     """Sections of the page's edition, to link to."""
     level: int = 4
-    """Of the headings."""
 
     def __html__(self) -> Markup:
         by_page = {page: [flip for flip in self.flips if flip.page == page] for page in PAGES}

@@ -20,7 +20,6 @@ class Point:
     noise: float | None
     """How far apart two runs of it come out; None where nobody knows, or where it is no number."""
     said: str
-    """In words."""
     mark: str = ""
     """What it is against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
 

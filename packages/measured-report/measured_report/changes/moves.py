@@ -75,18 +75,15 @@ class Move:
 
 
 def moves_between(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iterator[Move]:
-    """Yield the values of a section that two editions have differently, by more than the noise.
-
-    Args:
-        before: The section in one edition.
-        after: The section in the other; rows of both are paired by what tells them apart.
-        floors: The noise of each column that one of the editions measured.
-    """
+    """Yield the values of a section that two editions have differently, by more than the noise of their columns."""
     old, new = _rows_by_key(before), _rows_by_key(after)
     records = before.results.record, after.results.record
     ranges = _ranges(records)
-    for key in old:
-        if key in new and not any(map(_is_split, rows := (old[key], new[key]))):
+    classes = config().changes.classes
+    for key in (key for key in old if key in new):
+        rows = old[key], new[key]
+        # Where repeats of a run end in different classes it is chance which one the row is about.
+        if not any(len(set(row[classes].split(", "))) > 1 for row in rows if classes in row):
             cells = ({column: _plain(row[column]) for column in row.columns} for row in rows)
             found = _moves_of_rows(rows, floors, ranges, has_same_terms=len(set(map(cost_terms, records, cells))) == 1)
             yield from (replace(move, section=before.name, place=dict(key)) for move in found)
@@ -153,12 +150,6 @@ def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     ]
     counts = Counter(keys)
     return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
-
-
-def _is_split(row: Row) -> bool:
-    """Whether repeats of a run end in different classes: it is chance then which one the row is about."""
-    classes = config().changes.classes
-    return classes in row and len(set(row[classes].split(", "))) > 1
 
 
 def _plain(cell: Any) -> Any:

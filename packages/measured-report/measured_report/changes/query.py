@@ -22,7 +22,6 @@ class Query:
     """As CLAIM= or VALUE= says it: ``section.claim``, ``section.value`` or ``section.case.column``."""
     is_claim: bool = False
     label: str = ""
-    """What people call it."""
     device: str = ""
     """For a section that has the case on several devices and with several numbers of worlds: of which to take one."""
     worlds: int = 1

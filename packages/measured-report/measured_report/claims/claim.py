@@ -21,9 +21,6 @@ among some tens of runs, and measured again some other pair differs more."""
 LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
 """How a number that is not there is printed, with its reason."""
 
-NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
-"""A number as it is printed, with its unit."""
-
 
 @dataclass(frozen=True)
 class Bound(Quantity):
@@ -114,11 +111,6 @@ class Claim:
     @property
     def text(self) -> str:
         return self.sentence.striptags().replace("\xa0", " ")
-
-    @property
-    def wordless(self) -> str:
-        """The sentence with a mark in the place of each number."""
-        return " ".join(NUMBER.sub("#", str(self.sentence)).split())
 
     def html(self, section: str) -> Markup:
         claim = Markup('{}<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')

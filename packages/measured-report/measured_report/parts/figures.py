@@ -109,11 +109,9 @@ def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
 
 
 def write(quantity: Quantity, *, is_short: bool = False) -> str:
-    """A number as text of the figure that is being drawn, which then says where it is from.
+    """Write a number, without its unit, for the figure that is being drawn, which then says where it is from.
 
-    Args:
-        quantity: The number; its unit is said by the text around it.
-        is_short: Whether there is room for no more than four characters.
+    If ``is_short`` there is room for no more than four characters.
     """
     text = format_short(quantity.value) if is_short else quantity.written
     if quantity.source:

@@ -3,7 +3,6 @@
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
@@ -103,7 +102,7 @@ class Figure:
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
             return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(reasons[0])
-        files = list(dict.fromkeys(chain.from_iterable(_files(source.partition("#")[0]) for source in there)))
+        files = list(dict.fromkeys(file for source in there for file in _files(source.partition("#")[0])))
         names = [file.rpartition("/")[2] for file in files]
         links = Markup(", ").join(
             # The same file of several releases is told apart by its folder.
@@ -175,14 +174,9 @@ class Section:
     def worded(
         self, anchor: str, place: str, words: Mapping[tuple[str, str], Wording], drawn_by: str = "", command: str = ""
     ) -> "Section":
-        """Give it the words of the template; ReportError unless each thing has its words, and they their thing.
+        """Give it the words of the template ``place``; ReportError unless things and words are those of each other.
 
-        Args:
-            anchor: How the ids of its figures begin.
-            place: The template, to name in errors.
-            words: What the template says, by kind and name.
-            drawn_by: As each figure has it.
-            command: As each figure has it.
+        The ids of its figures begin with ``anchor``; all have the same ``drawn_by`` and ``command``.
         """
         claims = {claim.name: claim for claim in self.claims}
         things = {"claim": claims, "figure": self.figures, "table": self.tables}

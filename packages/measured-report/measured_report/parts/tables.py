@@ -1,7 +1,6 @@
 """Tables as HTML: one unit a column, numbers aligned at their points, one mark for what there is none of."""
 
 import re
-from collections.abc import Mapping
 from typing import Any
 
 import pandas as pd
@@ -22,16 +21,14 @@ def table_html(frame: pd.DataFrame) -> Markup:
     corner = Markup('<th scope="col">{}</th>').format(frame.index.name or "")
     head = Markup("").join(column.head(name) for name, column in columns.items())
     body = Markup("\n").join(
-        Markup('<tr><th scope="row">{}</th>{}</tr>').format(name, _cells(columns, row))
+        Markup('<tr><th scope="row">{}</th>{}</tr>').format(
+            name, Markup("").join(columns[column].cell(value) for column, value in row.items())
+        )
         for name, row in frame.astype(object).iterrows()
     )
     return Markup(
         '<div class="wide"><table>\n<thead><tr>{}{}</tr></thead>\n<tbody>\n{}\n</tbody></table></div>'
     ).format(corner, head, body)
-
-
-def _cells(columns: Mapping[str, "_Column"], row: pd.Series) -> Markup:
-    return Markup("").join(columns[name].cell(value) for name, value in row.items())
 
 
 class _Column:

@@ -18,6 +18,8 @@ from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_trac
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 
 SOURCE = re.compile('data-src="([^"]*)"')
+NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
+"""A number as it is printed, with its unit."""
 LEAVES_TRIED = 4
 """Of a value that is computed from more numbers than that, so many are changed one by one, spread over all of them; and
 all of them together."""
@@ -93,8 +95,8 @@ class Survey:
 
 
 def _shapes(section: Section) -> dict[str, tuple[str, str]]:
-    """Outcome and words of each claim, its numbers left out."""
-    return {claim.name: (claim.outcome.said, claim.wordless) for claim in section.claims}
+    """Return outcome and words of each claim, with a mark in the place of each number."""
+    return {claim.name: (claim.outcome.said, NUMBER.sub("#", str(claim.sentence))) for claim in section.claims}
 
 
 def surveys(perturbation: Perturbation) -> list[Survey]:
