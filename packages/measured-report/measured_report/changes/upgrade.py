@@ -70,7 +70,8 @@ def _other_packages(before: Edition, after: Edition) -> str:
     sides = _deciding(before), _deciding(after)
     if not all(sides):
         return ""
-    changed = package_changes(*(records[0].identity.packages for records in sides), config().packages[1:])
+    old, new = (records[0].identity.packages for records in sides)
+    changed = package_changes(old, new, config().packages[1:])
     return f" ({', '.join(changed)})" if changed else ""
 
 

@@ -9,6 +9,7 @@ and an ``excerpt`` that the file must hold.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from jinja2 import nodes
 from jinja2.ext import Extension
@@ -61,13 +62,15 @@ class StatedTag(Extension):
     def parse(self, parser: Parser) -> nodes.Node:
         line = next(parser.stream).lineno
         name = parser.stream.expect("name")
-        if name.value not in self.environment.globals["references"]:
+        known: Any = self.environment.globals["references"]
+        if name.value not in known:
             parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
         call = self.call_method("_stated", [nodes.Const(name.value)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, name: str, caller) -> Markup:
+        known: Any = self.environment.globals["references"]
         words = Markup(" ".join(caller().split()))
         html = '<span class="stated">{} <span class="source">[not measured here: {}]</span></span>\n'
-        return Markup(html).format(words, self.environment.globals["references"][name])
+        return Markup(html).format(words, known[name])
