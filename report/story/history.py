@@ -36,7 +36,7 @@ def _numbers(releases: Releases) -> Table:
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
-            cells = (with_mark(headline.cell(releases[release], release), marks.get(release, "")) for release in releases)
+            cells = (with_mark(headline.cell(each, name), marks.get(name, "")) for name, each in releases.items())
             cells = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
             for column, content in zip(columns.values(), cells, strict=True):
                 column.append(content)
