@@ -22,12 +22,8 @@ MOST_ROOMS, MOST_FLOORS, MOST_ARROWS = 13, 10, 60
 
 @pytest.mark.parametrize(
     ("side", "allowed"),
-    [
-        ("measured_report", ()),
-        ("newton_lint", ()),
-        ("experiments", ("measured_report", "newton_lint")),
-        ("report", ("measured_report", "experiments.facts")),
-    ],
+    [("measured_report", ()), ("newton_lint", ()), ("experiments", ("measured_report", "newton_lint"))]
+    + [("report", ("measured_report", "experiments.facts"))],
 )
 def test_each_side_reads_no_more_of_the_others_than_it_may(side, allowed):
     def is_in(name: str, room: str) -> bool:

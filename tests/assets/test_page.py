@@ -46,11 +46,6 @@ STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], 
 
 
 @pytest.fixture(scope="module")
-def site(tracked_site) -> Path:
-    return tracked_site
-
-
-@pytest.fixture(scope="module")
 def browser() -> Iterator["sync_api.Browser"]:
     with sync_api.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
@@ -86,12 +81,6 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     assert problems == []
 
 
-def each_look():
-    """Both screens and both schemes; a scheme changes colours alone, which are the same on both screens."""
-    looks = [("desk", "light"), ("phone", "dark")]
-    return pytest.mark.parametrize("tab", looks, indirect=True, ids="-".join)
-
-
 def pages(site: Path) -> list[Path]:
     """All of the release that is shown first, and the front page of the newest other one."""
     return [*sorted(site.glob("*.html")), *sorted(site.glob("newton-*/index.html"))[-1:]]
@@ -101,7 +90,7 @@ def open_page(tab, path: Path, fragment: str = "") -> None:
     tab.goto(path.as_uri() + fragment)
 
 
-@each_look()
+@pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)
 def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
     axe = axe_core.AXE_FILE_PATH.read_text(encoding="utf-8")
     for path in pages(site):
@@ -122,10 +111,11 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         assert grave == [], path.name
 
 
-def test_the_settings_of_the_fix_are_on_the_first_screen(site, tab):
+def test_the_front_page_is_small_and_has_the_settings_of_the_fix_on_its_first_screen(site, tab):
     open_page(tab, site / "index.html")
     settings = tab.locator(".lead pre").bounding_box()
     assert settings["y"] + settings["height"] < tab.viewport_size["height"]
+    assert tab.evaluate("document.querySelectorAll('*').length") <= MOST_ELEMENTS
 
 
 @pytest.mark.parametrize("tab", [("phone", "light")], indirect=True, ids="-".join)
@@ -159,11 +149,6 @@ def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     sync_api.expect(clock).not_to_have_text(start)
     tab.keyboard.press("Space")
     sync_api.expect(tab.locator("#play")).to_have_text("Play")
-
-
-def test_the_front_page_is_small(site, tab):
-    open_page(tab, site / "index.html")
-    assert tab.evaluate("document.querySelectorAll('*').length") <= MOST_ELEMENTS
 
 
 def test_old_links_lead_on(site, tab):

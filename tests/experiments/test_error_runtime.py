@@ -118,15 +118,12 @@ def test_the_shipped_integrator_converges_to_the_reference_at_first_order(shakes
     assert error_runtime.distance_mm(run(reference_of(points[0], 32)), reference) < 1e-4 * errors[-1]
 
 
-def test_the_model_in_c_has_the_timeconst_of_the_pads(shakes):
+def test_the_model_in_c_has_the_timeconst_of_the_pads_and_merged_links_where_they_were(shakes):
     _, starts = shakes
     timeconst = {
         pads: NativeShake(replace(base, backend="mujoco"), starts[pads]).pad_timeconst_s for pads, base in PADS.items()
     }
     assert timeconst == pytest.approx({"as-shipped": 0.02, "stiff": 0.002})
-
-
-def test_merged_links_are_where_they_were(shakes):
     _, starts = shakes
     start = starts["stiff"]
     own, merged = (

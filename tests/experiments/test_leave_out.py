@@ -67,7 +67,7 @@ def test_stages_that_are_not_used_change_no_bit():
 STAGES_OFF = {"all": {}, "sensors": {"sensors": False}, "limits": {"limits": False}}
 
 
-def test_a_stage_that_is_off_launches_fewer_kernels(pilot):
+def test_stages_their_kernels_and_what_they_are_for(pilot):
     kept = count_launches(pilot)
     assert sum(kept.values()) > 80
     pilot.vary(replace(AS_SHIPPED, sensors=False, limits=False))
@@ -75,17 +75,11 @@ def test_a_stage_that_is_off_launches_fewer_kernels(pilot):
     pilot.vary(AS_SHIPPED)
     assert not any("limit" in stage or "sensor_acc" in stage for stage in off)
     assert sum(off.values()) < sum(kept.values())
-
-
-def test_rows_of_stages_add_up(pilot):
     rows = stage_rows(pilot, "cpu")
     assert sum(row["kernel_share"] for row in rows) == pytest.approx(1.0)
     assert len({row["case"] for row in rows}) == len(rows)
     assert all(row["element_count"] is not None or row["element_count_reason"] for row in rows)
-
-
-def test_a_stage_is_for_what_its_function_names(pilot):
-    found = {row["stage"]: row["of"] for row in stage_rows(pilot, "cpu") if row["of"]}
+    found = {row["stage"]: row["of"] for row in rows if row["of"]}
     assert found and all(element_of(stage) == element for stage, element in found.items())
     assert element_of("sensor.sensor_acc") == "nsensor" and element_of("constraint.limit_slide_hinge") == "njnt"
     assert element_of("sensor.energy_pos") is None, "energy is measured in the module of the sensors"

@@ -91,9 +91,6 @@ def test_a_pair_without_damping_has_no_creep_that_could_be_told(scene, capsys):
 def test_findings_end_with_one(scene, capsys):
     assert main([scene('solref="0.001 1" friction="1 0.2 0.0001"'), "--dt", "0.01"]) == 1
     assert re.findall(r"^  (\w+) ", capsys.readouterr().out, re.MULTILINE)[:2] == ["timeconst", "unused"]
-
-
-def test_one_finding_is_one_finding(scene, capsys):
     assert main([scene('solref="0.001 0.1"'), "--dt", "0.0001"]) == 0
     assert main([scene('friction="1 0.2 0.0001"')]) == 1
     assert capsys.readouterr().out.count(": 1 finding\n") == 1

@@ -42,22 +42,14 @@ def damping_per_s(timeconst_s: float) -> float:
 
 
 @pytest.mark.slow
-def test_without_a_timeconst_friction_rows_take_the_normal_rows(rows):
+def test_what_damps_the_friction_rows(rows):
     for name in ("off", "kf-negative"):
         assert rows[name]["friction_timeconst_s"] == 0.0
         assert rows[name]["timeconst_s"] == pytest.approx(0.02)
         assert rows[name]["friction_damping_per_s"] == pytest.approx(damping_per_s(0.02), rel=1e-4)
-
-
-@pytest.mark.slow
-def test_a_timeconst_of_their_own_damps_the_friction_rows_alone(rows):
     assert rows["on"]["timeconst_s"] == pytest.approx(0.02)
     assert rows["on"]["friction_timeconst_s"] == pytest.approx(0.01)
     assert rows["on"]["friction_damping_per_s"] == pytest.approx(damping_per_s(0.01), rel=1e-4)
-
-
-@pytest.mark.slow
-def test_the_release_reads_kf_or_not(rows):
     timeconst = rows["kf-10"]["friction_timeconst_s"]
     assert (timeconst > REFSAFE_TIMECONST_S) == kf_is_read()
     assert rows["as-shipped"]["friction_timeconst_s"] == pytest.approx(timeconst / 100.0, rel=0.01)

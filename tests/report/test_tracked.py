@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from conftest import link
 from markupsafe import escape
 
 from measured_report import ROOT
@@ -85,8 +86,7 @@ def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
 
 @pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
 def test_no_claim_flips_by_noise_alone(release, tmp_path):
-    for name in ("report", "experiments", "templates", "assets", "pyproject.toml"):
-        (tmp_path / name).symlink_to(ROOT / name)
+    link(tmp_path, "report", "experiments", "templates", "assets", "pyproject.toml")
     shutil.copytree(ROOT / "results" / f"newton-{release}", tmp_path / "results" / f"newton-{release}")
     project = Project(release, root=tmp_path, own_release=own_release())
     before = derive_edition(project, Templates(project.templates)).chapters

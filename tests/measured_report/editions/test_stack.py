@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 from conftest import Toy, git
 
-from measured_report import ReportError, UsageError
+from measured_report import ROOT, ReportError, UsageError
 from measured_report.commands import building
 from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
@@ -235,3 +235,18 @@ def test_the_command_that_is_shown_names_what_make_can_find(toy):
     assert side.rerun("toy") == "make rerun SECTION=toy 'NEWTON=/a place/newton'"
     assert toy.project.of("1.8.0@cpu").rerun("toy") == "make rerun SECTION=toy DEVICE=cpu NEWTON=1.8.0@cpu"
     assert toy.project.rerun("toy", "cpu") == "make rerun SECTION=toy DEVICE=cpu"
+    other = Project("99.0", "quick", own_release="1.4.0").rerun("gap", "cpu")
+    assert other == "make rerun SECTION=gap DEVICE=cpu NEWTON=99.0 PROFILE=quick"
+
+
+def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packages():
+    packages = {
+        "newton": "1.8.0",
+        "warp-lang": "1.19.0",
+        "mujoco-warp": provenance.MISSING,
+        "mujoco": provenance.MISSING,
+    }
+    found = environment.requirements(ROOT, packages)
+    assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
+    assert any(name.startswith("pandas") for name in found)
+    assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)

@@ -95,14 +95,10 @@ def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, temp
             assert claim.name == "title" or all(text.endswith((".", ":")) for text in texts), texts
 
 
-def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
+def test_title_and_story_follow_the_data(editions, templates):
     titles = {release: front_text(edition, templates).title.striptags() for release, edition in editions.items()}
     assert titles["1.4.0"].startswith("The cube creeps through a firm grasp")
     assert titles["1.8.0"].startswith("The cube hardly creeps in the grasp")
-
-
-def test_a_drift_the_other_way_is_a_motion_as_well(editions, templates):
-    """Small beside that of the shake in one release, and as large in the other."""
     for release, said in {"1.4.0": "It takes the shake", "1.8.0": "not the shake alone that moves"}.items():
         text = TAGS.sub("", html_of(story_text(editions[release], templates)))
         assert said in text and "the other way" in text
