@@ -157,8 +157,8 @@ class Toy:
         }
         return Record(**{**BY_HAND, **fields, **changes})
 
-    def measure(self, rows=ROWS) -> None:
-        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]})}
+    def measure(self, rows=ROWS, end_mm=0.3) -> None:
+        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end_mm]})}
         write_record(self.record_path, self.record(rows), traces)
 
     def state(self):
@@ -284,6 +284,14 @@ def derived(project: Project) -> Edition:
 
 def compared(*projects: Project) -> Comparison:
     return compare(*map(derived, projects))
+
+
+@pytest.fixture
+def log(tmp_path) -> Path:
+    """The log of the batches without physics."""
+    path = tmp_path / "log"
+    path.touch()
+    return path
 
 
 def git(folder: Path, *command: str) -> str:

@@ -104,9 +104,11 @@ except KeyboardInterrupt:
 """
 
 
-def test_an_interrupt_that_python_drops_comes_again():
+def test_no_interrupt_is_dropped_or_taken_for_an_error():
     done = run(code=("-c", INTERRUPTED))
     assert (done.stdout, done.stderr) == ("interrupted\n", "")
+    done = run(code=("-c", MADE))  # Python before 3.12 makes it an error of another kind
+    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")
 
 
 MADE = """
@@ -124,9 +126,3 @@ def make_class():
 command_line._parse_arguments = make_class
 sys.exit(command_line.main())
 """
-
-
-def test_an_interrupt_while_a_class_is_made_is_one():
-    """Which Python before 3.12 turns into an error of another kind."""
-    done = run(code=("-c", MADE))
-    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")

@@ -47,10 +47,9 @@ SHARE = 0.1
 """Of the rows so many fail, or are missing."""
 
 Row = dict[str, Any]
-Records = Mapping[tuple[str, str], Record]
-"""By release and section."""
 Place = tuple[str, str]
 """Release and section."""
+Records = Mapping[Place, Record]
 
 
 def as_measured(records: Records, place: Place) -> list[Row]:
@@ -101,18 +100,15 @@ def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
 def moving(name: str, factor: float) -> Scenario:
     """The cube moves so many times as much."""
 
+    def moved(column: str, value):
+        if not MOTION.fullmatch(column):
+            return 1.0 * value
+        return value * (factor if SIGNED.fullmatch(column) else abs(factor))
+
     def rows(records: Records, place: Place) -> list[Row]:
-        return changed(records[place].rows, place[1], lambda column, value: value * _factor(column, factor))
+        return changed(records[place].rows, place[1], moved)
 
-    return Scenario(
-        name, rows, lambda path, found: _moved(found, lambda column, cells: _factor(column, factor) * cells)
-    )
-
-
-def _factor(column: str, factor: float) -> float:
-    if not MOTION.fullmatch(column):
-        return 1.0
-    return factor if SIGNED.fullmatch(column) else abs(factor)
+    return Scenario(name, rows, lambda path, found: _moved(found, moved))
 
 
 def _moved(frame: pd.DataFrame, change: Callable[[str, pd.Series], pd.Series]) -> pd.DataFrame:

@@ -103,12 +103,8 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
         tab.evaluate(axe)
         found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
-        grave = [
-            (rule["id"], [node["html"][:99] for node in rule["nodes"][:3]])
-            for rule in found
-            if rule["impact"] in ("serious", "critical")
-        ]
-        assert grave == [], path.name
+        for rule in found:
+            assert rule["impact"] not in ("serious", "critical"), (path.name, rule["id"], rule["nodes"][0]["html"][:99])
 
 
 def test_the_front_page_is_small_and_has_the_settings_of_the_fix_on_its_first_screen(site, tab):
@@ -151,11 +147,13 @@ def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     sync_api.expect(tab.locator("#play")).to_have_text("Play")
 
 
-def test_old_links_lead_on(site, tab):
+def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
     open_page(tab, site / "index.html", "#friction")
     tab.wait_for_url("**/evidence.html#friction")
     open_page(tab, site / "index.html", "#stability-maps")
     tab.wait_for_url("**/limits.html#stability-maps")
+    open_page(tab, site / "evidence.html", "#friction")
+    tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(timeout=5000)
 
 
 def test_without_script_the_page_is_whole(site, browser):
@@ -239,8 +237,3 @@ def test_the_colour_scheme_can_be_chosen_and_is_kept(site, tab):
     assert tab.evaluate("getComputedStyle(document.body).backgroundColor") != paper
     tab.reload()
     assert tab.locator(".scheme").inner_text() == "Colours: dark"
-
-
-def test_the_contents_show_where_one_is(site, tab):
-    open_page(tab, site / "evidence.html", "#friction")
-    tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(timeout=5000)

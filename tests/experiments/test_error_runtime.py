@@ -24,24 +24,21 @@ def moved(vector_mm) -> metrics.Displacement:
     return metrics.Displacement(np.arange(len(vector)) * FRAME_DT, vector, vector[:, 0])
 
 
-def test_cycle_drift_takes_pairs_of_cycles_after_the_first():
+def test_cycle_drift_takes_pairs_of_cycles_after_the_first_and_distance_the_root_mean_square():
     seconds = np.arange(241) * FRAME_DT
     # The first cycle moves by 9 mm and the others by 3 and 4 mm in x and z; what returns every two cycles cancels.
     steady = np.where(seconds < 1.0, 9.0 * seconds, 9.0 + 3.0 * (seconds - 1.0))
     returning = np.sin(np.pi * seconds)
     drift = metrics.cycle_drift_mm(moved(np.stack([steady, returning, 4.0 * seconds], axis=1)), 1.0)
     assert drift == pytest.approx(5.0)
+    path = np.zeros((2, 3))
+    other = np.array([[0.003, 0.0, 0.004], [0.0, 0.001, 0.0]])
+    assert metrics.distance_rms_mm(path, other) == pytest.approx(np.sqrt((25.0 + 1.0) / 2.0))
 
 
 @pytest.mark.parametrize("frame_count", [0, 121, 180])
 def test_cycle_drift_needs_a_pair_of_cycles(frame_count):
     assert np.isnan(metrics.cycle_drift_mm(moved(np.zeros((frame_count, 3))), 1.0))
-
-
-def test_distance_is_the_root_mean_square():
-    path = np.zeros((2, 3))
-    other = np.array([[0.003, 0.0, 0.004], [0.0, 0.001, 0.0]])
-    assert metrics.distance_rms_mm(path, other) == pytest.approx(np.sqrt((25.0 + 1.0) / 2.0))
 
 
 @pytest.mark.parametrize(

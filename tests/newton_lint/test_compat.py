@@ -25,13 +25,8 @@ def test_releases_are_compared_as_numbers(version, numbers):
 def rows() -> dict[str, dict[str, object]]:
     """Live contact rows of the grasp, as the release makes them and with the timeconst of the friction rows set."""
     short = replace(AS_SHIPPED, frame_count=GRASPED + 1)
-    cases = [
-        short,
-        replace(short, name="kf-10", pad_kf=10.0),
-        replace(short, name="kf-negative", pad_kf=-1.0),
-        replace(short, name="off", friction_timeconst_override_s=0.0),
-        replace(short, name="on", friction_timeconst_override_s=0.01),
-    ]
+    cases = [short, replace(short, name="kf-10", pad_kf=10.0), replace(short, name="kf-negative", pad_kf=-1.0)]
+    cases += [replace(short, name=name, friction_timeconst_override_s=s) for name, s in (("off", 0.0), ("on", 0.01))]
     traces = simulate(cases, device="cpu", contact_frames=(GRASPED,))
     return {case.name: row_columns(trace.contact_rows[0]) for case, trace in zip(cases, traces, strict=True)}
 

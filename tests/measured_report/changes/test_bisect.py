@@ -31,15 +31,11 @@ OLD = {"warp-lang": "1.15.0", "mujoco-warp": "3.10.0", "mujoco": "3.10.0"}
 NEW = {"warp-lang": "1.16.0", "mujoco-warp": "3.11.0", "mujoco": "3.11.0"}
 
 
-@pytest.mark.parametrize("count", [2, 3, 8, 9])
-def test_the_first_change_is_found_wherever_it_is(count):
-    for change in range(1, count):
-        assert first_change(range(count), lambda point, change=change: point < change) == (change - 1, change, [])
-
-
-def test_what_cannot_tell_is_passed_over_and_named():
-    cannot = {3, 4}
-    found = first_change(range(8), lambda point: None if point in cannot else point < 4)
+def test_the_first_change_is_found_wherever_it_is_and_what_cannot_tell_is_passed_over_and_named():
+    for count in (2, 3, 8, 9):
+        for change in range(1, count):
+            assert first_change(range(count), lambda point, change=change: point < change) == (change - 1, change, [])
+    found = first_change(range(8), lambda point: None if point in (3, 4) else point < 4)
     assert found == (2, 5, [3, 4])
 
 
@@ -91,12 +87,7 @@ def test_or_another_package_of_it(toy, search):
     assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.9 does so too")
 
 
-def test_there_is_nothing_to_find_between_ends_that_agree(search):
-    with pytest.raises(UsageError, match="holds at A and holds at B"):
-        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.9"))
-
-
-def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
+def test_an_end_that_cannot_be_measured_ends_the_search_and_so_do_ends_that_agree(search, monkeypatch):
     """And does not begin one with full runs, which take hours."""
 
     def fail(project, stack, *others):
@@ -106,6 +97,8 @@ def test_an_end_that_cannot_be_measured_ends_the_search(search, monkeypatch):
     with pytest.raises(ReportError, match="measuring ended") as error:
         search.ends(stack_of("1.4.0"), stack_of("1.9.0"))
     assert not isinstance(error.value, UsageError)
+    with pytest.raises(UsageError, match="holds at A and holds at B"):
+        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.9"))
 
 
 def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
@@ -126,18 +119,15 @@ def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
         subprocess.run(["git", "-C", clone, "bisect", "start", "HEAD", "HEAD~2"], capture_output=True, check=True)
 
 
-def test_a_commit_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
+def test_commits_of_one_repository_are_seen_as_such_and_one_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
+    first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
+    assert common_repository(first, last) == (checkout, "HEAD", "main")
+    assert common_repository(first, stack_of("1.8.9")) is None
     for value in range(2, 5):
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
     with pytest.raises(ReportError, match="no first commit was found"):
         bisect_commits(checkout, "HEAD~3", "main", tmp_path / "clone", lambda: None)
-
-
-def test_commits_of_one_repository_are_seen_as_such(checkout):
-    first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
-    assert common_repository(first, last) == (checkout, "HEAD", "main")
-    assert common_repository(first, stack_of("1.8.9")) is None
 
 
 @pytest.fixture

@@ -59,7 +59,7 @@ def test_the_matrix_has_a_column_for_each_release(toy, newer):
     assert matrix[1].split() == ["toy", "stale:", "config", "stale:", "config"]
 
 
-def test_every_release_has_a_page_and_every_section_leads_to_the_others(toy, newer):
+def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for_is_first(toy, newer):
     toy.build()
     site = toy.project.site
     other = (site / "newton-1.8.0/evidence.html").read_text()
@@ -71,9 +71,6 @@ def test_every_release_has_a_page_and_every_section_leads_to_the_others(toy, new
     assert "make rerun SECTION=toy NEWTON=1.8.0" in other and "NEWTON" not in toy.page
     assert (site / "data/newton-1.8.0/toy.json").is_file()
     assert check_site(site) == []
-
-
-def test_the_release_asked_for_is_the_first_page(toy, newer):
     newer.build()
     assert "<b>Newton 1.8.0</b>" in newer.page.replace(' aria-current="true"', "")
     assert 'href="newton-1.4.0/evidence.html"' in newer.page
@@ -160,7 +157,7 @@ def test_speed_is_compared_on_one_machine_only(toy, newer):
     assert found.notes == [f"speed and cost in toy: measured on A processor, {cores} and on Another, {cores}"]
 
 
-def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):
+def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(toy, newer):
     results, other = (Results(load_record(each.record_path), each.record_path) for each in (toy, newer))
     slips = results.row["soft"].slip_mm, other.row["soft"].slip_mm
     refused = results.value("gain", "one over the other", lambda a, b: a / b, *slips)
@@ -171,9 +168,6 @@ def test_rows_of_different_releases_are_not_compared_by_accident(toy, newer):
     noise = results.value("noise", "chosen", lambda: 0.1, unit="mm")
     assert greater(*slips, noise=noise).reason == refused.reason
     assert at_most(asked, noise).name == "holds"
-
-
-def test_machines_mix_as_little_as_releases():
     here, there = (frozenset({Origin("1.4.0", processor)}) for processor in ("GPU", "CPU"))
     assert mixed(here, here, frozenset()) == ""
     assert "CPU" in mixed(here, there)

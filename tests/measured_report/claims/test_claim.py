@@ -82,13 +82,10 @@ def make_claim(outcome) -> Claim:
     return Claim("slips", outcome, {"slip": quantity(6.3617)}, Wording("a place", parts, frozenset({"slip"})))
 
 
-def test_each_outcome_has_its_wording():
+def test_each_outcome_has_its_wording_and_an_explanation_only_where_it_holds():
     assert make_claim(HOLDS).text == "It is 6.36 mm."
     assert make_claim(FAILS).text == "It is not 6.36 mm."
     assert make_claim(Outcome("unknown", "a < b")).text == "Whether it is cannot be told (a < b)."
-
-
-def test_an_explanation_stands_only_where_the_claim_holds():
     html = make_claim(HOLDS).html("toy")
     assert html.startswith('<span class="claim" data-claim="toy.slips" data-outcome="holds">It is <data ')
     assert html.endswith("Since it is soft.")
@@ -100,7 +97,7 @@ def results(toy) -> Results:
     return Results(toy.record(), toy.record_path)
 
 
-def test_a_derived_value_says_how(results):
+def test_a_value_says_how_it_is_derived_or_why_it_is_chosen(results):
     a, b = (results.row[case].slip_mm for case in ("soft", "stiff"))
     gain = results.value("gain", "soft over stiff", lambda a, b: a / b, a, b)
     assert gain.source == "newton-1.4.0/values.json#/toy/gain"
@@ -111,6 +108,9 @@ def test_a_derived_value_says_how(results):
         "formula": "soft over stiff",
         "sources": ["newton-1.4.0/toy.json#/rows/0/slip_mm", "newton-1.4.0/toy.json#/rows/1/slip_mm"],
     }
+    bound = results.chosen("bound", "far from it", 0, unit="mm")
+    assert bound.entry == {"value": 0, "unit": "mm", "noise": 0.0, "formula": "chosen: far from it", "sources": []}
+    assert results.chosen("gain_bound", *arithmetic.SETTLES).formula == "chosen: a change that settles the matter"
 
 
 def test_what_has_no_value_says_why(results):
@@ -127,9 +127,3 @@ def test_what_has_no_value_says_why(results):
         results.value("half", "two", lambda: 2.0)
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s
-
-
-def test_a_chosen_value_says_why(results):
-    bound = results.chosen("bound", "far from it", 0, unit="mm")
-    assert bound.entry == {"value": 0, "unit": "mm", "noise": 0.0, "formula": "chosen: far from it", "sources": []}
-    assert results.chosen("gain_bound", *arithmetic.SETTLES).formula == "chosen: a change that settles the matter"

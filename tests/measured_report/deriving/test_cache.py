@@ -18,7 +18,6 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
-from measured_report.records.traces import packed
 
 SECTION = """
 from report.shared.arithmetic import other_value
@@ -52,31 +51,33 @@ def from_nothing(toy: Toy) -> dict[str, bytes]:
     return files(toy.project.site)
 
 
-def trace_of(toy: Toy, end: float) -> None:
-    traces = {"stiff": packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end]})}
-    write_record(toy.record_path, toy.record(), traces)
+def rewritten(old: str, new: str) -> Callable[[Toy], None]:
+    """A change of the toy's template or module."""
+    assert old in TEMPLATE + MODULE
+
+    def change(toy: Toy) -> None:
+        toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+        toy.write("report/sections/toy.py", MODULE.replace(old, new))
+
+    return change
 
 
+LAID_OUT = (LAYOUT / "base.html.j2").read_text().replace("Skip to", "Go to")
+EXTENDED = '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
 CHANGES: dict[str, Callable[[Toy], None]] = {
-    "a word of its template": lambda toy: toy.write(
-        "templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer")
-    ),
-    "a word of a claim": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("It helps", "It aids")),
-    "a caption": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("The way", "The long way")),
-    "an alternative text": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("moves", "walks")),
+    "a word of its template": rewritten("Stiff", "Stiffer"),
+    "a word of a claim": rewritten("It helps", "It aids"),
+    "a caption": rewritten("The way", "The long way"),
+    "an alternative text": rewritten("moves", "walks"),
+    "what it draws": rewritten('label="x"', 'label="y"'),
+    "what it derives": rewritten("a / b", "a / b + 1"),
+    "its place": rewritten("order = 1", 'order = 1\npage = "limits"'),
     "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
-    "a layout": lambda toy: toy.write(
-        "templates/base.html.j2", (LAYOUT / "base.html.j2").read_text().replace("Skip to", "Go to")
-    ),
-    "a block of a layout": lambda toy: toy.write(
-        "templates/base.html.j2", '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
-    ),
+    "a layout": lambda toy: toy.write("templates/base.html.j2", LAID_OUT),
+    "a block of a layout": lambda toy: toy.write("templates/base.html.j2", EXTENDED),
     "the icon": lambda toy: toy.write("assets/favicon.svg", "<svg/>"),
-    "what it draws": lambda toy: toy.write("report/sections/toy.py", MODULE.replace('label="x"', 'label="y"')),
-    "what it derives": lambda toy: toy.write("report/sections/toy.py", MODULE.replace("a / b", "a / b + 1")),
-    "its place": lambda toy: toy.write("report/sections/toy.py", MODULE + '\npage = "limits"\n'),
     "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
-    "its trace": lambda toy: trace_of(toy, 0.7),
+    "its trace": lambda toy: toy.measure(end_mm=0.7),
     "the simulator's side": lambda toy: toy.write("experiments/scene.py", "def slip():\n    return 2.0\n"),
     "another release": lambda toy: toy.of("1.8.0").measure(),
 }

@@ -110,13 +110,16 @@ def test_what_may_change_a_row_makes_it_stale(chain, old, new, file):
     assert f"code: experiments/{file}.py" in chain.state().notes
 
 
-def test_the_profile_counts_and_the_machine_does_not(toy):
+def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, monkeypatch):
     full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
     assert full.config != quick.config
     assert full.code == quick.code
     text = toy.record_path.read_text().replace("A processor", "Another")
     toy.record_path.write_text(text)
     assert toy.state().kind == "fresh"
+    installed = {**toy.packages, "warp-lang": "9.9"}
+    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
+    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
 
 
 @pytest.mark.parametrize(
@@ -130,12 +133,6 @@ def test_what_a_module_does_when_it_is_imported_counts_however_it_is(toy, statem
     toy.measure()
     toy.write("experiments/extra.py", "x = 2\nprint(x)\n")
     assert toy.state().notes == ("code: experiments/extra.py",)
-
-
-def test_package_versions_count(toy, monkeypatch):
-    installed = {**toy.packages, "warp-lang": "9.9"}
-    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
-    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
 
 
 @pytest.fixture(scope="module")

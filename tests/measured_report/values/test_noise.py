@@ -12,20 +12,17 @@ SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
 
 
-def test_what_counts_as_moved():
-    assert not is_beyond(0.01, 1.0, 1.009) and is_beyond(0.01, 1.0, 1.02)
-    assert not is_beyond(0.0, 6.0, 6.005), "rounding"
-    assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
-    assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
-
-
-def test_the_noise_is_what_nearly_all_pairs_stay_within():
+def test_the_noise_is_what_nearly_all_pairs_stay_within_and_what_is_beyond_it_moved():
     """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
     runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
     deviation = 0.001 * (40 / 39) ** 0.5
     assert tolerance(runs) == pytest.approx(2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5, rel=1e-3)
     assert tolerance([*runs, 7.36]) == pytest.approx(1.001), "never less than what was seen"
     assert tolerance([6.36] * 40) == 0.0 and tolerance([1.0, 1.5]) == 0.5
+    assert not is_beyond(0.01, 1.0, 1.009) and is_beyond(0.01, 1.0, 1.02)
+    assert not is_beyond(0.0, 6.0, 6.005), "rounding"
+    assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
+    assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
 
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))
@@ -51,12 +48,7 @@ def test_the_largest_of_many_is_no_noisier_than_one(values, noise):
     assert derived_noise(lambda *cells: max(cells), values, [noise] * len(values)) <= 1.000001 * noise
 
 
-def test_what_is_computed_from_an_unknown_noise_has_none_that_is_known():
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
-    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
-
-
-def test_the_noise_of_a_cell():
+def test_the_noise_of_a_cell_a_time_and_of_what_is_computed_from_an_unknown_one():
     floors = {"slip_mm": Floor(0.005, 6.4), "drift_mm_s": Floor(0.0, 0.5), "wall_s": Floor(0.0, 2.0)}
     row = {"slip_mm": 6.36, "drift_mm_s": 0.5, "wall_s": 2.0, "pad_ke": 2.5e5, "creep_mm_s": 0.1, "row_count": 8}
     found = {column: cell_noise(column, row, floors) for column in row}
@@ -73,9 +65,8 @@ def test_the_noise_of_a_cell():
     assert cell_noise("creep_mm_s", in_c, floors) == pytest.approx(1e-4), "it repeats to the last bit"
     assert cell_noise("slip_mm", in_c, floors) == 0.005
     assert cell_noise("build_s", in_c, floors) is None, "a time does not"
-
-
-def test_a_time_has_the_noise_of_its_own_frames():
     row = {"frame_ms": 8.0, "frame_ms_p5": 7.8, "frame_ms_p95": 8.3, "repeat_count": 25, "frames_per_s": 125.0}
     assert cell_noise("frame_ms", row, {}) == pytest.approx(1.25 * 0.5 / 5)
     assert cell_noise("frames_per_s", row, {}) == pytest.approx(125.0 * 1.25 * 0.5 / 5 / 8.0)
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
+    assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0
