@@ -267,14 +267,12 @@ def disks(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         trial.name += ": not tried, for that takes the right to mount"
         yield trial
         return
-    target = world.root.parent / "full"
-    target.mkdir(exist_ok=True)
-    publish = ("publish", "--target", f"dir:{target}/www")
-    temporary = world.root.parent / "tmp"
-    temporary.mkdir(exist_ok=True)
-    world.run(*PAGE)
+    target, temporary = world.root.parent / "full", world.root.parent / "tmp"
     results = world.root / "results/quick"
-    results.mkdir(exist_ok=True)
+    publish = ("publish", "--target", f"dir:{target}/www")
+    world.run(*PAGE)
+    for folder in (target, temporary, results):
+        folder.mkdir(exist_ok=True)
     for (kind, mount), (place, arguments) in itertools.product(
         MOUNTS.items(), ((results, RERUN), (world.root, PAGE), (target, publish), (temporary, publish))
     ):

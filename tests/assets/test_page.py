@@ -53,16 +53,6 @@ def browser() -> Iterator["sync_api.Browser"]:
         browser.close()
 
 
-def is_problem(message: "sync_api.ConsoleMessage") -> bool:
-    """Not what the browser says of drawing without a graphics card."""
-    return message.type in ("error", "warning") and "GL Driver Message" not in message.text
-
-
-def is_lost(request: "sync_api.Request") -> bool:
-    """Not what the browser gives up when it goes on to another page."""
-    return request.failure != "net::ERR_ABORTED"
-
-
 @pytest.fixture
 def tab(browser, request) -> Iterator["sync_api.Page"]:
     """A tab of the screen and the colour scheme that a test asks for, which must raise no error."""
@@ -73,12 +63,13 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     )
     tab = context.new_page()
     problems: list[str] = []
-    tab.on("console", lambda message: problems.append(message.text) if is_problem(message) else None)
+    tab.on("console", lambda said: problems.append(said.text) if said.type in ("error", "warning") else None)
     tab.on("pageerror", lambda error: problems.append(str(error)))
-    tab.on("requestfailed", lambda request: problems.append(request.url) if is_lost(request) else None)
+    tab.on("requestfailed", lambda request: problems.append(f"{request.failure}: {request.url}"))
     yield tab
     context.close()
-    assert problems == []
+    # Not what is said of drawing without a graphics card, nor what is given up when another page is gone to.
+    assert [each for each in problems if "GL Driver Message" not in each and "net::ERR_ABORTED" not in each] == []
 
 
 def pages(site: Path) -> list[Path]:

@@ -16,11 +16,6 @@ def run(monkeypatch, *arguments: str) -> int:
     return shake.main()
 
 
-def summary(monkeypatch, path, frame_count: int) -> dict[str, object]:
-    assert run(monkeypatch, "--num-frames", str(frame_count), "--json", str(path)) == 0
-    return json.loads(path.read_text())
-
-
 def test_every_option_of_the_contract_is_there():
     named = "--viewer null --num-frames 9 --device cpu --test --shake-amplitude 0.02 --shake-frequency 2 --pad-ke 1e4"
     named += " --pad-kd 10 --pad-mu 0.5 --cube-gap 0.01 --substeps 4 --backend mujoco --json summary.json"
@@ -57,7 +52,8 @@ def test_bad_input_gets_one_line_and_status_2(monkeypatch, capsys, arguments, me
 
 
 def test_a_run_writes_its_summary(monkeypatch, tmp_path):
-    found = summary(monkeypatch, tmp_path / "summary.json", 220)
+    assert run(monkeypatch, "--num-frames", "220", "--json", str(tmp_path / "summary.json")) == 0
+    found = json.loads((tmp_path / "summary.json").read_text())
     assert all(math.isfinite(found[name]) for name in CONTRACT)
     assert found["cube_height_m"] > 0.2 and found["dropped"] is False
 

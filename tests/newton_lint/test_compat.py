@@ -13,12 +13,14 @@ GRASPED = 150
 """Frame in which the cube is in the grasp."""
 
 
-@pytest.mark.parametrize(
-    ("version", "numbers"),
-    [("1.4.0", (1, 4, 0)), ("1.10.2", (1, 10, 2)), ("1.5.0.dev3", (1, 5, 0)), ("1.5.0rc1", (1, 5))],
-)
-def test_releases_are_compared_as_numbers(version, numbers):
-    assert release(version) == numbers
+def test_releases_are_compared_as_numbers():
+    for version, number in (
+        ("1.4.0", (1, 4, 0)),
+        ("1.10.2", (1, 10, 2)),
+        ("1.5.0.dev3", (1, 5, 0)),
+        ("1.5.0rc1", (1, 5)),
+    ):
+        assert release(version) == number
 
 
 @pytest.fixture(scope="module")

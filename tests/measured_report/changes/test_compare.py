@@ -95,7 +95,7 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
     assert "<b>toy</b> is left out" in toy.page and "IndexError" in toy.page
 
 
-def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
+def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, newer, capsys):
     arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="all")
     assert build.diff(toy.project, arguments) == 1
     said = capsys.readouterr().out
@@ -104,9 +104,6 @@ def test_a_diff_names_what_moved_and_what_flipped(toy, newer, capsys):
     assert "soft  slip_mm: 6.4 mm → 0.40 mm" in moves and "stiff" not in said
     newer.measure(ROWS)
     assert build.diff(toy.project, arguments) == 0
-
-
-def test_a_dropped_cube_is_compared_as_dropped_and_not_by_how_far_it_fell(toy, newer):
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
     moves = compared(toy.project, newer.project).moves
     assert [(move.column, move.direction) for move in moves] == [("dropped", "worse")]

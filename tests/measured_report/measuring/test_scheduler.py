@@ -40,8 +40,7 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
 
 
 def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy, log, capsys):
-    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
-    failing.section = "bad-one"
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
     with processes(2, "fork") as pool:
         executor = LocalExecutor(machine("cpu"), pool, 2)
         assert Scheduler([failing, run_of(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], executor).run()
@@ -54,10 +53,8 @@ def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy
 
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
-    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
     other = run_of(toy, batches.section(str(log), "a"))
-    other.section = "other"
-    failing.section, other.section = "bad-one", "toy"
     assert Scheduler([failing, other], LocalExecutor(machine("cpu"))).run()
     assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
     assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
