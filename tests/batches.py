@@ -84,8 +84,8 @@ def kill_worker(log: str) -> dict:
     return {"case": "worker", "slip_mm": 1.0}
 
 
-def run_of(toy, plan) -> SectionRun:
-    return SectionRun(toy.project, "toy", "cpu", plan, identity_of("toy", "full", toy.project.root), {})
+def run_of(toy, plan, section: str = "toy") -> SectionRun:
+    return SectionRun(toy.project, section, "cpu", plan, identity_of("toy", "full", toy.project.root), {})
 
 
 def begun(log: Path) -> list[str]:

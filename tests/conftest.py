@@ -3,6 +3,7 @@
 import importlib
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,8 @@ from hypothesis import settings
 
 import report.sections
 from measured_report import ROOT
-from measured_report.deriving.editions import Edition, editions_of
+from measured_report.changes.compare import Comparison, compare
+from measured_report.deriving.editions import Edition, derive_edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
@@ -30,6 +32,12 @@ IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
 settings.load_profile("project")
+
+BY_HAND = {
+    "machine": {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
+    "measured": {"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
+}
+"""What a record made here says of who measured it."""
 
 MODULE = """
 from measured_report.claims.claim import Claim, at_least
@@ -92,15 +100,17 @@ from pathlib import Path
 from measured_report.editions.project import Project, own_release
 from measured_report.site.build import build
 
-build(Project(own_release(), root=Path(sys.argv[1])))
+build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
 """
+"""Builds the site of a folder and a release; what builds it must not import the simulator."""
 EXPERIMENT = """from experiments.scene import slip
 
 
 def measure(conditions):
     return slip()
 """
+SOURCES = ("experiments", "report", "templates", "assets", "pyproject.toml")
 ROWS = ({"case": "soft", "slip_mm": 6.3617, "dropped": False}, {"case": "stiff", "slip_mm": 0.3124, "dropped": False})
 
 
@@ -142,15 +152,13 @@ class Toy:
         fields = {
             "section": "toy",
             "identity": identity_of("toy", self.project.profile, self.project.root, self.packages),
-            "machine": {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
-            "measured": {"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
             "units": units_of(rows),
             "rows": list(rows),
         }
-        return Record(**{**fields, **changes})
+        return Record(**{**BY_HAND, **fields, **changes})
 
-    def measure(self, rows=ROWS) -> None:
-        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]})}
+    def measure(self, rows=ROWS, end_mm=0.3) -> None:
+        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end_mm]})}
         write_record(self.record_path, self.record(rows), traces)
 
     def state(self):
@@ -206,14 +214,12 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
 
 
 @pytest.fixture(scope="session")
-def tracked_site(tmp_path_factory) -> Path:
-    """The site of what is tracked, apart from the checkout's own; what builds it must not import the simulator."""
+def site(tmp_path_factory) -> Path:
+    """The site of what is tracked, apart from the checkout's own."""
 
     def make(root: Path) -> None:
-        for name in ("experiments", "report", "templates", "assets", "results", "pyproject.toml"):
-            (root / name).symlink_to(ROOT / name)
-        command = [sys.executable, "-c", REPORT, root]
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+        link(root, "results", *SOURCES)
+        done = program("-c", REPORT, root, own_release())
         assert done.returncode == 0, done.stderr
 
     return made_once(tmp_path_factory, "tracked", make) / "site"
@@ -234,20 +240,58 @@ def poses_path(tmp_path_factory) -> Path:
 
     def make(folder: Path) -> None:
         measurement = measure(Conditions(device="cpu", quick=True))
-        record = Record(
-            section="poses",
-            identity=identity_of("poses", "quick"),
-            machine={"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
-            measured={"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
-            units=units_of(measurement.rows),
-            rows=measurement.rows,
-        )
+        rows, identity = measurement.rows, identity_of("poses", "quick")
+        record = Record(section="poses", identity=identity, units=units_of(rows), rows=rows, **BY_HAND)
         path = folder / "poses.json"
         write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
 
     results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
     shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
     return results / "poses.json"
+
+
+def program(*arguments: str | Path, cwd: Path = ROOT, **environment: str) -> subprocess.CompletedProcess:
+    """What a program in Python says, and how it ends."""
+    command, environment = [sys.executable, *arguments], {**os.environ, **environment}
+    return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True, check=False)
+
+
+def link(root: Path, *names: str) -> None:
+    """Give a folder what the checkout has of these names."""
+    for name in names:
+        (root / name).symlink_to(ROOT / name)
+
+
+def killed_at(stop: int, changes: Callable[[str, tuple], bool], work: Callable[[], object]) -> int:
+    """Do something in a process that is killed before one of its steps that change something; how it ended."""
+    child = os.fork()
+    if not child:
+        steps = iter(range(stop))
+
+        def step(event: str, arguments: tuple) -> None:
+            if changes(event, arguments) and next(steps, None) is None:
+                os.kill(os.getpid(), signal.SIGKILL)
+
+        sys.addaudithook(step)
+        work()
+        os._exit(0)
+    return os.waitpid(child, 0)[1]
+
+
+def derived(project: Project) -> Edition:
+    return derive_edition(project, Templates(project.templates))
+
+
+def compared(*projects: Project) -> Comparison:
+    return compare(*map(derived, projects))
+
+
+@pytest.fixture
+def log(tmp_path) -> Path:
+    """The log of the batches without physics."""
+    path = tmp_path / "log"
+    path.touch()
+    return path
 
 
 def git(folder: Path, *command: str) -> str:

@@ -144,22 +144,19 @@ TRACES: dict[str, Callable[[bytes], bytes]] = {
 """Changes of a trace's content, by name; each is found without a seal as well."""
 
 
-def _in_its_place(put: Callable[[Path], object]) -> Callable[[Path], None]:
-    def change(path: Path) -> None:
-        path.unlink()
-        put(path)
-
-    return change
+def _terabyte(path: Path) -> None:
+    path.touch()
+    os.truncate(path, 1 << 40)
 
 
 PLACES: Mapping[str, Callable[[Path], object]] = {
-    "a link to a password file": _in_its_place(lambda path: path.symlink_to("/etc/passwd")),
-    "a link to no end": _in_its_place(lambda path: path.symlink_to("/dev/zero")),
-    "a link to nothing": _in_its_place(lambda path: path.symlink_to("/nowhere")),
-    "a link to itself": _in_its_place(lambda path: path.symlink_to(path.name)),
-    "a pipe": _in_its_place(os.mkfifo),
-    "a folder": _in_its_place(Path.mkdir),
-    "a terabyte": lambda path: os.truncate(path, 1 << 40),
+    "a link to a password file": lambda path: path.symlink_to("/etc/passwd"),
+    "a link to no end": lambda path: path.symlink_to("/dev/zero"),
+    "a link to nothing": lambda path: path.symlink_to("/nowhere"),
+    "a link to itself": lambda path: path.symlink_to(path.name),
+    "a pipe": os.mkfifo,
+    "a folder": Path.mkdir,
+    "a terabyte": _terabyte,
 }
 """What may be in the place of a record or a trace, by name."""
 
@@ -177,6 +174,7 @@ def damage(path: Path, name: str) -> None:
     elif kind == "trace":
         path.write_bytes(TRACES[way](path.read_bytes()))
     else:
+        path.unlink()
         PLACES[way](path)
 
 

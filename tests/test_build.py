@@ -1,24 +1,19 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
-import os
 import subprocess
-import sys
 from collections.abc import Sequence
 
 import pytest
+from conftest import program
 
-from measured_report import ROOT, UsageError
+from measured_report import UsageError
 from measured_report.commands import options
 from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 
 
 def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.CompletedProcess:
-    # Without nvidia-smi on the path every machine is one without a GPU.
-    environment = {**os.environ, "PATH": "/nowhere"}
-    return subprocess.run(
-        [sys.executable, *code, *arguments], cwd=ROOT, env=environment, capture_output=True, text=True, check=False
-    )
+    return program(*code, *arguments, PATH="/nowhere")  # without nvidia-smi on it every machine has no GPU
 
 
 @pytest.mark.parametrize(
@@ -85,9 +80,9 @@ def test_status_does_not_import_the_simulator():
 
 
 @pytest.mark.words
-def test_the_tracked_results_make_a_report_without_the_simulator(tracked_site):
-    assert check_site(tracked_site) == []
-    assert [path for path in tracked_site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []
+def test_the_tracked_results_make_a_report_without_the_simulator(site):
+    assert check_site(site) == []
+    assert [path for path in site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []
 
 
 INTERRUPTED = """
@@ -109,9 +104,11 @@ except KeyboardInterrupt:
 """
 
 
-def test_an_interrupt_that_python_drops_comes_again():
+def test_no_interrupt_is_dropped_or_taken_for_an_error():
     done = run(code=("-c", INTERRUPTED))
     assert (done.stdout, done.stderr) == ("interrupted\n", "")
+    done = run(code=("-c", MADE))  # Python before 3.12 makes it an error of another kind
+    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")
 
 
 MADE = """
@@ -129,9 +126,3 @@ def make_class():
 command_line._parse_arguments = make_class
 sys.exit(command_line.main())
 """
-
-
-def test_an_interrupt_while_a_class_is_made_is_one():
-    """Which Python before 3.12 turns into an error of another kind."""
-    done = run(code=("-c", MADE))
-    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")

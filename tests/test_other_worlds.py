@@ -42,12 +42,8 @@ def test_what_a_scenario_says_otherwise_was_read(scenario, before):
 
 @pytest.mark.parametrize(
     ("scenario", "names"),
-    [
-        ("reversed", RECOMMENDING),
-        ("all-equal", CAUSES),
-        ("noise-x-50", BELOW_THE_NOISE),
-        ("noise-x-60", BELOW_MORE_NOISE),
-    ],
+    [("reversed", RECOMMENDING), ("all-equal", CAUSES), ("noise-x-50", BELOW_THE_NOISE)]
+    + [("noise-x-60", BELOW_MORE_NOISE)],
 )
 def test_what_a_scenario_does_not_show_does_not_hold(scenario, names, before):
     """Each of these holds as measured, and has another outcome in the scenario."""

@@ -2,11 +2,10 @@
 
 import re
 import shutil
-import subprocess
-import sys
 import textwrap
 
 import pytest
+from conftest import program
 
 from experiments.facts.case import differences
 from measured_report import ROOT
@@ -32,19 +31,13 @@ def text_of(section: str) -> str:
     return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
-def test_every_make_target_is_there():
+def test_what_it_names_is_there_and_needs_no_uv_but_the_own():
     targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
     named = set(re.findall(r"(?:`|^ {4})make ([a-z]+)", README, re.MULTILINE))
     assert named and named <= targets
-
-
-def test_what_there_is_to_type_needs_no_uv_but_the_own():
     texts = [README, *(path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md"))]
     own = re.findall(r"(\S*)\buv (?:sync|pip)", "\n".join(texts))
     assert {before.lstrip("`") for before in own} == {".venv/bin/"}
-
-
-def test_every_place_is_there():
     places = re.findall(r"^\| (`.*`) \|", README, re.MULTILINE)
     assert len(places) > 5
     assert all((ROOT / name).exists() for place in places for name in re.findall(r"`([^`]+)`", place))
@@ -79,7 +72,6 @@ def test_left_in_the_tree_it_passes_the_tests(tmp_path, files):
         for name in ("experiments/heavy.py", "report/sections/heavy.py", "templates/sections/heavy.md.j2"):
             (tmp_path / name).write_text(files[name.partition("/")[0]], encoding="utf-8")
     tests = ["tests/report/test_names.py", "tests/test_architecture.py", "tests/test_readme.py"]
-    command = [sys.executable, "-m", "pytest", "-n0", "-p", "no:cacheprovider", *tests]
     chosen = ["-k", "not left_in_the_tree and not picture"]
-    done = subprocess.run([*command, *chosen], cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = program("-m", "pytest", "-n0", "-p", "no:cacheprovider", *tests, *chosen, cwd=tmp_path)
     assert done.returncode == 0, done.stdout[-2000:]

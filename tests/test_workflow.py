@@ -52,12 +52,8 @@ def test_the_workflow_measures_what_was_asked_for_or_what_is_new(tmp_path, newto
 
 @pytest.mark.parametrize(
     ("answer", "status", "comment"),
-    [
-        ("all is well", "0", "all is well"),
-        ("it flips", "1", "it flips"),
-        ("", "1", "It could not be"),
-        ("", "2", "It could"),
-    ],
+    [("all is well", "0", "all is well"), ("it flips", "1", "it flips"), ("", "1", "It could not be")]
+    + [("", "2", "It could")],
 )
 def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
     done = run_script(tmp_path, 1, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)

@@ -114,16 +114,24 @@ class World:
     def command(self, *arguments: str) -> list[str]:
         return [sys.executable, "build.py", *arguments]
 
+    def execute(self, *command: str | Path, **options) -> subprocess.CompletedProcess:
+        usual = {"cwd": self.root, "capture_output": True, "text": True, "check": False, "timeout": 600}
+        return subprocess.run(command, **usual | options)
+
     def run(self, *arguments: str, **options) -> subprocess.CompletedProcess:
-        return subprocess.run(
-            self.command(*arguments),
-            **{"cwd": self.root, "capture_output": True, "text": True, "check": False, "timeout": 600} | options,
-        )
+        return self.execute(*self.command(*arguments), **options)
+
+    def mounted(self, script: str, *arguments: str, **options) -> subprocess.CompletedProcess:
+        """Run a script of the shell that ends in the command, with mounts of its own."""
+        return self.execute("unshare", "-m", "sh", "-c", script, "sh", *self.command(*arguments), **options)
 
     def start(self, *arguments: str) -> subprocess.Popen:
         """Start it as a group of processes of its own."""
         pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
         return subprocess.Popen(self.command(*arguments), cwd=self.root, start_new_session=True, **pipes)
+
+    def records(self) -> Iterator[Path]:
+        return (self.root / "results" / f"newton-{RELEASE}").glob("*.json")
 
     def problems(self) -> list[str]:
         """What is not whole: the site, and the records with their traces."""
@@ -171,7 +179,8 @@ def one_line(done: subprocess.CompletedProcess, status: int | None = None) -> li
 def kills(world: World, trial: Trial, moments: int, arguments: Sequence[str], after: Sequence[str]) -> Iterator[Trial]:
     """Of a command, at moments spread over the time that it takes; ``after`` is what finishes it."""
     name = arguments[0]
-    trial.name = f"{name}{' from nothing' * (name == 'page')}, killed ({KILLED})"
+    trial.name = f"{name}{' from nothing' * (name == 'page')}, killed "
+    trial.name += "(SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone)"
     world.run(*PAGE)
     whole, took = world.site(), 0.0
     for number in range(trial.tried, moments):
@@ -216,21 +225,14 @@ def at_its_moment(begin: Callable[[], subprocess.Popen], took: float, share: flo
 
 
 def _begun(world: World, arguments: Sequence[str]) -> Sequence[str]:
-    """The command; a page has nothing kept of what was made before."""
-    return _from_nothing(world, arguments) if arguments == PAGE else arguments
-
-
-def _from_nothing(world: World, arguments: Sequence[str]) -> Sequence[str]:
-    """The command, with nothing kept of what was made before: there is more to be hit."""
-    remove(world.root / CACHE)
+    """The command; where it is a page nothing is kept of what was made before, so that there is more to be hit."""
+    if arguments == PAGE:
+        remove(world.root / CACHE)
     return arguments
 
 
 def publish_to(world: World) -> tuple[str, ...]:
     return "publish", "--target", f"dir:{world.root.parent / 'www'}"
-
-
-KILLED = "SIGKILL, SIGTERM, SIGINT; the whole group or the main process alone"
 
 
 def writers(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
@@ -261,35 +263,24 @@ MOUNTS = {
 def disks(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Full and read-only places, each a file system of its own in a namespace of mounts."""
     trial.name = "disk full, and read-only (results, site, publishing target, TMPDIR)"
-    if subprocess.run(["unshare", "-m", "true"], check=False, capture_output=True).returncode:
+    if world.execute("unshare", "-m", "true").returncode:
         trial.name += ": not tried, for that takes the right to mount"
         yield trial
         return
-    target = world.root.parent / "full"
-    target.mkdir(exist_ok=True)
+    target, temporary = world.root.parent / "full", world.root.parent / "tmp"
+    results = world.root / "results/quick"
     publish = ("publish", "--target", f"dir:{target}/www")
-    temporary = world.root.parent / "tmp"
-    temporary.mkdir(exist_ok=True)
     world.run(*PAGE)
-    results, site = world.root / "results/quick", world.root / "site"
-    results.mkdir(exist_ok=True)
+    for folder in (target, temporary, results):
+        folder.mkdir(exist_ok=True)
     for (kind, mount), (place, arguments) in itertools.product(
         MOUNTS.items(), ((results, RERUN), (world.root, PAGE), (target, publish), (temporary, publish))
     ):
         _begun(world, arguments)
-        before = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
-        script = f'{mount.format(place)}; exec "$@"'
-        done = subprocess.run(
-            ["unshare", "-m", "sh", "-c", script, "sh", *world.command(*arguments)],
-            cwd=world.root,
-            capture_output=True,
-            text=True,
-            check=False,
-            env={**os.environ, "TMPDIR": str(temporary)},
-            timeout=600,
-        )
-        after = {path: path.read_bytes() for path in site.rglob("*") if path.is_file()}
-        found = [*one_line(done), "" if done.returncode else "status 0", "" if before == after else "another site"]
+        before, environment = world.site(), {**os.environ, "TMPDIR": str(temporary)}
+        done = world.mounted(f'{mount.format(place)}; exec "$@"', *arguments, env=environment)
+        found = [*one_line(done), "" if done.returncode else "status 0"]
+        found += [] if world.site() == before else ["another site"]
         if place == temporary and not done.returncode:
             found = []  # Python has found another folder for what is temporary
         trial(f"{kind} {place.name}, {arguments[0]}", *found, *world.problems(), *world.leftovers())
@@ -319,10 +310,7 @@ def inputs(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     canary = world.root.parent / "canary"
     for (variable, (target, *others)), word in itertools.product(VARIABLES.items(), WORDS):
         given = f"{variable}={word.format(canary)}"
-        done = subprocess.run(
-            ["make", "--silent", target, f"PYTHON={sys.executable}", given, *others],
-            cwd=world.root, capture_output=True, text=True, check=False, timeout=120,
-        )  # fmt: skip
+        done = world.execute("make", "--silent", target, f"PYTHON={sys.executable}", given, *others, timeout=120)
         executed = ["executed"] if canary.exists() else []
         canary.unlink(missing_ok=True)
         trial(given[:60].replace("\n", " "), *one_line(done, 2), *executed)
@@ -333,7 +321,7 @@ def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Every way to damage a record, on records that were measured."""
     trial.name = "damaged records and traces: named with release and file, in one line"
     chance = random.Random(0)
-    paths = [path for path in sorted(records_of(world)) if "slip_mm" in path.read_text()]
+    paths = [path for path in sorted(world.records()) if "slip_mm" in path.read_text()]
     for way in SEALED_WAYS:
         path = chance.choice(paths)
         with damaged(path, way) as is_damaged:
@@ -345,10 +333,6 @@ def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
                     said = str(error)
                 trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
     yield trial
-
-
-def records_of(world: World) -> Iterator[Path]:
-    return (world.root / "results" / f"newton-{RELEASE}").glob("*.json")
 
 
 @contextmanager
@@ -373,7 +357,7 @@ SEALED_WAYS = [way for way in RECORD_WAYS if not way.startswith(tuple(f"field: {
 def shown_damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     """Some of them, and damaged traces, on the page."""
     trial.name = "pages with damaged records and traces: the rest stands, status 1"
-    records = itertools.cycle(path for path in sorted(records_of(world)) if path.name != "noise.json")
+    records = itertools.cycle(path for path in sorted(world.records()) if path.name != "noise.json")
     shown = list(zip(records, random.Random(1).sample(SEALED_WAYS, 6), strict=False))
     trace = next((world.root / "results" / f"newton-{RELEASE}").glob("reproduction.*.gz"))
     names = ("half", "not packed", "a pipe", "a link to a password file")
@@ -402,24 +386,21 @@ def places(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
         "another hash seed": (world, {"PYTHONHASHSEED": "7"}),
         "no HOME": (world, {"HOME": "/proc/nowhere"}),
     }
-    rc = world.root / "matplotlibrc"
-    settings["a matplotlibrc with usetex"] = (world, {})
+    rc = world.root.parent / "matplotlibrc"
+    rc.write_text("text.usetex: True\nfont.size: 40\n")
+    settings["a matplotlibrc with usetex"] = (world, {"MATPLOTLIBRC": str(rc)})
     pages = set()
     for name, (place, changed) in settings.items():
-        if name.endswith("usetex"):
-            rc.write_text("text.usetex: True\nfont.size: 40\n")
-        done = place.run(*_from_nothing(place, PAGE), env={**os.environ, **changed})
+        done = place.run(*_begun(place, PAGE), env={**os.environ, **changed})
         pages.add((place.root / "site/index.html").read_bytes())
         trial(name, "" if not done.returncode else done.stderr[-200:])
-    rc.unlink()
     trial("all these pages are the same bytes", "" if len(pages) == 1 else f"{len(pages)} different ones")
     for name, script in {
         "site/ is a mount point": 'mount -t tmpfs none site; exec "$@"',
         "the output is closed": 'exec "$@" >&-',
         "umask 077": 'umask 077; exec "$@"',
     }.items():
-        command = ["unshare", "-m", "sh", "-c", script, "sh", *world.command(*PAGE)]
-        done = subprocess.run(command, cwd=world.root, capture_output=True, text=True, check=False, timeout=600)
+        done = world.mounted(script, *PAGE)
         trial(name, "" if not done.returncode else done.stderr[-200:])
     with open("/dev/full", "w") as full:  # noqa: PTH123
         done = world.run("status", capture_output=False, stdout=full, stderr=subprocess.PIPE)
@@ -443,15 +424,14 @@ def setups(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     begun().wait()
     took = time.monotonic() - start
     whole = installed(place.root)
-    imported = [place.root / ".venv/bin/python", "-c", "import newton, matplotlib"]
-    subprocess.run(imported, check=True, cwd=place.root, capture_output=True)
+    place.execute(place.root / ".venv/bin/python", "-c", "import newton, matplotlib", check=True)
     for number in range(trial.tried, moments):
         sent = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)[number % 3]
         share = (number + 0.5) / moments
         running, took = at_its_moment(begun, took, share)
         os.killpg(running.pid, sent)
         running.wait()
-        done = subprocess.run(command, cwd=place.root, check=False, capture_output=True, text=True)
+        done = place.execute(*command, timeout=None)
         left = [path.name for path in place.root.glob(".venv.*")]
         lacking = whole.items() - installed(place.root).items()
         lacks = f"{len(lacking)} files are missing or others: {min(lacking)[0]}" if lacking else ""
@@ -534,27 +514,27 @@ def _keep(name: str, trial: Trial) -> None:
     write_report()
 
 
+HEAD = """# Reliability
+
+What was tried against the project from outside, and how often it held. `make torture` writes this page;
+each line says of which commit it is.
+
+{machine}.
+
+| trial | tried | times | wrong | commit | until (UTC) |
+|---|---|---|---|---|---|"""
+
+
 def write_report() -> None:
     """Write the page: what is kept of each trial, and of the others what the page said before."""
     kept = {name: _kept(name) for name in TRIALS}
-    rows = [_row(name, trial) if trial else _said(f"| {name} ")[:1] for name, trial in kept.items()]
-    wrong = [
-        [f"- {name}: {problem} ({trial.commit})" for problem in trial.wrong] if trial else _said(f"- {name}: ")
-        for name, trial in kept.items()
-    ]
-    head = [
-        "# Reliability",
-        "",
-        "What was tried against the project from outside, and how often it held. `make torture` writes this page;",
-        "each line says of which commit it is.",
-        "",
-        f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
-        "",
-        "| trial | tried | times | wrong | commit | until (UTC) |",
-        "|---|---|---|---|---|---|",
-    ]
-    foot = ["", "What went wrong:", "", *itertools.chain(*wrong)] if any(wrong) else []
-    REPORT.write_text("\n".join([*head, *itertools.chain(*rows), *foot, ""]), encoding="utf-8")
+    rows, wrong = [], []
+    for name, trial in kept.items():
+        rows += [_row(name, trial)] if trial else _said(f"| {name} ")[:1]
+        wrong += [f"- {name}: {each} ({trial.commit})" for each in trial.wrong] if trial else _said(f"- {name}: ")
+    machine = f"{platform.system()} {platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"
+    foot = ["", "What went wrong:", "", *wrong] if wrong else []
+    REPORT.write_text("\n".join([HEAD.format(machine=machine), *rows, *foot, ""]), encoding="utf-8")
 
 
 def _said(begin: str) -> list[str]:
@@ -563,11 +543,11 @@ def _said(begin: str) -> list[str]:
     return [line for line in lines if line.startswith(begin)]
 
 
-def _row(name: str, trial: Trial) -> list[str]:
-    what = f"{trial.name}{'' if trial.is_whole else '; not yet through'}"
-    times = f"{trial.tried}{f' of {trial.of}' if trial.of else ''}"
+def _row(name: str, trial: Trial) -> str:
+    what = trial.name + "; not yet through" * (not trial.is_whole)
+    times = f"{trial.tried} of {trial.of}" if trial.of else trial.tried
     cells = (name, what, times, len(trial.wrong), trial.commit, trial.date)
-    return [f"| {' | '.join(map(str, cells))} |"]
+    return f"| {' | '.join(map(str, cells))} |"
 
 
 if __name__ == "__main__":

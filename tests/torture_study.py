@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 from batches import is_running
@@ -58,7 +58,9 @@ def studies(world, trial, moments: int) -> Iterator:
     trial.name = f"a study on two processes: {PROCESS_KILLS} processes, {WORKER_KILLS} workers and the driver killed"
     root = world.root
     (root / "experiments" / "many.py").write_text(MANY, encoding="utf-8")
-    whole = _measured(root, [])
+    _forget(root)
+    _start(root).wait()
+    whole = _rows(root)
     if not trial.tried:
         killed, found = _killed(root, random.Random(0))
         trial(f"{killed['process']} processes and {killed['worker']} workers", *found, *_differs(root, whole))
@@ -69,7 +71,7 @@ def studies(world, trial, moments: int) -> Iterator:
         yield trial
 
 
-def _start(root: Path, cluster: Sequence[str]) -> subprocess.Popen:
+def _start(root: Path, *cluster: str) -> subprocess.Popen:
     options = ("--device", "cpu", "--profile", "quick", *cluster)
     command = [sys.executable, "-m", "measured_report.measuring.run", *SECTIONS, *options]
     with (root / "driver.log").open("w") as log:
@@ -86,16 +88,9 @@ def _forget(root: Path) -> None:
 def _rows(root: Path) -> dict[str, list]:
     """The rows of each record, without the times."""
     found = {path.stem: json.loads(path.read_text())["rows"] for path in root.glob("results/quick/newton-*/*.json")}
-    return {
-        name: [{column: value for column, value in row.items() if column != "wall_s"} for row in rows]
-        for name, rows in found.items()
-    }
-
-
-def _measured(root: Path, cluster: Sequence[str]) -> dict[str, list]:
-    _forget(root)
-    _start(root, cluster).wait()
-    return _rows(root)
+    for row in (row for rows in found.values() for row in rows):
+        row.pop("wall_s", None)
+    return found
 
 
 def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
@@ -103,7 +98,7 @@ def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
     _forget(root)
     wanted = ["process"] * PROCESS_KILLS + ["worker"] * WORKER_KILLS
     chance.shuffle(wanted)
-    driver, hit, killed = _start(root, ("--cluster", "local:2")), set(), Counter()
+    driver, hit, killed = _start(root, "--cluster", "local:2"), set(), Counter()
     while driver.poll() is None:
         time.sleep(chance.uniform(0.1, 0.5))
         at_work = {number: name for number, name in _at_work(root).items() if name not in hit}
@@ -111,8 +106,8 @@ def _killed(root: Path, chance: random.Random) -> tuple[Counter, list[str]]:
             continue
         victim = chance.choice(sorted(at_work))
         try:
-            target = victim if wanted[0] == "process" else _parent(victim)
-            os.kill(target, signal.SIGKILL)
+            parent = int(Path(f"/proc/{victim}/stat").read_text().rpartition(")")[2].split()[1])
+            os.kill(victim if wanted[0] == "process" else parent, signal.SIGKILL)
         except OSError:
             continue
         hit |= set(at_work.values()) if wanted[0] == "worker" else {at_work[victim]}
@@ -127,14 +122,10 @@ def _at_work(root: Path) -> dict[int, str]:
     return {number: name for number, (state, name) in last.items() if state == "begin" and is_running(number)}
 
 
-def _parent(process: int) -> int:
-    return int(Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[1])
-
-
 def _kill_driver(root: Path, moment_s: float) -> None:
     """Kill the driver so long after the first batch is begun, and let another one finish, without a cluster."""
     _forget(root)
-    driver = _start(root, ("--cluster", "local:2"))
+    driver = _start(root, "--cluster", "local:2")
     while not _at_work(root) and driver.poll() is None:
         time.sleep(0.1)
     time.sleep(moment_s)
@@ -143,16 +134,14 @@ def _kill_driver(root: Path, moment_s: float) -> None:
     deadline = time.monotonic() + 5.0
     while _at_work(root) and time.monotonic() < deadline:
         time.sleep(0.1)
-    _start(root, ()).wait()
+    _start(root).wait()
 
 
 def _differs(root: Path, whole: dict[str, list]) -> list[str]:
     """Say what is wrong with what measuring has left."""
     found = [] if _rows(root) == whole and whole.keys() == set(SECTIONS) else ["other rows than without"]
     lines = [line.split() for line in (root / "many.log").read_text().splitlines()]
-    begun = Counter(name for state, name, _ in lines if state == "begin")
-    ended = Counter(name for state, name, _ in lines if state == "end")
-    found += [f"{name} was begun {count} times" for name, count in begun.items() if count > 2]
-    found += [f"{name} was measured {count} times" for name, count in ended.items() if count > 2]
+    times = Counter((state, name) for state, name, _ in lines)
+    found += [f"{state} {name}: {count} times" for (state, name), count in times.items() if count > 2]
     time.sleep(2.0)
     return found + [f"process {line[-1]} still runs" for line in lines if is_running(int(line[-1]))][:1]

@@ -34,7 +34,6 @@ from measured_report.site.check import check_site
 from measured_report.site.pages import undrawn
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
-SOURCES = ("experiments", "report", "templates", "assets")
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
 """Columns of how the cube moves in the grasp."""
 SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
@@ -48,10 +47,9 @@ SHARE = 0.1
 """Of the rows so many fail, or are missing."""
 
 Row = dict[str, Any]
-Records = Mapping[tuple[str, str], Record]
-"""By release and section."""
 Place = tuple[str, str]
 """Release and section."""
+Records = Mapping[Place, Record]
 
 
 def as_measured(records: Records, place: Place) -> list[Row]:
@@ -76,9 +74,8 @@ def measured(row: Row) -> dict[str, float]:
 
 def changed(rows: Sequence[Row], section: str, change: Callable[[str, float], float]) -> list[Row]:
     """Rows with their measured numbers changed; how far apart runs of one case are stays as it was."""
-    means = _means(rows) if section == "noise" else [{}] * len(rows)
     found = []
-    for row, mean in zip(rows, means, strict=True):
+    for row, mean in zip(rows, _means(rows, section), strict=True):
         middles = {column: mean.get(column, value) for column, value in measured(row).items()}
         new = {column: change(column, middle) + row[column] - middle for column, middle in middles.items()}
         found.append({**row, **{column: _sized(column, value) for column, value in new.items()}})
@@ -89,8 +86,10 @@ def _sized(column: str, value: float) -> float:
     return abs(value) if MOTION.fullmatch(column) and not SIGNED.fullmatch(column) else value
 
 
-def _means(rows: Sequence[Row]) -> list[dict[str, float]]:
-    """For each run of the section on noise the means of the runs of its case."""
+def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
+    """For each run of the section on noise the means of the runs of its case; for runs of others none."""
+    if section != "noise":
+        return [{}] * len(rows)
     cells: dict[tuple[str, str], list[float]] = {}
     for row in rows:
         for column, value in measured(row).items():
@@ -101,18 +100,15 @@ def _means(rows: Sequence[Row]) -> list[dict[str, float]]:
 def moving(name: str, factor: float) -> Scenario:
     """The cube moves so many times as much."""
 
+    def moved(column: str, value):
+        if not MOTION.fullmatch(column):
+            return 1.0 * value
+        return value * (factor if SIGNED.fullmatch(column) else abs(factor))
+
     def rows(records: Records, place: Place) -> list[Row]:
-        return changed(records[place].rows, place[1], lambda column, value: value * _factor(column, factor))
+        return changed(records[place].rows, place[1], moved)
 
-    return Scenario(
-        name, rows, lambda path, found: _moved(found, lambda column, cells: _factor(column, factor) * cells)
-    )
-
-
-def _factor(column: str, factor: float) -> float:
-    if not MOTION.fullmatch(column):
-        return 1.0
-    return factor if SIGNED.fullmatch(column) else abs(factor)
+    return Scenario(name, rows, lambda path, found: _moved(found, moved))
 
 
 def _moved(frame: pd.DataFrame, change: Callable[[str, pd.Series], pd.Series]) -> pd.DataFrame:
@@ -192,8 +188,7 @@ def noisier(name: str, times: float) -> Scenario:
 
     def rows(records: Records, place: Place) -> list[Row]:
         found = records[place].rows
-        means = _means(found) if place[1] == "noise" else [{}] * len(found)
-        return [{**row, **_farther(row, mean, times)} for row, mean in zip(found, means, strict=True)]
+        return [{**row, **_farther(row, mean, times)} for row, mean in zip(found, _means(found, place[1]), strict=True)]
 
     return Scenario(name, rows)
 
@@ -208,32 +203,22 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
     return new
 
 
-def failing(seed: int) -> Scenario:
-    """A tenth of the runs fail."""
+def losing(name: str, seed: int, lost: Callable[[Row], Row | None]) -> Scenario:
+    """A tenth of the rows are lost so, or not there at all."""
 
     def rows(records: Records, place: Place) -> list[Row]:
         chance = Random(f"{seed} {place[1]}")
-        return [_failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
+        found = [lost(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
+        return [row for row in found if row] or as_measured(records, place)[:1]
 
-    return Scenario(f"failing-{seed}", rows)
+    return Scenario(f"{name}-{seed}", rows)
 
 
-def _failed(row: Row) -> Row:
+def failed(row: Row) -> Row:
     lost = measured(row)
     ended = {"failure": FAILURE, "dropped": None, "class": "non-finite", "finite": False}
     gone = dict.fromkeys(lost) | {column + REASON: FAILURE for column in lost}
     return {**row, **gone, **{column: value for column, value in ended.items() if column in row}}
-
-
-def missing(seed: int) -> Scenario:
-    """A tenth of the rows are not there."""
-
-    def rows(records: Records, place: Place) -> list[Row]:
-        chance = Random(f"{seed} {place[1]}")
-        kept = [row for row in as_measured(records, place) if chance.random() >= SHARE]
-        return kept or as_measured(records, place)[:1]
-
-    return Scenario(f"missing-{seed}", rows)
 
 
 @cache
@@ -264,8 +249,8 @@ SCENARIOS = (
     Scenario("all-equal", equal_rows, equal_frame),
     noisier("noise-x-50", 50.0),
     noisier("noise-x-60", 60.0),
-    *(failing(seed) for seed in range(3)),
-    *(missing(seed) for seed in range(3)),
+    *(losing("failing", seed, failed) for seed in range(3)),
+    *(losing("missing", seed, lambda row: None) for seed in range(3)),
     Scenario("releases-swapped", swapped_rows, swapped_frame),
 )
 
@@ -284,7 +269,7 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
     own, records = Project(own_release()), tracked_records()
     with TemporaryDirectory() as folder:
         project = Project(own.release, root=Path(folder))
-        for name in SOURCES:
+        for name in ("experiments", "report", "templates", "assets"):
             (project.root / name).symlink_to(ROOT / name)
         for (release, section), record in records.items():
             if release in releases:

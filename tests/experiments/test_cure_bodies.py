@@ -25,25 +25,18 @@ def test_the_law_is_as_by_hand():
     assert found["left_out_mm_s"] == pytest.approx(60.0 * 0.0095)
     assert found["step_mm_s"] == pytest.approx(-30.0 * H)
     assert found["predicted_drift_mm_s"] == pytest.approx(60.0 * 0.0095 - 30.0 * H - 0.0095 + 0.019)
-
-
-def test_the_law_takes_no_response_below_two_substeps():
     stiff = drift_law.predicted_columns(replace(STIFF_PADS, **NO_KF), SLOPES)
     assert stiff["response_s"] == pytest.approx(0.95 * 2.0 * H)
-
-
-def test_stiffer_pads_creep_more_for_the_same_load():
     soft, stiff = (
         drift_law.predicted_columns(replace(AS_SHIPPED, pad_ke=ke, **NO_KF), SLOPES)["creep_mm_s"]
         for ke in (2.5e3, 2.5e6)
     )
     assert stiff > 5.0 * soft > 0.0
-
-
-def test_without_a_run_to_predict_from_there_is_a_reason():
     failed = replace(SLOPES, left_out=np.nan, failure="in MuJoCo C the shake was never reached")
     found = drift_law.predicted_columns(AS_SHIPPED, failed)
     assert found["predicted_drift_mm_s"] is None and found["predicted_drift_mm_s_reason"] == failed.failure
+    for case in stiffness.cases("full"):
+        assert np.isfinite(drift_law.predicted_columns(case, SLOPES)["predicted_drift_mm_s"])
 
 
 @pytest.mark.parametrize("profile", ["full", "quick"])
@@ -75,19 +68,13 @@ def paths() -> dict[tuple[str, str, str], np.ndarray]:
     }
 
 
-def test_a_ball_rolls_on_with_the_term_and_sinks_with_it_in_normal_rows(paths):
+def test_how_bodies_roll_spin_and_slide(paths):
     plain, term, full = (paths["roll", "sphere", way][-1] for way in cure_bodies.WAYS)
     assert plain[0] == pytest.approx(0.5 * cure_bodies.SPEED_M_S, rel=2e-3)
     assert term == pytest.approx(plain, abs=1e-9)
     assert plain[2] - full[2] > 1e-3
-
-
-def test_a_ball_that_spins_goes_aside_with_the_term_alone(paths):
     plain, term = (paths["pivot", "sphere", way][-1] for way in ("plain", "term"))
     assert abs(plain[1]) < 1e-9 and abs(term[1]) > 1e-3
-
-
-def test_a_cube_slides_as_far_as_friction_lets_it(paths):
     far = cure_bodies.SPEED_M_S**2 / (2.0 * cure_bodies.FRICTION * cure_bodies.GRAVITY)
     for way in ("plain", "term"):
         assert paths["slide", "mesh", way][-1][0] == pytest.approx(far, rel=0.08)
@@ -97,8 +84,3 @@ def test_in_other_solvers_the_box_starts_in_rest_on_the_table():
     model = turntable_solvers.build("cpu")
     assert model.joint_qd.numpy()[[0, 2]] == pytest.approx([2.0, 0.4])
     assert model.body_q.numpy().shape == (2, 7)
-
-
-def test_every_case_of_stiffness_has_a_law():
-    for case in stiffness.cases("full"):
-        assert np.isfinite(drift_law.predicted_columns(case, SLOPES)["predicted_drift_mm_s"])

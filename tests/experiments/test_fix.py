@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, TEMPLATE, needs_boxes_in_c
+from conftest import needs_boxes_in_c
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
@@ -16,7 +16,6 @@ from experiments.facts.fix_files import fix_files, without_patch
 from experiments.facts.trace import Trace
 from experiments.simulation.simulation import simulate
 from measured_report import ROOT, ReportError
-from measured_report.site.check import check_site
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
 CASES = {
@@ -75,16 +74,13 @@ def test_the_patch_makes_the_shipped_scene_the_fixed_one(tool, tmp_path):
     assert (tmp_path / "scene_as_shipped.py").read_text() == fix_files()["fixed_scene.py"]
 
 
-def test_the_patch_changes_the_pads_material_and_nothing_else():
+def test_the_patch_changes_the_pads_material_and_nothing_else_and_must_fit():
     lines = fix_files()["fix.patch"].splitlines()[2:]
     changed = [line[1:].strip() for line in lines if line[0] in "+-"]
     assert [line for line in changed if not line.startswith("#")] == [
         f"robot.shape_material_ke[pad] = {STIFF_PADS.pad_ke:.1e}".replace("e+0", "e"),
         f"robot.shape_material_kd[pad] = {STIFF_PADS.pad_kd:.1e}".replace("e+0", "e"),
     ]
-
-
-def test_a_patch_that_does_not_fit_is_refused():
     files = fix_files()
     with pytest.raises(ReportError, match="does not lead to"):
         without_patch(files["scene_as_shipped.py"], files["fix.patch"])
@@ -98,16 +94,3 @@ def test_the_script_needs_newton_alone_and_holds_the_robot_of_this_report():
     assert outside == {"newton", "numpy", "warp"}
     strings = [ast.literal_eval(node.value) for node in tree.body if ast.unparse(node).startswith("URDF = ")]
     assert strings == [(ROOT / AS_SHIPPED.asset).read_text(encoding="utf-8")]
-
-
-def test_the_site_carries_what_a_section_offers(toy):
-    module = MODULE.replace("import Figure,", "import Download, Figure,")
-    module = module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
-    toy.write("report/sections/toy.py", module)
-    words = '\n{{ download("a.py") }}\n\nAlone: {{ download("a.py").link }}\n'
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
-    toy.build()
-    assert (toy.project.site / "download" / "a.py").read_text() == "1 < 2\n"
-    assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
-    assert toy.page.count('href="download/a.py"') == 2
-    assert check_site(toy.project.site) == []

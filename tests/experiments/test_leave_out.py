@@ -35,11 +35,8 @@ def poses_from(simulation: Simulation, pilot: Simulation) -> np.ndarray:
     return simulation.recorder.poses.numpy().copy()
 
 
-def test_everything_that_can_be_varied_is_tried():
-    assert VARIED.keys() == set(RUN_TIME_FIELDS)
-
-
 def test_a_varied_simulation_runs_as_one_that_was_built_so(pilot):
+    assert VARIED.keys() == set(RUN_TIME_FIELDS)
     base = replace(AS_SHIPPED, frame_count=FRAME_COUNT)
     varied = Simulation([base] * 2, pilot.device)
     first = poses_from(varied, pilot)
@@ -50,24 +47,19 @@ def test_a_varied_simulation_runs_as_one_that_was_built_so(pilot):
         assert np.array_equal(found, poses_from(Simulation([case] * 2, pilot.device), pilot)), name
     varied.vary(base)
     assert np.array_equal(poses_from(varied, pilot), first)
-
-
-def test_what_takes_another_model_cannot_be_varied(pilot):
     with pytest.raises(CaseError, match="gap takes a simulation of its own"):
         pilot.vary(replace(AS_SHIPPED, name="gap", cube_gap_m=0.01))
 
 
 def test_stages_that_are_not_used_change_no_bit():
-    cases = [replace(LEAN, name=name, frame_count=170, **change) for name, change in STAGES_OFF.items()]
+    off = ({}, {"sensors": False}, {"limits": False})
+    cases = [replace(LEAN, name=str(change), frame_count=170, **change) for change in off]
     kept, *others = simulate(cases, device="cpu")
     for case, trace in zip(cases[1:], others, strict=True):
         assert np.array_equal(trace.poses, kept.poses), case.name
 
 
-STAGES_OFF = {"all": {}, "sensors": {"sensors": False}, "limits": {"limits": False}}
-
-
-def test_a_stage_that_is_off_launches_fewer_kernels(pilot):
+def test_stages_their_kernels_and_what_they_are_for(pilot):
     kept = count_launches(pilot)
     assert sum(kept.values()) > 80
     pilot.vary(replace(AS_SHIPPED, sensors=False, limits=False))
@@ -75,17 +67,11 @@ def test_a_stage_that_is_off_launches_fewer_kernels(pilot):
     pilot.vary(AS_SHIPPED)
     assert not any("limit" in stage or "sensor_acc" in stage for stage in off)
     assert sum(off.values()) < sum(kept.values())
-
-
-def test_rows_of_stages_add_up(pilot):
     rows = stage_rows(pilot, "cpu")
     assert sum(row["kernel_share"] for row in rows) == pytest.approx(1.0)
     assert len({row["case"] for row in rows}) == len(rows)
     assert all(row["element_count"] is not None or row["element_count_reason"] for row in rows)
-
-
-def test_a_stage_is_for_what_its_function_names(pilot):
-    found = {row["stage"]: row["of"] for row in stage_rows(pilot, "cpu") if row["of"]}
+    found = {row["stage"]: row["of"] for row in rows if row["of"]}
     assert found and all(element_of(stage) == element for stage, element in found.items())
     assert element_of("sensor.sensor_acc") == "nsensor" and element_of("constraint.limit_slide_hinge") == "njnt"
     assert element_of("sensor.energy_pos") is None, "energy is measured in the module of the sensors"

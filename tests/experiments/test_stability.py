@@ -11,42 +11,31 @@ from experiments.facts.classes import classify
 from experiments.facts.trace import FRAME_COLUMNS, Trace
 from experiments.simulation.scene import CUBE_IN_HAND
 from experiments.simulation.simulation import is_due, simulate
-from experiments.stability import FREED_FRAMES, bracket, freed_columns, worst
+from experiments.stability import FREED_FRAMES, bracket, freed_columns, limits, worst
 from experiments.stability.families import BASE, GRIP_MU, PADS, SHAKE_MU, Probe, closed_m
-from experiments.stability.limits import (
-    demand_m_s2,
-    exit_bound_m_s,
-    friction_load,
-    is_clamped,
-    solref,
-    target_demand_m_s2,
-)
 from report.sections.stability.extremes import MU
 
 STIFF = replace(BASE, **PADS["stiff"])
 
 
-def test_what_the_page_says_was_set_is_what_was_set():
-    assert MU == {"shake": SHAKE_MU, "grip": GRIP_MU}
-
-
-def test_solref_of_the_pads_as_shipped():
-    assert solref(2.5e3, 100.0) == pytest.approx((0.02, 1.0))
-
-
-def test_the_clamp_takes_timeconsts_below_two_steps():
+def test_the_limits_are_as_by_hand():
+    assert limits.solref(2.5e3, 100.0) == pytest.approx((0.02, 1.0))
     # Two steps of 1/960 s are 2.083 ms, which is 2 / 960.
-    assert is_clamped(replace(BASE, pad_kd=961.0))
-    assert not is_clamped(replace(BASE, pad_kd=959.0))
-    assert not is_clamped(replace(BASE, pad_kd=961.0, refsafe=False))
-    assert not is_clamped(replace(BASE, pad_kd=961.0, pad_direct=True))
-
-
-def test_friction_limit():
+    assert limits.is_clamped(replace(BASE, pad_kd=961.0))
+    assert not limits.is_clamped(replace(BASE, pad_kd=959.0))
+    assert not limits.is_clamped(replace(BASE, pad_kd=961.0, refsafe=False))
+    assert not limits.is_clamped(replace(BASE, pad_kd=961.0, pad_direct=True))
     still = replace(BASE, shake_amplitude_m=0.0)
-    assert target_demand_m_s2(still) == pytest.approx(9.81)
+    assert limits.target_demand_m_s2(still) == pytest.approx(9.81)
     # 32 g at 9.81 m/s² on two pads that press with 1.57 N together, μ = 0.1: twice what friction can carry.
-    assert friction_load(replace(still, pad_mu=0.1), 9.81, 1.5696) == pytest.approx(2.0, rel=1e-4)
+    assert limits.friction_load(replace(still, pad_mu=0.1), 9.81, 1.5696) == pytest.approx(2.0, rel=1e-4)
+    # As shipped k = 1 / (0.95 * 0.02)², so a millimetre leaves at 1e-3 / 0.019 m/s.
+    assert limits.exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(1e-3 / 0.019)
+    # Two steps of 1/60 s are longer than the timeconst.
+    slow = replace(BASE, start_overlap_m=1e-3, substeps=1)
+    assert limits.exit_bound_m_s(slow) == pytest.approx(1e-3 / (0.95 / 30.0))
+    assert closed_m(0.04, 12.008) == pytest.approx(AS_SHIPPED.finger_closed_m)
+    assert MU == {"shake": SHAKE_MU, "grip": GRIP_MU}
 
 
 def test_demand_leaves_out_what_the_pads_carry_by_pressing():
@@ -56,30 +45,13 @@ def test_demand_leaves_out_what_the_pads_carry_by_pressing():
     poses[:, metrics.TCP, 0] = 0.5 * 3.0 * time**2
     poses[:, metrics.TCP, 1] = 0.5 * 50.0 * time**2
     trace = Trace(1.0 / 60.0, np.full(121, metrics.SHAKE), poses, np.zeros((121, len(FRAME_COLUMNS))))
-    assert demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
-
-
-def test_exit_bound():
-    # As shipped k = 1 / (0.95 * 0.02)², so a millimetre leaves at 1e-3 / 0.019 m/s.
-    assert exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(1e-3 / 0.019)
-    # Two steps of 1/60 s are longer than the timeconst.
-    slow = replace(BASE, start_overlap_m=1e-3, substeps=1)
-    assert exit_bound_m_s(slow) == pytest.approx(1e-3 / (0.95 / 30.0))
-
-
-def test_a_finger_presses_with_the_force_that_was_asked_for():
-    assert closed_m(0.04, 12.008) == pytest.approx(AS_SHIPPED.finger_closed_m)
+    assert limits.demand_m_s2(replace(BASE, gravity_m_s2=4.0), trace) == pytest.approx(5.0, rel=1e-6)
 
 
 @pytest.mark.parametrize(
     ("stable", "expected"),
-    [
-        ({1: False, 2: False, 4: True, 8: True}, (2, 4)),
-        ({1: True, 2: True}, (0, 1)),
-        ({1: False, 2: False}, None),
-        ({1: True, 2: False, 4: True}, (2, 4)),
-        ({1: True, 2: True, 4: False}, None),
-    ],
+    [({1: False, 2: False, 4: True, 8: True}, (2, 4)), ({1: True, 2: True}, (0, 1)), ({1: False, 2: False}, None)]
+    + [({1: True, 2: False, 4: True}, (2, 4)), ({1: True, 2: True, 4: False}, None)],
 )
 def test_bracket(stable, expected):
     assert bracket(stable) == expected
@@ -150,14 +122,8 @@ def extremes() -> dict[str, tuple]:
 
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [
-        ("stiff", "creeping"),
-        ("frictionless", "dropped"),
-        ("direct", "exploded"),
-        ("unstable", "non-finite"),
-        ("upward", "creeping"),
-        ("large", "creeping"),
-    ],
+    [("stiff", "creeping"), ("frictionless", "dropped"), ("direct", "exploded"), ("unstable", "non-finite")]
+    + [("upward", "creeping"), ("large", "creeping")],
 )
 def test_how_extreme_cases_end(extremes, name, expected):
     assert classify(*extremes[name], 1e-4) == expected
@@ -169,23 +135,17 @@ def test_worlds_that_fail_do_not_harm_the_others(extremes):
     np.testing.assert_allclose(alone.poses, together.poses, atol=2e-6)
 
 
-def test_a_cube_starts_in_the_hand_with_the_grip_that_was_asked_for(extremes):
+def test_a_cube_starts_in_the_hand_with_its_grip_and_weight_and_is_let_go(extremes):
     _, trace = extremes["stiff"]
     np.testing.assert_allclose(trace.poses[0, metrics.CUBE, :3], CUBE_IN_HAND, atol=2e-4)
     assert trace.column("normal_force_n")[2:9] == pytest.approx(24.0, abs=0.2)
     _, shifted = extremes["shifted"]
     assert shifted.poses[5, metrics.CUBE, 0] - trace.poses[5, metrics.CUBE, 0] == pytest.approx(5e-4, abs=1e-5)
-
-
-def test_a_large_cube_is_as_heavy_as_it_is_large(extremes):
     _, trace = extremes["large"]
     fingers = trace.poses[60, 3:5, :3]
     assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
     # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
     assert trace.column("tangential_force_n")[60] == pytest.approx(0.256 * 9.81, rel=0.02)
-
-
-def test_opened_fingers_let_go(extremes):
     _, trace = extremes["freed"]
     assert trace.column("loaded_count")[-1] == 0.0
 

@@ -22,18 +22,12 @@ def shipped(name: str) -> Example:
     return Example(name, newton.examples.get_examples()[name])
 
 
-def test_an_example_is_built_as_far_as_its_solver():
+def test_an_example_is_built_as_far_as_its_solver_or_says_why_not():
     built = build(shipped("basic_plotting"))
     assert (built.solver, built.model.shape_count > 100) == ("SolverMuJoCo", True)
     assert built.engine.refsafe and 0.0 < built.engine.substep_dt < 0.01
-
-
-def test_an_example_that_needs_a_download_says_so():
     with pytest.raises(Unbuilt, match="needs a download"):
         build(shipped("franka_cable_ik_pick_place"))
-
-
-def test_an_example_with_a_ke_and_no_kd_is_named():
     found = examples.row_of(shipped("basic_conveyor"))["findings"]
     assert {"ke-without-kd"} <= {finding["rule"] for finding in found}
 

@@ -105,8 +105,3 @@ def test_the_creep_with_a_dmax_that_the_engine_does_not_take_is_the_engines(dmax
     predicted = predicted_creep(solref, dmax, inverse_mass_1_kg=weight)
     assert predicted.response_s == pytest.approx(1.0 / data.efc_KBIP[0, 1])
     assert predicted.yield_m_s_n == pytest.approx(1.0 / data.efc_D[1] / data.efc_KBIP[0, 1])
-
-
-def test_without_damping_nothing_brakes():
-    predicted = predicted_creep((-1000.0, -0.0), 0.95, load_n=1.0, inverse_mass_1_kg=1.0)
-    assert predicted.response_s == predicted.load_mm_s == math.inf

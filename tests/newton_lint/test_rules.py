@@ -73,6 +73,10 @@ FOUND = {
         *({}, {}, {"geom_priority": (0, 1), "geom_solimp": ((0.7, 0.95, 0.001, 0.5, 2.0), SOLIMP)}),
         [("priority", PAIR, "solimp[0]", 0.7, SOLIMP[0])],
     ),
+    "a solref of its own": (
+        *({}, {}, {"geom_priority": (0, 1), "solref_mode": (RAW, RAW), "solref": ((0.05, 1.0), (0.02, 1.0))}),
+        [("priority", PAIR, "solref[0]", 0.05, 0.02)],
+    ),
     "a gap left at the default beside one that was set": (
         *({"gap": None}, {"gap": 0.004}, {}, [("default-gap", PAIR[:1], "gap", GAP, GAP + 0.004)]),
     ),
@@ -104,10 +108,6 @@ FOUND = {
 def test_what_is_found_and_what_is_not(name):
     first, second, attributes, expected = FOUND[name]
     assert found(two_boxes(first, second, **attributes)) == expected
-
-
-def test_without_refsafe_no_timeconst_is_clamped():
-    assert found(two_boxes(STIFF, STIFF), refsafe=False) == []
 
 
 CUBE_ON_FLOOR = """
@@ -146,25 +146,6 @@ def test_a_solref_of_lower_priority_is_none_that_mujoco_solves_with(floor, cube,
     assert not [finding for finding in lint(read_mjcf(level), ENGINE) if finding.rule == "priority"]
 
 
-SOLREFS = ((0.05, 1.0), (0.02, 1.0))
-MINIMAL = {
-    "priority": ({"mu": 0.3}, {}, {"geom_priority": (0, 1)}),
-    "priority of a solref": ({}, {}, {"geom_priority": (0, 1), "solref_mode": (RAW, RAW), "solref": SOLREFS}),
-    "default-gap": ({"gap": None}, {}, {}),
-    "timeconst": (STIFF, STIFF, {}),
-    "ke-without-kd": ({"ke": 1e5, "kd": 0.0}, {}, {}),
-    "dampratio": ({"ke": 1e4, "kd": 5.0}, {"ke": 1e4, "kd": 5.0}, {}),
-    "kf": ({"kf": 50.0}, {}, {}),
-    "unused": ({"restitution": 0.5}, {}, {}),
-}
-
-
-@pytest.mark.parametrize("name", MINIMAL)
-def test_every_rule_fires_on_its_minimal_model_and_on_none_of_the_others(name):
-    first, second, attributes = MINIMAL[name]
-    assert {rule for rule, *_ in found(two_boxes(first, second, **attributes))} == {name.split()[0]}
-
-
 @pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
 def test_a_ke_without_kd_is_not_read(material, parameter):
     model = two_boxes(material, {})
@@ -183,16 +164,13 @@ def test_a_kd_taken_for_a_share_of_ke_makes_a_timeconst_of_many_seconds():
     assert "timeconst is 20 s" in finding.message
 
 
-def test_kf_is_read_by_some_releases_and_cones_and_contacts():
+def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     model = two_boxes({"kf": 50.0}, {})
     unread = [("kf", PAIR[:1], "kf", 50.0, None)]
     assert found(model, contacts="newton", cone="pyramidal") == unread
     assert found(model, contacts="mujoco", cone="elliptic") == unread
     assert found(model, contacts="newton", cone="elliptic") == ([] if kf_is_read() else unread)
     assert found(two_boxes({}, {}), contacts="newton", cone="elliptic") == []
-
-
-def test_a_kf_that_asks_for_less_than_two_substeps_is_clamped():
     model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
     [(rule, shapes, _, _, used)] = found(model, contacts="newton", cone="elliptic", impratio=1.0)
     if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
@@ -246,11 +224,15 @@ def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
     assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
 
 
-def test_a_model_without_shapes():
-    assert lint(newton.ModelBuilder().finalize(device="cpu"), ENGINE) == []
+def test_models_without_shapes_or_the_solvers_attributes_and_an_engine_without_refsafe():
     builder = newton.ModelBuilder()
-    builder.add_body()
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
+    body = builder.add_body()
     assert lint(builder.finalize(device="cpu"), ENGINE, buffers=[Buffer("contacts", 5, 5)]) == []
+    builder.add_shape_box(body, cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
+    assert found(two_boxes(STIFF, STIFF), refsafe=False) == [], "nothing is clamped"
 
 
 def test_600_shapes_in_under_a_second():
@@ -276,13 +258,6 @@ def test_shapes_that_cannot_touch_are_left_alone():
             custom_attributes={"mujoco:geom_priority": priority},
         )  # fmt: skip
     assert lint(builder.finalize(device="cpu"), ENGINE) == []
-
-
-def test_a_model_without_the_solvers_attributes():
-    builder = newton.ModelBuilder()
-    builder.add_shape_box(builder.add_body(), cfg=ShapeConfig(ke=2.5e7, kd=1e4))
-    builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
-    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
 
 
 def test_the_constants_are_newtons():

@@ -91,21 +91,15 @@ def away(distance_m: float) -> np.ndarray:
 )
 def test_each_class(place, failure, expected):
     assert outcome(place, failure) == expected
-
-
-def test_one_pose_that_is_not_finite_is_enough():
-    trace = make_trace(creeping_at(0.0))
+    trace = make_trace(place, failure)
     trace.poses[-1, 5, 6] = np.inf
-    assert classify(AS_SHIPPED, trace, FLOOR_MM_S) == "non-finite"
+    assert classify(AS_SHIPPED, trace, FLOOR_MM_S) == "non-finite", "one pose is enough"
 
 
-@pytest.mark.parametrize(("factor", "expected"), [(9.99, "holding"), (10.01, "exploded")])
-def test_the_speed_is_that_of_the_drive_of_the_case(factor, expected):
+def test_the_speed_is_that_of_the_drive_of_the_case_and_of_the_shake_as_shipped_where_the_arm_is_held_still():
     case = replace(AS_SHIPPED, shake_amplitude_m=0.06, shake_frequency_hz=2.0)
-    assert outcome(kicked_at(factor * 4.0 * DRIVE_PEAK_M_S), case=case) == expected
-
-
-def test_an_arm_held_still_is_judged_by_the_shake_as_shipped():
+    for factor, expected in ((9.99, "holding"), (10.01, "exploded")):
+        assert outcome(kicked_at(factor * 4.0 * DRIVE_PEAK_M_S), case=case) == expected
     assert drive_peak_m_s(replace(AS_SHIPPED, shake_amplitude_m=0.0)) == pytest.approx(DRIVE_PEAK_M_S)
 
 
@@ -119,11 +113,7 @@ def test_border_of_the_growing_energy(before_m, after_m, growing):
     assert is_energy_growing(AS_SHIPPED, make_trace(swinging(before_m, after_m))) is growing
 
 
-def test_the_energy_grows_only_in_the_grasp():
-    assert not is_energy_growing(AS_SHIPPED, make_trace(swinging(0.005, 0.03) + (0.0, 0.0, 0.1)))
-
-
-def test_a_fall_has_no_energy_of_its_own():
+def test_what_has_energy():
     fall = along(2, -0.5 * 9.81 * TIME_S**2)
     np.testing.assert_allclose(excess_energy(fall, 9.81, FRAME_DT), 0.0, atol=1e-6)
     # Across at 1 m/s: 1/2 J/kg more than the fall, but for g² dt² / 8 of the frames being straight lines.
@@ -132,15 +122,13 @@ def test_a_fall_has_no_energy_of_its_own():
     np.testing.assert_allclose(excess_energy(-fall, -9.81, FRAME_DT), 0.0, atol=1e-6)
     # A rise is not made up for.
     np.testing.assert_allclose(excess_energy(along(2, 2.0 * TIME_S), 9.81, FRAME_DT), 2.0, rtol=1e-6)
+    assert not is_energy_growing(AS_SHIPPED, make_trace(swinging(0.005, 0.03) + (0.0, 0.0, 0.1)))
 
 
-def test_creep_is_the_change_over_the_last_period():
+def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():
     early = along(0, np.where(TIME_S < 1.0, 0.0, 5e-3))
     swing = along(2, 1e-3 * np.sin(np.pi * TIME_S))
     place = early + swing + creeping_at(0.3) + along(1, 1e-3 * 0.4 * TIME_S)
     assert creep_mm_s(AS_SHIPPED, make_trace(place)) == pytest.approx(0.5)
-
-
-def test_creep_of_a_short_shake_is_over_all_of_it():
     assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:31])) == pytest.approx(0.3)
     assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:1])) == 0.0

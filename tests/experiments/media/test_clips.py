@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from conftest import link
 from markupsafe import Markup
 
 from experiments.facts.clip_record import CLIPS, FIRST, RUNS, clips_identity, clips_state
@@ -69,8 +70,7 @@ def test_the_long_exposure_has_more_of_the_run_that_moves(clip):
 
 
 def test_the_clips_are_stale_when_a_mesh_or_the_kept_poses_change(tmp_path):
-    for name in ("experiments", "report", "pyproject.toml"):
-        (tmp_path / name).symlink_to(OWN.root / name)
+    link(tmp_path, "experiments", "report", "pyproject.toml")
     project = Project(own_release(), root=tmp_path)
     pose = trace_path(project.record_path("poses"), RUNS[FIRST][0])
     mesh = tmp_path / "assets/visual/hand.0.obj"

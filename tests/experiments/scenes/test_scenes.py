@@ -19,11 +19,13 @@ from newton_lint.compat import warp_has_noslip
 RECIPE = capsule.Pinch("recipe")
 
 
-def test_the_capsule_sinks_as_published():
+def test_the_capsule_sinks_as_published_and_with_noslip_by_no_law():
     sinking = capsule.run(RECIPE, 2.0, "cpu")
     assert sinking.mean_m_s == pytest.approx(154.99e-6, rel=0.001)
     assert sinking.contacts.normal_n == pytest.approx(12.4, abs=0.1)
     assert sinking.contacts.count == 4
+    case = replace(RECIPE, noslip_iterations=10)
+    assert capsule.columns(case, capsule.run(case, 0.1, "cpu"))["predicted_creep_mm_s"] == 0.0
 
 
 @pytest.mark.parametrize("changes", [{}, {"impratio": 100.0}, {"cone": "pyramidal", "impratio": 1.0}])
@@ -49,11 +51,6 @@ def test_newton_runs_no_noslip_that_the_file_asks_for_and_so_the_law_has_a_creep
     case = replace(RECIPE, engine="newton", noslip_iterations=10)
     row = capsule.columns(case, capsule.run(case, 0.1, "cpu"))
     assert row["steady_creep_mm_s"] == pytest.approx(row["predicted_creep_mm_s"], rel=0.01)
-
-
-def test_with_noslip_the_law_has_no_creep():
-    case = replace(RECIPE, noslip_iterations=10)
-    assert capsule.columns(case, capsule.run(case, 0.1, "cpu"))["predicted_creep_mm_s"] == 0.0
 
 
 def test_the_model_through_newton_has_the_step_that_it_runs_with():
@@ -102,28 +99,22 @@ def test_the_panda_goes_where_it_is_told():
     assert world.body("hand").xpos == pytest.approx([0.65, 0.0, 0.11], abs=0.02)
 
 
-def test_the_ball_is_dropped_as_published_and_held_with_an_elliptic_cone():
+def test_the_ball_is_dropped_as_published_and_creeps_as_predicted():
     published = shake(Pick("", object="ball"), [0], 7.0, "cpu")
     assert published.lifted.all() and published.drop_s == pytest.approx([6.022], abs=0.2)
     elliptic = shake(Pick("", object="ball", cone="elliptic", impratio=10.0), [0], 7.0, "cpu")
     assert np.isnan(elliptic.drop_s).all()
-
-
-def test_a_ball_held_still_creeps_as_predicted():
     held = hold(Pick("", object="ball"))
     assert held.creep_m_s == pytest.approx(held.forecast_m_s, rel=0.05)
     assert 0.0 < held.margin_m < 2.0 * panda.PAD_HALF_SIZE_M[2]
 
 
-def test_shakes_are_counted():
+def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
     row = pick.shake_columns(Picked(np.array([True, True, False]), np.array([5.0, np.nan, 4.0])))
     assert (row["lifted_count"], row["held_count"]) == (2, 1)
     assert (row["first_drop_s"], row["median_drop_s"], row["last_drop_s"]) == (4.0, 4.5, 5.0)
     row = pick.shake_columns(Picked(np.array([True]), np.array([np.nan])))
     assert row["median_drop_s"] is None and row["median_drop_s_reason"]
-
-
-def test_a_shake_that_blows_up_has_no_counts_and_a_reason(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
     row = pick.shaken(Pick("", timestep_s=0.01, integrator="RK4"), Conditions("cpu", quick=True))
     assert row["held_count"] is row["lifted_count"] is row["median_drop_s"] is None
@@ -142,29 +133,21 @@ def held_beside(offset_m: float) -> Start:
     return Start(None, np.zeros(0), 4.0, 1.0, 0.0, np.ones(4), np.array(places), np.array([frame] * 4))
 
 
-def test_coulombs_law_for_a_cube_held_beside_its_centre():
+def test_the_least_friction_is_coulombs_or_told_where_the_search_has_two_ends():
     # The nearer contact of a finger carries (a + e) / 2a of its load.
     assert coulomb_factor(held_beside(0.0), "elliptic") == pytest.approx(1.0)
     assert coulomb_factor(held_beside(0.004), "pyramidal") == pytest.approx(1.4)
-
-
-def test_less_friction_than_coulomb_asks_for_drops_the_cube_and_more_holds_it():
-    start = warm_up(Setting("", "elliptic", 1.0, "implicitfast"))
-    least = coulomb_factor(start, "elliptic")
-    assert start.force_n == pytest.approx(6.96, abs=0.05)
-    assert drop_m(start, 0.9 * least, 1.0) > 0.005
-    assert drop_m(start, 1.1 * least, 1.0) < 0.001
-
-
-def test_the_least_friction_that_holds_is_told_where_the_search_has_two_ends():
     assert least_friction.found(1.19, 1.2) == {"least_factor": 1.2}
     nothing, everything = least_friction.found(32.0, math.inf), least_friction.found(0.0, 0.5)
     assert nothing["least_factor"] is None and "do not hold" in nothing["least_factor_reason"]
     assert everything["least_factor"] is None and "the least that was tried" in everything["least_factor_reason"]
 
 
-def test_a_cube_that_is_held_with_any_friction_has_no_least_one():
-    """As one that nothing pulls at."""
+def test_less_friction_than_coulomb_asks_for_drops_the_cube_and_without_a_pull_any_holds_it():
     start = warm_up(Setting("", "elliptic", 1.0, "implicitfast"))
+    least = coulomb_factor(start, "elliptic")
+    assert start.force_n == pytest.approx(6.96, abs=0.05)
+    assert drop_m(start, 0.9 * least, 1.0) > 0.005
+    assert drop_m(start, 1.1 * least, 1.0) < 0.001
     start.engine.model.opt.gravity[:] = 0.0
     assert least_factors(start, 0.1) == (0.0, LEAST)

@@ -112,7 +112,7 @@ def test_worlds_that_do_not_fit_into_the_memory_run_one_half_after_the_other(mon
     assert capsys.readouterr().err.count("the memory is too small") == 2
 
 
-def test_a_world_that_turns_non_finite_is_marked_and_alone_in_it():
+def test_a_state_that_is_not_finite_is_marked_in_its_world_alone_and_so_is_one_that_mujoco_resets():
     simulation = Simulation([replace(AS_SHIPPED, frame_count=6)] * 2, wp.get_device("cpu"))
     for frame in range(6):
         if frame == 4:
@@ -121,6 +121,15 @@ def test_a_world_that_turns_non_finite_is_marked_and_alone_in_it():
     good, bad = simulation.recorder.traces(simulation.frame_dt, 6, wall_s=0.0)
     assert good.failure is None
     assert (bad.failure.kind, bad.failure.frame) == ("non-finite", 4)
+    simulation = Simulation([replace(AS_SHIPPED, backend="mujoco", frame_count=3)], wp.get_device("cpu"))
+    simulation.step()
+    speeds = simulation.state.joint_qd.numpy()
+    speeds[0] = 1e20
+    simulation.state.joint_qd.assign(speeds)
+    simulation.step()
+    [trace] = simulation.recorder.traces(simulation.frame_dt, 2, wall_s=0.0)
+    assert np.isfinite(trace.poses).all()
+    assert trace.failure.kind == "non-finite" and trace.failure.frame == 1 and "reset" in str(trace.failure)
 
 
 def test_cases_share_a_batch_only_where_one_simulation_can_hold_them():
@@ -149,16 +158,3 @@ def test_noslip_reaches_the_engine(backend):
     else:
         one, other = simulate([plain, treated], device="cpu")
         assert not np.array_equal(one.poses, other.poses)
-
-
-def test_a_state_that_mujoco_resets_is_a_failure():
-    """Reset it is finite again."""
-    simulation = Simulation([replace(AS_SHIPPED, backend="mujoco", frame_count=3)], wp.get_device("cpu"))
-    simulation.step()
-    speeds = simulation.state.joint_qd.numpy()
-    speeds[0] = 1e20
-    simulation.state.joint_qd.assign(speeds)
-    simulation.step()
-    [trace] = simulation.recorder.traces(simulation.frame_dt, 2, wall_s=0.0)
-    assert np.isfinite(trace.poses).all()
-    assert trace.failure.kind == "non-finite" and trace.failure.frame == 1 and "reset" in str(trace.failure)

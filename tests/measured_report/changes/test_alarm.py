@@ -9,33 +9,23 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from conftest import MODULE, ROWS
+from conftest import MODULE, ROWS, SOURCES, compared, derived, link
 from damage import damage
 
 from measured_report import ROOT
 from measured_report.changes.alarm import check, check_text, diff_text
-from measured_report.changes.compare import Comparison, compare
+from measured_report.changes.compare import Comparison
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
 from measured_report.commands import findings
 from measured_report.commands.options import FORMATS
-from measured_report.deriving.editions import derive_edition
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
-from measured_report.pages.prose import Templates
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
-SHAKEN = (
-    "slip_mm",
-    "drift_mm_s",
-    "oscillation_mm",
-    "wander_mm",
-    "increment_mean_mm",
-    "increment_last_mm",
-    "cycle_count",
-)
+SHAKEN = "slip_mm drift_mm_s oscillation_mm wander_mm increment_mean_mm increment_last_mm cycle_count".split()
 """Numbers that a run which breaks down does not have."""
 SOFT, STIFF = ROWS
 
@@ -50,8 +40,7 @@ def broken(row: dict, frame: int) -> dict:
 @pytest.fixture
 def measured(tmp_path) -> Callable[..., Project]:
     """Makes an edition out of the tracked records of 1.8.0, each changed by a function."""
-    for name in ("report", "experiments", "templates", "assets", "pyproject.toml"):
-        (tmp_path / name).symlink_to(ROOT / name)
+    link(tmp_path, *SOURCES)
 
     def make(release: str, change: Callable[[Record], Record] = lambda record: record) -> Project:
         project = Project(release, root=tmp_path, own_release=own_release())
@@ -66,9 +55,8 @@ def measured(tmp_path) -> Callable[..., Project]:
     return make
 
 
-def compared(project: Project, before: str = "1.8.0") -> Comparison:
-    templates = Templates(project.templates)
-    return compare(*(derive_edition(project.of(release), templates) for release in (before, project.release)))
+def changed(project: Project, before: str = "1.8.0") -> Comparison:
+    return compared(project.of(before), project)
 
 
 def change_of(section: str, *rows_of: Callable[[dict], dict]) -> Callable[[Record], Record]:
@@ -93,7 +81,7 @@ def rows_changed(section: str, cases: Iterable[str], frame: int) -> Callable[[Re
 )
 def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
-    found = compared(measured("1.9.0", rows_changed(section, cases, frame)))
+    found = changed(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
     said = diff_text(found, "text", all_values=False).splitlines()
     assert f"frame {frame}" in said[2] and "newton 1.9.0" in said[2]
@@ -104,18 +92,18 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
 def test_one_run_that_breaks_down_is_enough(measured, section):
     record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
     last = [row["case"] for row in record.rows if row.get("slip_mm") is not None][-1]
-    faults = compared(measured("1.9.0", rows_changed(section, (last,), 500))).faults
+    faults = changed(measured("1.9.0", rows_changed(section, (last,), 500))).faults
     assert "broken" in {fault.kind for fault in faults} and all("frame 500" in fault.reason for fault in faults)
 
 
 def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
     project = measured("1.9.0", rows_changed("all", (), 1))
-    edition = derive_edition(project, Templates(project.templates))
+    edition = derived(project)
     assert check(edition).is_alarm
     assert check_text(check(edition), "text").startswith("cannot tell: newton 1.9.0, ")
-    assert compared(project, before="1.9.0").is_alarm, "broken alike is no agreement"
-    assert compared(project.of("1.8.0"), before="1.9.0").is_alarm
-    assert not compared(project.of("1.8.0")).is_alarm
+    assert changed(project, before="1.9.0").is_alarm, "broken alike is no agreement"
+    assert changed(project.of("1.8.0"), before="1.9.0").is_alarm
+    assert not changed(project.of("1.8.0")).is_alarm
 
 
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
@@ -139,7 +127,7 @@ def test_what_cannot_be_shown_is_named_first(toy):
     newer = toy.of("1.8.0")
     newer.measure([SOFT])
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows; rows[1]"))
-    found = compared(newer.project, before="1.4.0")
+    found = changed(newer.project, before="1.4.0")
     assert [(fault.kind, fault.release) for fault in found.faults] == [("damaged", "1.8.0")]
 
 
@@ -154,9 +142,9 @@ def on_a_cpu(record: Record) -> Record:
 
 
 def test_a_cost_flips_on_one_machine_alone(measured):
-    same = compared(measured("1.9.0", change_of("all", dearer)))
+    same = changed(measured("1.9.0", change_of("all", dearer)))
     assert [flip.name for flip in same.flips] == ["batch_is_cheap"]
-    other = compared(measured("1.10.0", on_a_cpu))
+    other = changed(measured("1.10.0", on_a_cpu))
     assert not other.is_alarm and other.flips == []
     assert any(note.startswith("speed and cost in ") for note in other.notes)
 
@@ -174,8 +162,8 @@ def test_the_noise_is_the_machines(measured):
     def still_on_the_same(record: Record) -> Record:
         return replace(record, rows=still(record).rows) if record.section == "noise" else record
 
-    assert "noise_is_small" in {flip.name for flip in compared(measured("1.9.0", still_on_the_same)).flips}
-    assert compared(measured("1.10.0", still)).flips == []
+    assert "noise_is_small" in {flip.name for flip in changed(measured("1.9.0", still_on_the_same)).flips}
+    assert changed(measured("1.10.0", still)).flips == []
 
 
 @pytest.mark.parametrize("column", ["frame_count", "world_count"])
@@ -184,7 +172,7 @@ def test_a_cost_flips_for_as_many_frames_and_worlds_alone(measured, column):
         return row | {column: row[column] // 2} if row["case"].startswith("batch-64") else row
 
     change = change_of("reproduction", half, partial(dearer, times=9.0))
-    assert compared(measured("1.9.0", change)).flips == []
+    assert changed(measured("1.9.0", change)).flips == []
 
 
 def test_what_is_a_cost():
@@ -197,9 +185,9 @@ def test_what_moved_and_flips_nothing_is_to_be_looked_at(measured):
         return row | {"wander_mm": 2.0 * row["wander_mm"]} if row["case"] == "hold" else row
 
     project = measured("1.9.0", change_of("reproduction", farther))
-    found, templates = compared(project), Templates(project.templates)
+    found = changed(project)
     assert not found.flips and [(move.section, move.column) for move in found.moves] == [("reproduction", "wander_mm")]
-    first, *_, last = verdict(found, *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))
+    first, *_, last = verdict(found, derived(project.of("1.8.0")), derived(project))
     assert first.startswith("Newton 1.9.0 against 1.8.0: "), "all other packages are the same"
     assert last.endswith("make diff A=1.8.0 B=1.9.0 VALUES=all lists it")
 
@@ -210,29 +198,21 @@ def test_a_verdict_says_which_other_packages_differ(measured):
         return replace(record, identity=replace(record.identity, packages=packages))
 
     project = measured("1.9.0", newer)
-    templates = Templates(project.templates)
-    first = verdict(compared(project), *(derive_edition(project.of(each), templates) for each in ("1.8.0", "1.9.0")))[0]
+    first = verdict(changed(project), derived(project.of("1.8.0")), derived(project))[0]
     assert first.startswith("Newton 1.9.0 against 1.8.0 (mujoco-warp 3.17.0 → 4.0.0): ")
 
 
 def test_the_documentation_names_what_the_json_has(measured):
     text = (ROOT / "docs/alarm.md").read_text(encoding="utf-8")
     project = measured("1.9.0", rows_changed("reproduction", ("as-shipped",), 500))
-    said = diff_text(compared(project), "json", all_values=False)
-    edition = derive_edition(project, Templates(project.templates))
+    said = diff_text(changed(project), "json", all_values=False)
+    edition = derived(project)
     for each in (said, check_text(check(edition), "json")):
         names = set(re.findall(r'"([a-z_]+)":', each)) - {"case", *SECTIONS}
         assert {name for name in names if f"`{name}`" not in text} == set()
 
 
-def test_markdown_is_not_made_of_what_a_record_says(toy):
-    newer = toy.of("1.8.0")
-    newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
-    said = diff_text(compared(newer.project, before="1.4.0"), "markdown", all_values=False)
-    assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said
-
-
-def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
+def test_diff_and_check_say_it_in_every_format_and_markdown_is_not_made_of_what_a_record_says(toy, capsys, tmp_path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
     for form in FORMATS:
@@ -240,3 +220,7 @@ def test_diff_and_check_say_it_in_every_format(toy, capsys, tmp_path: Path):
         assert "toy" in capsys.readouterr().out
         assert findings.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out
+    newer = toy.of("1.8.0")
+    newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])
+    said = diff_text(changed(newer.project, before="1.4.0"), "markdown", all_values=False)
+    assert "\\<img\\> \\| \\[x\\](y)" in said and "@all" not in said

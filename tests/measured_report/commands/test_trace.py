@@ -40,36 +40,31 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
     assert "noise       not known, by that of what it is made of" in lines, "stiff has no percentiles"
 
 
-def test_a_number_of_the_page_is_found_by_its_pointer(toy):
-    text = provenance(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
-    assert "printed at  evidence.html#toy-way" in text, "in the caption of a figure"
-    assert "row 1, case stiff" in text
-    assert (
-        provenance(toy).text("values.json#/toy/gain").partition(": ")[2]
-        == provenance(toy).text("toy.gain").partition(": ")[2]
-    )
-
-
-@pytest.mark.parametrize("name", ["toy.gian", "toy", "toi.gain", "other.gain"])
-def test_an_unknown_value_names_those_near_it_in_one_line(toy, name):
-    with pytest.raises(UsageError, match=r"near it: .*toy\.gain") as refused:
-        provenance(toy).text(name)
-    assert "\n" not in str(refused.value)
-
-
-def test_a_number_of_a_row_is_named_by_section_case_and_column(toy):
-    of_row = provenance(toy).text("toy.stiff.slip_mm")
+def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
+    text = provenance(toy).text
+    pointed, of_row = text("newton-1.4.0/toy.json#/rows/1/slip_mm"), text("toy.stiff.slip_mm")
+    assert "printed at  evidence.html#toy-way" in pointed, "in the caption of a figure"
+    assert "row 1, case stiff" in pointed
+    assert text("values.json#/toy/gain").partition(": ")[2] == text("toy.gain").partition(": ")[2]
     assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
-    pointed = provenance(toy).text("newton-1.4.0/toy.json#/rows/1/slip_mm")
     assert of_row.splitlines()[1:] == pointed.splitlines()[1:]
 
 
 @pytest.mark.parametrize(
-    "name", ["toy.stif.slip_mm", "toy.stiff.slip", "tpy.stiff.slip_mm", "toy.stiff.slip_mm_reason"]
+    ("names", "near"),
+    [
+        (["toy.gian", "toy", "toi.gain", "other.gain"], r"toy\.gain"),
+        (
+            ["toy.stif.slip_mm", "toy.stiff.slip", "tpy.stiff.slip_mm", "toy.stiff.slip_mm_reason"],
+            r"toy\.stiff\.slip_mm",
+        ),
+    ],
 )
-def test_an_unknown_number_of_a_row_names_those_near_it(toy, name):
-    with pytest.raises(UsageError, match=r"near it: .*toy\.stiff\.slip_mm"):
-        provenance(toy).text(name)
+def test_an_unknown_value_names_those_near_it_in_one_line(toy, names, near):
+    for name in names:
+        with pytest.raises(UsageError, match=f"near it: .*{near}") as refused:
+            provenance(toy).text(name)
+        assert "\n" not in str(refused.value)
 
 
 @pytest.mark.parametrize(

@@ -3,16 +3,13 @@
 import hashlib
 import os
 import shutil
-import signal
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import MODULE, ROWS, TEMPLATE, Toy
+from conftest import MODULE, REPORT, ROWS, TEMPLATE, Toy, killed_at, link, program
 
-from measured_report import ROOT, ReportError
+from measured_report import ReportError
 from measured_report.deriving import dependencies
 from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import editions_of
@@ -21,38 +18,28 @@ from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
-from measured_report.records.traces import packed
 
-READER = """
+SECTION = """
 from report.shared.arithmetic import other_value
 from measured_report.parts.section import Section
-from measured_report.values.results import Results
 
-order = 2
+order = {order}
 page = "limits"
 
 def derive(results):
     with open({log!r}, "a") as log:
-        log.write("reader ")
-    gain = other_value(results, "toy", "gain")
-    results.value("twice", "twice the gain", lambda a: 2 * a, gain)
+        log.write("{name} ")
+    {reads}
     return Section()
 """
-ALONE = """
-from measured_report.parts.section import Section
-
-order = 3
-page = "limits"
-
-def derive(results):
-    with open({log!r}, "a") as log:
-        log.write("alone ")
-    return Section()
-"""
+READS = {
+    "reader": 'results.value("twice", "twice the gain", lambda a: 2 * a, other_value(results, "toy", "gain"))',
+    "alone": "",
+}
+"""A section that reads another, and one that reads none."""
 
 
-def files(toy: Toy) -> dict[str, bytes]:
-    site = toy.project.site
+def files(site: Path) -> dict[str, bytes]:
     return {str(path.relative_to(site)): path.read_bytes() for path in sorted(site.rglob("*")) if path.is_file()}
 
 
@@ -61,34 +48,36 @@ def from_nothing(toy: Toy) -> dict[str, bytes]:
     shutil.rmtree(toy.project.root / FOLDER)
     shutil.rmtree(toy.project.site)
     toy.build()
-    return files(toy)
+    return files(toy.project.site)
 
 
-def trace_of(toy: Toy, end: float) -> None:
-    traces = {"stiff": packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end]})}
-    write_record(toy.record_path, toy.record(), traces)
+def rewritten(old: str, new: str) -> Callable[[Toy], None]:
+    """A change of the toy's template or module."""
+    assert old in TEMPLATE + MODULE
+
+    def change(toy: Toy) -> None:
+        toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+        toy.write("report/sections/toy.py", MODULE.replace(old, new))
+
+    return change
 
 
+LAID_OUT = (LAYOUT / "base.html.j2").read_text().replace("Skip to", "Go to")
+EXTENDED = '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
 CHANGES: dict[str, Callable[[Toy], None]] = {
-    "a word of its template": lambda toy: toy.write(
-        "templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer")
-    ),
-    "a word of a claim": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("It helps", "It aids")),
-    "a caption": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("The way", "The long way")),
-    "an alternative text": lambda toy: toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("moves", "walks")),
+    "a word of its template": rewritten("Stiff", "Stiffer"),
+    "a word of a claim": rewritten("It helps", "It aids"),
+    "a caption": rewritten("The way", "The long way"),
+    "an alternative text": rewritten("moves", "walks"),
+    "what it draws": rewritten('label="x"', 'label="y"'),
+    "what it derives": rewritten("a / b", "a / b + 1"),
+    "its place": rewritten("order = 1", 'order = 1\npage = "limits"'),
     "a page": lambda toy: toy.write("templates/pages/evidence.md.j2", "# Other suspects\n"),
-    "a layout": lambda toy: toy.write(
-        "templates/base.html.j2", (LAYOUT / "base.html.j2").read_text().replace("Skip to", "Go to")
-    ),
-    "a block of a layout": lambda toy: toy.write(
-        "templates/base.html.j2", '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endblock %}'
-    ),
+    "a layout": lambda toy: toy.write("templates/base.html.j2", LAID_OUT),
+    "a block of a layout": lambda toy: toy.write("templates/base.html.j2", EXTENDED),
     "the icon": lambda toy: toy.write("assets/favicon.svg", "<svg/>"),
-    "what it draws": lambda toy: toy.write("report/sections/toy.py", MODULE.replace('label="x"', 'label="y"')),
-    "what it derives": lambda toy: toy.write("report/sections/toy.py", MODULE.replace("a / b", "a / b + 1")),
-    "its place": lambda toy: toy.write("report/sections/toy.py", MODULE + '\npage = "limits"\n'),
     "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
-    "its trace": lambda toy: trace_of(toy, 0.7),
+    "its trace": lambda toy: toy.measure(end_mm=0.7),
     "the simulator's side": lambda toy: toy.write("experiments/scene.py", "def slip():\n    return 2.0\n"),
     "another release": lambda toy: toy.of("1.8.0").measure(),
 }
@@ -97,10 +86,10 @@ CHANGES: dict[str, Callable[[Toy], None]] = {
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_change_of_anything_is_seen(toy, change):
     toy.build()
-    before = files(toy)
+    before = files(toy.project.site)
     CHANGES[change](toy)
     toy.build()
-    after = files(toy)
+    after = files(toy.project.site)
     assert after != before
     assert after == from_nothing(toy)
 
@@ -139,12 +128,12 @@ def test_what_is_installed_counts(monkeypatch, package):
     assert digest() == before
 
 
-def with_readers(toy: Toy) -> Path:
-    """A section that reads another, and one that reads none; returns where they say that they are derived."""
+def with_readers(toy: Toy, order: int = 2) -> Path:
+    """Write both; returns where they say that they are derived."""
     log = toy.project.root / "log"
-    for name, module in {"reader": READER, "alone": ALONE}.items():
+    for name, reads in READS.items():
         toy.write(f"experiments/{name}.py", "")
-        toy.write(f"report/sections/{name}.py", module.format(log=str(log)))
+        toy.write(f"report/sections/{name}.py", SECTION.format(name=name, reads=reads, order=order, log=str(log)))
         toy.write(f"templates/sections/{name}.md.j2", f"# Section {name}\n\n{{{{ rows[0].slip_mm }}}}\n")
         measure(toy, name)
     return log
@@ -175,14 +164,12 @@ def test_only_what_reads_a_record_is_derived_again(toy):
     assert derived() == ["reader"]
     toy.measure()
     assert derived() == ["reader"]
-    assert files(toy) == from_nothing(toy)
+    assert files(toy.project.site) == from_nothing(toy)
 
 
 def test_a_figure_can_not_read_what_its_section_has_not(toy):
     """Else nobody would know that it is to be drawn again."""
-    with_readers(toy)
-    module = (toy.project.root / "report/sections/reader.py").read_text()
-    toy.write("report/sections/reader.py", module.replace("order = 2", "order = 0"))
+    with_readers(toy, order=0)
     late = MODULE.replace("order = 1", "order = 9").replace(
         "lambda: draw(trace)", 'lambda: results.others["reader"] and draw(trace)'
     )
@@ -193,9 +180,7 @@ def test_a_figure_can_not_read_what_its_section_has_not(toy):
 
 def test_a_section_can_not_read_one_that_stands_after_it(toy):
     """It would find nothing there, ever."""
-    with_readers(toy)
-    module = (toy.project.root / "report/sections/reader.py").read_text()
-    toy.write("report/sections/reader.py", module.replace("order = 2", "order = 0"))
+    with_readers(toy, order=0)
     [edition] = editions_of(toy.project, Templates(toy.project.templates)).values()
     said = {state.section: "; ".join(state.notes) for state in edition.left_out}
     assert "report/sections/reader.py reads toy, which stands after it" in said["reader"]
@@ -220,9 +205,9 @@ def test_what_is_kept_takes_neither_numbers_nor_drawing(toy, change):
     toy.build()
     if change:
         CHANGES[change](toy)
-    done = subprocess.run([sys.executable, "-c", WARM, toy.project.root], cwd=ROOT, capture_output=True, text=True)
+    done = program("-c", WARM, toy.project.root)
     assert (done.stdout, done.stderr) == ("\n", "")
-    assert files(toy) == from_nothing(toy)
+    assert files(toy.project.site) == from_nothing(toy)
 
 
 def test_only_files_that_changed_are_written(toy):
@@ -238,12 +223,12 @@ def test_only_files_that_changed_are_written(toy):
 
 def test_a_site_that_was_altered_is_built_again(toy):
     toy.build()
-    before = files(toy)
+    before = files(toy.project.site)
     toy.page_path.write_text("altered")
     (toy.project.site / "more.html").write_text("more")
     (toy.project.site / "style.css").unlink()
     toy.build()
-    assert files(toy) == before
+    assert files(toy.project.site) == before
 
 
 ENTRIES = ("site", "card", "full.1.4.0.toy", "full.1.4.0.front")
@@ -265,77 +250,58 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
 @pytest.mark.parametrize("damage", DAMAGE)
 def test_an_entry_that_is_damaged_is_made_again(toy, damage):
     toy.build()
-    before = files(toy)
+    before = files(toy.project.site)
     cache = toy.project.root / FOLDER
     assert {path.name for path in cache.iterdir()} >= set(ENTRIES)
     for name in ENTRIES:
         DAMAGE[damage](cache / name)
     (toy.project.root / "templates" / "unused.md.j2").write_text("new")
     toy.build()
-    assert files(toy) == before
+    assert files(toy.project.site) == before
 
 
 def test_where_nothing_can_be_kept_the_site_is_built(toy):
     (toy.project.root / FOLDER).write_text("no folder")
     toy.build()
-    before = files(toy)
+    before = files(toy.project.site)
     CHANGES["a number"](toy)
     toy.build()
-    assert files(toy) != before
+    assert files(toy.project.site) != before
 
 
 @pytest.mark.parametrize("stop", range(1, 4))
 def test_a_kill_while_something_is_kept_leaves_the_old_or_the_new(tmp_path, stop):
     cache = Cache(tmp_path)
     cache.put("entry", "key", "old")
-    child = os.fork()
-    if not child:
-        steps = iter(range(stop))
 
-        def step(event, arguments):
-            if event in ("open", "os.rename") and "entry" in str(arguments[0]) and next(steps, None) is None:
-                os.kill(os.getpid(), signal.SIGKILL)
+    def changes(event: str, arguments: tuple) -> bool:
+        return event in ("open", "os.rename") and "entry" in str(arguments[0])
 
-        sys.addaudithook(step)
-        cache.put("entry", "key", "new")
-        os._exit(0)
-    os.waitpid(child, 0)
+    killed_at(stop, changes, lambda: cache.put("entry", "key", "new"))
     assert cache.get("entry", "key") in ("old", "new")
     cache.put("entry", "key", "newer")
     assert cache.get("entry", "key") == "newer"
     assert [path.name for path in (tmp_path / FOLDER).iterdir()] == ["entry"]
 
 
-ELSEWHERE = """
-import sys
-from pathlib import Path
-from measured_report.editions.project import Project, own_release
-from measured_report.site.build import build
-
-build(Project("1.5.0", root=Path(sys.argv[1]), own_release=own_release()))
-"""
-
-
 def test_the_same_commit_gives_the_same_bytes_anywhere(tmp_path):
     """In two folders, languages, time zones, and orders of what has none; of the release with the fewest records."""
-    digests = []
-    for number, surrounding in enumerate(
-        (
-            {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
-            {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
-        )
-    ):
-        root = tmp_path / ("a place", "ein anderer Ört")[number]
-        (root / "results").mkdir(parents=True)
-        for name in ("experiments", "report", "templates", "assets", "results/newton-1.5.0"):
-            (root / name).symlink_to(ROOT / name)
-        environment = {**os.environ, **surrounding}
-        subprocess.run([sys.executable, "-c", ELSEWHERE, root], cwd=ROOT, env=environment, check=True)
-        site = root / "site"
-        found = {path.relative_to(site): path.read_bytes() for path in site.rglob("*") if path.is_file()}
-        digests.append({name: hashlib.sha256(content).hexdigest() for name, content in found.items()})
-    assert digests[0] == digests[1]
-    assert len(digests[0]) > 30
+    sites = []
+    for name, environment in {
+        "a place": {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
+        "ein anderer Ört": {
+            "PYTHONHASHSEED": "2",
+            "TZ": "Asia/Kathmandu",
+            "LC_ALL": "de_DE.UTF-8",
+            "MPLBACKEND": "agg",
+        },
+    }.items():
+        (tmp_path / name / "results").mkdir(parents=True)
+        link(tmp_path / name, "experiments", "report", "templates", "assets", "results/newton-1.5.0")
+        assert program("-c", REPORT, tmp_path / name, "1.5.0", **environment).returncode == 0
+        sites.append(files(tmp_path / name / "site"))
+    assert [path for path in sites[0] if sites[0][path] != sites[1].get(path)] == []
+    assert len(sites[0]) == len(sites[1]) > 30
 
 
 def test_what_sources_say_is_kept_by_their_texts(tmp_path, monkeypatch):

@@ -16,7 +16,7 @@ def of_profile(toy: Toy, profile: str, release: str = "1.4.0") -> Toy:
     return replace(toy, project=replace(toy.project, profile=profile).of(release))
 
 
-def test_a_claim_that_full_runs_answer_otherwise_is_marked(toy):
+def test_a_claim_that_full_runs_answer_otherwise_even_in_another_edition_is_marked(toy):
     quick = of_profile(toy, "quick")
     quick.measure(NO_HELP)
     quick.build()
@@ -28,9 +28,6 @@ def test_a_claim_that_full_runs_answer_otherwise_is_marked(toy):
     assert OTHERWISE not in quick.page
     toy.build()
     assert OTHERWISE not in toy.page
-
-
-def test_and_so_is_one_that_they_answered_otherwise_in_another_edition(toy):
     of_profile(toy, "quick").measure(NO_HELP)
     newer = of_profile(toy, "quick", "1.9.0")
     newer.measure(NO_HELP)

@@ -32,13 +32,10 @@ def test_each_change_is_said_once():
     ]
 
 
-def test_what_no_other_section_has_is_said_beside_it():
+def test_what_no_other_section_has_is_said_beside_it_and_so_is_damage():
     assert table(stale("a", "code: experiments/a.py"), stale("b", "code")) == [
         "a stale code: experiments/a.py",
         "b stale code",
     ]
-
-
-def test_damage_is_no_change():
     damaged = State("a", "damaged", notes=("newton-1.4.0/a.json: is empty",))
     assert table(damaged, damaged) == ["a damaged newton-1.4.0/a.json: is empty"] * 2

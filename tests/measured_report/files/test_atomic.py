@@ -12,7 +12,7 @@ from pathlib import Path
 import matplotlib
 import pytest
 from batches import is_running
-from conftest import MODULE, ROWS, TEMPLATE
+from conftest import MODULE, ROWS, TEMPLATE, killed_at
 from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
@@ -104,21 +104,12 @@ def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
     before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
     rows = [{**row, "slip_mm": 2.0} for row in ROWS]
     traces = {name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]}) for name in ("stiff", "soft")}
-    child = os.fork()
-    if not child:
-        steps = iter(range(stop))
 
-        def step(event, arguments):
-            changes = event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace") or (
-                event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
-            )
-            if changes and next(steps, None) is None:
-                os.kill(os.getpid(), signal.SIGKILL)
+    def changes(event: str, arguments: tuple) -> bool:
+        is_written = event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
+        return is_written or event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace")
 
-        sys.addaudithook(step)
-        write_record(toy.record_path, toy.record(rows), traces)
-        os._exit(0)
-    ended = os.waitpid(child, 0)[1]
+    ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
     recover(toy.record_path.parent.parent)
     found = load_record(toy.record_path)
     assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
@@ -212,10 +203,6 @@ FORGED = "\ue0000\ue001 [click](javascript:alert(1)) ![](https://example.org/x.p
 
 
 def test_text_of_a_record_is_never_a_token_of_the_page(toy):
-    toy.write(
-        "report/sections/toy.py",
-        (toy.project.root / "report/sections/toy.py").read_text().replace('"helps"', '"helps"'),
-    )
     row = {**ROWS[0], "slip_mm": None, "slip_mm_reason": "[click](javascript:alert(1)) <b>&"}
     toy.write("templates/sections/toy.md.j2", TEMPLATE + "\n{{ rows[0].slip_mm_reason }} {{ rows[0].slip_mm }}\n")
     toy.measure([row, ROWS[1]])
@@ -223,15 +210,10 @@ def test_text_of_a_record_is_never_a_token_of_the_page(toy):
     assert 'href="javascript' not in toy.page and check_site(toy.project.site) == []
     with pytest.raises(RecordError, match=r"U\+E000"):
         toy.measure([{**row, "slip_mm_reason": FORGED}, ROWS[1]])
-
-
-def test_a_token_of_the_page_can_not_be_forged(toy):
-    """Even where a text got past the reader, as that of an error may."""
     toy.write("templates/forged.md.j2", "# Title\n\n{{ text }} {{ other }}\n")
-    prose = (
-        Templates(toy.project.templates).text("forged.md.j2").prose("forged", {"text": Markup(FORGED), "other": FORGED})
-    )
-    assert "href" not in prose.html({}) and "<img" not in prose.html({})
+    text = Templates(toy.project.templates).text("forged.md.j2")
+    html = text.prose("forged", {"text": Markup(FORGED), "other": FORGED}).html({})
+    assert "href" not in html and "<img" not in html
 
 
 def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeypatch):

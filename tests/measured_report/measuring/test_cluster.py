@@ -47,16 +47,11 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:
     return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
 
 
-def named(run, section: str):
-    run.section = section
-    return run
-
-
 def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, log, scheduler, capsys):
     whole = run_of(toy, batches.section(str(log), "abcdefg", 0.1, alone="cf"))
-    mortal = named(run_of(toy, batches.single(Batch("die", batches.die, (str(log), 2)))), "mortal")
-    doomed = named(run_of(toy, batches.single(Batch("die", batches.die, (str(log), 99)))), "doomed")
-    killer = named(run_of(toy, batches.single(Batch("worker", batches.kill_worker, (str(log),)))), "killer")
+    mortal = run_of(toy, batches.single(Batch("die", batches.die, (str(log), 2))), "mortal")
+    doomed = run_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
+    killer = run_of(toy, batches.single(Batch("worker", batches.kill_worker, (str(log),))), "killer")
     with workers_at(scheduler) as workers:
         assert Scheduler([killer, whole, mortal], workers).run() is False
         assert Scheduler([doomed], workers).run() is True

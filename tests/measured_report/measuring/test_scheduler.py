@@ -22,10 +22,14 @@ from measured_report.measuring.scheduler import Scheduler, next_start
 from measured_report.records.reading import load_record
 
 
+def fails(toy, log: Path, names: str, executor: LocalExecutor | None = None, **options) -> bool:
+    """Measure a section of these batches; whether it fails."""
+    run = run_of(toy, batches.section(str(log), names, **options))
+    return Scheduler([run], executor or LocalExecutor(machine("cpu"))).run()
+
+
 def test_a_record_is_put_together_from_its_batches(toy, log):
-    assert not Scheduler(
-        [run_of(toy, batches.section(str(log), "abc", alone="b"))], LocalExecutor(machine("cpu"))
-    ).run()
+    assert not fails(toy, log, "abc", alone="b")
     assert begun(log) == ["a", "b", "c"]
     record = load_record(toy.record_path)
     assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
@@ -36,8 +40,7 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
 
 
 def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy, log, capsys):
-    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
-    failing.section = "bad-one"
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
     with processes(2, "fork") as pool:
         executor = LocalExecutor(machine("cpu"), pool, 2)
         assert Scheduler([failing, run_of(toy, batches.section(str(log), "abcd", 0.2, alone="d"))], executor).run()
@@ -50,10 +53,8 @@ def test_on_a_cpu_batches_are_measured_side_by_side_but_for_those_about_time(toy
 
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
-    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))))
+    failing = run_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
     other = run_of(toy, batches.section(str(log), "a"))
-    other.section = "other"
-    failing.section, other.section = "bad-one", "toy"
     assert Scheduler([failing, other], LocalExecutor(machine("cpu"))).run()
     assert "bad-one: measuring failed; what was there is kept: bad: as a test" in capsys.readouterr().err
     assert begun(log) == ["fail", "a"] and len(rows_of(toy)) == 2
@@ -92,28 +93,28 @@ class Stopped(LocalExecutor):
 
 def test_what_is_finished_is_found_again_and_only_by_the_same_code(toy, log):
     with pytest.raises(KeyboardInterrupt):
-        Scheduler([run_of(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
-    assert not Scheduler([run_of(toy, batches.section(str(log), "abcd"))], LocalExecutor(machine("cpu"))).run()
+        fails(toy, log, "abcd", Stopped("c"))
+    assert not fails(toy, log, "abcd")
     assert begun(log) == ["a", "b", "c", "d"]
     whole = rows_of(toy)
     with pytest.raises(KeyboardInterrupt):
-        Scheduler([run_of(toy, batches.section(str(log), "abcd"))], Stopped("c")).run()
+        fails(toy, log, "abcd", Stopped("c"))
     toy.write("experiments/toy.py", "def measure(conditions):\n    return 2\n")
-    assert not Scheduler([run_of(toy, batches.section(str(log), "abcd"))], LocalExecutor(machine("cpu"))).run()
+    assert not fails(toy, log, "abcd")
     assert begun(log)[4:] == ["a", "b", "a", "b", "c", "d"] and rows_of(toy) == whole
 
 
 def test_what_another_kind_of_machine_has_finished_is_not_found(toy, log):
     with pytest.raises(KeyboardInterrupt):
-        Scheduler([run_of(toy, batches.section(str(log), "ab"))], Stopped("b")).run()
+        fails(toy, log, "ab", Stopped("b"))
     other = LocalExecutor({**machine("cpu"), "cpu": "Another"})
-    assert not Scheduler([run_of(toy, batches.section(str(log), "ab"))], other).run()
+    assert not fails(toy, log, "ab", other)
     assert begun(log) == ["a", "a", "b"] and load_record(toy.record_path).machine["cpu"] == "Another"
 
 
 @pytest.mark.parametrize("names", ["aa", ""])
 def test_batches_need_names_of_their_own(toy, log, names, capsys):
-    assert Scheduler([run_of(toy, batches.section(str(log), names))], LocalExecutor(machine("cpu"))).run()
+    assert fails(toy, log, names)
     assert "batches need names of their own" in capsys.readouterr().err
 
 
@@ -132,6 +133,8 @@ def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
     assert next_start([(alone, None)], TWO, {("one", "0"): long})[2] == ("two", "0")
     assert next_start([(alone, None)], TWO[:1], {("one", "0"): long}) is None
     assert next_start([(short, None)], TWO[:1], {("one", "0"): alone}) is None
+    assert next_start([(short, ("cuda", "NVIDIA A100"))], TWO, {}) is None, "a section stays on one kind of machine"
+    assert next_start([(short, KIND)], TWO, {})[1] is TWO[0]
 
 
 def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
@@ -153,11 +156,6 @@ def test_processes_share_a_gpu_where_a_daemon_lets_them(tmp_path, monkeypatch):
     (tmp_path / "control").touch()
     assert worker.shared_processes(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
     assert worker.shared_processes(["A", "B", "C"]) == []  # one process each shares nothing
-
-
-def test_a_section_stays_on_one_kind_of_machine():
-    assert next_start([(task("a"), ("cuda", "NVIDIA A100"))], TWO, {}) is None
-    assert next_start([(task("a"), KIND)], TWO, {})[1] is TWO[0]
 
 
 def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():

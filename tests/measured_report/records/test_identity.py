@@ -110,38 +110,22 @@ def test_what_may_change_a_row_makes_it_stale(chain, old, new, file):
     assert f"code: experiments/{file}.py" in chain.state().notes
 
 
-def test_a_module_may_move(chain):
-    (chain.project.root / "experiments/far.py").unlink()
-    chain.write("experiments/elsewhere/distant.py", SOURCES["experiments/far.py"])
-    replace_in(chain, "experiments.far", "experiments.elsewhere.distant")
-    assert chain.state().kind == "fresh"
-
-
-def test_an_asset_counts_where_it_is_reached(chain):
-    chain.write("assets/robot.urdf", "<robot name='other'/>")
-    assert chain.state().notes == ("config: assets/robot.urdf",)
-
-
-def test_the_profile_counts(toy):
+def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, monkeypatch):
     full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
     assert full.config != quick.config
     assert full.code == quick.code
-
-
-def test_a_module_that_is_not_imported_does_not_count(toy):
-    toy.write("experiments/other.py", "print(1)\n")
+    text = toy.record_path.read_text().replace("A processor", "Another")
+    toy.record_path.write_text(text)
     assert toy.state().kind == "fresh"
+    installed = {**toy.packages, "warp-lang": "9.9"}
+    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
+    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
 
 
 @pytest.mark.parametrize(
     "statement",
-    [
-        "import experiments.extra",
-        "from experiments import extra",
-        "from . import extra",
-        "from .extra import x",
-        "def late():\n    from experiments.extra import x",
-    ],
+    ["import experiments.extra", "from experiments import extra", "from . import extra", "from .extra import x"]
+    + ["def late():\n    from experiments.extra import x"],
 )
 def test_what_a_module_does_when_it_is_imported_counts_however_it_is(toy, statement):
     toy.write("experiments/extra.py", "x = 1\nprint(x)\n")
@@ -149,18 +133,6 @@ def test_what_a_module_does_when_it_is_imported_counts_however_it_is(toy, statem
     toy.measure()
     toy.write("experiments/extra.py", "x = 2\nprint(x)\n")
     assert toy.state().notes == ("code: experiments/extra.py",)
-
-
-def test_package_versions_count(toy, monkeypatch):
-    installed = {**toy.packages, "warp-lang": "9.9"}
-    monkeypatch.setattr(provenance.metadata, "version", installed.__getitem__)
-    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9") for note in toy.state().notes)
-
-
-def test_the_machine_does_not_count(toy):
-    text = toy.record_path.read_text().replace("A processor", "Another")
-    toy.record_path.write_text(text)
-    assert toy.state().kind == "fresh"
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from damage import damage
 
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
@@ -16,24 +15,14 @@ from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
 
 
-def test_a_record_comes_back_as_it_was_written(toy):
-    record = load_record(toy.record_path)
+def test_a_record_comes_back_as_it_was_written_and_its_file_keeps_the_contract(toy):
+    record, data = load_record(toy.record_path), json.loads(toy.record_path.read_text())
     assert replace(record, traces=None) == toy.record()
     assert record.traces["stiff"].row_count == 2
-
-
-def test_the_file_keeps_the_contract(toy):
-    data = json.loads(toy.record_path.read_text())
-    assert data["schema"] == 1
     assert set(data) == {"schema", "section", "identity", "machine", "measured", "units", "traces", "rows"}
     assert {"code", "config", "packages"} <= set(data["identity"])
-    assert data["units"] == {"slip_mm": "mm"}
+    assert (data["schema"], data["units"]) == (1, {"slip_mm": "mm"})
     assert data["rows"][0] == {"case": "soft", "slip_mm": 6.3617, "dropped": False}
-
-
-def test_a_damaged_record_is_no_stale_one(toy):
-    damage(toy.record_path, "field: rows []")
-    assert toy.state().kind == "damaged"
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32(1.0), [1.0]])
@@ -56,33 +45,22 @@ def test_a_missing_number_needs_its_reason(toy):
 
 @pytest.mark.parametrize(
     ("column", "unit"),
-    [
-        ("slip_mm", "mm"),
-        ("drift_mm_s", "mm/s"),
-        ("left_out_x_m_s", "m/s"),
-        ("grasp_error_mm_per_cycle", "mm/cycle"),
-        ("cube_height_m", "m"),
-        ("normal_force_n", "N"),
-        ("wall_s", "s"),
-        ("frame_ms", "ms"),
-        ("ms_per_s", "ms/s"),
-        ("ms_per_s_p95", "ms/s"),
-        ("frames_per_s", "1/s"),
-        ("shake_frequency_hz", "Hz"),
-        ("frame_count", "1"),
-        ("cube_density_kg_m3", "kg/m³"),
-        ("cube_mass_kg", "kg"),
-        ("bytes_per_world", "B"),
-        ("pad_mu", "1"),
-    ],
+    [("slip_mm", "mm"), ("drift_mm_s", "mm/s"), ("left_out_x_m_s", "m/s"), ("grasp_error_mm_per_cycle", "mm/cycle")]
+    + [("cube_height_m", "m"), ("normal_force_n", "N"), ("wall_s", "s"), ("frame_ms", "ms"), ("ms_per_s", "ms/s")]
+    + [("ms_per_s_p95", "ms/s"), ("frames_per_s", "1/s"), ("shake_frequency_hz", "Hz"), ("frame_count", "1")]
+    + [("cube_density_kg_m3", "kg/m³"), ("cube_mass_kg", "kg"), ("bytes_per_world", "B"), ("pad_mu", "1")],
 )
 def test_a_column_says_its_unit(column, unit):
     assert column_of(column).unit == unit
 
 
-def test_only_numbers_have_units():
+def test_numbers_have_units_signs_and_reasons():
     rows = [{"case": "a", "dropped": True, "slip_mm": 1}, {"case": "b", "gap_m": None, "gap_m_reason": "none"}]
     assert units_of(rows) == {"slip_mm": "mm", "gap_m": "m"}
+    assert number_problem("growth_per_s", -0.003) == number_problem("left_out_z_m_s", -0.1) == ""
+    assert "negative" in number_problem("cycles_per_s", -1.0)
+    row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
+    assert believable(row) == row | {"growth_mm": None, "growth_mm_reason": "the measurement gave nan"}
 
 
 def test_quick_results_lie_apart(tmp_path):
@@ -91,29 +69,13 @@ def test_quick_results_lie_apart(tmp_path):
     assert quick == tmp_path / "results/quick/newton-1.4.0/toy.json"
 
 
-def test_traces_are_the_same_bytes_for_the_same_numbers(toy):
+def test_traces_are_the_same_bytes_for_the_same_numbers_and_go_with_their_cases(toy):
     path = trace_path(toy.record_path, "stiff")
     before = path.read_bytes()
     toy.measure()
     assert path.read_bytes() == before
     assert load_trace(path)["x_mm"].tolist() == [0.0, 0.3]
-
-
-def test_traces_of_cases_that_are_no_more_go(toy):
     write_record(toy.record_path, toy.record(), {"soft": packed(toy.record_path, "soft", {"x_mm": [1.0]})})
     assert [path.name for path in toy.record_path.parent.glob("*.gz")] == ["toy.soft.csv.gz"]
-
-
-def test_a_case_that_is_no_file_name_has_no_trace(toy):
     with pytest.raises(RecordError):
         trace_path(toy.record_path, "../soft")
-
-
-def test_a_number_that_is_not_finite_is_kept_as_missing_with_its_reason():
-    row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
-    assert believable(row) == row | {"growth_mm": None, "growth_mm_reason": "the measurement gave nan"}
-
-
-def test_a_growth_and_parts_of_vectors_have_a_sign():
-    assert number_problem("growth_per_s", -0.003) == number_problem("left_out_z_m_s", -0.1) == ""
-    assert "negative" in number_problem("cycles_per_s", -1.0)

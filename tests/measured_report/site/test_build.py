@@ -1,13 +1,10 @@
 """The site: built from results made by hand, checked, and published in one step."""
 
 import json
-import os
-import subprocess
-import sys
 from dataclasses import replace
 
 import pytest
-from conftest import MODULE, ROWS, TEMPLATE
+from conftest import MODULE, ROWS, TEMPLATE, program
 
 from measured_report import ROOT, ReportError
 from measured_report.parts.figures import SERIES, draw_svg, new_figure
@@ -27,13 +24,6 @@ def test_a_section_takes_three_files_and_passes_the_check(toy):
     assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
 
 
-def test_the_same_results_give_the_same_page(toy):
-    toy.build()
-    before = toy.page
-    toy.build()
-    assert toy.page == before
-
-
 def test_text_from_results_is_no_markup(toy):
     evil = '<script>alert(1)</script> *a* `b` "c"'
     toy.measure([{**ROWS[0], "case": evil}, ROWS[1]])
@@ -44,31 +34,26 @@ def test_text_from_results_is_no_markup(toy):
     assert check_site(toy.project.site) == []
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        ("{{ nothing }}", "nothing"),
-        ("{{ value.nothing }}", "nothing"),
-        ('{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
-        ('{{ figure("nothing") }}', "toy has no figure"),
-        ("{{ 3.5 }}", "says nothing of where it comes from"),
-        ("{% if %}", "templates/sections/toy.md.j2"),
-        ("It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
-        ("{% include 'other.md.j2' %}", "there is no templates/other.md.j2$"),
-    ],
-)
-def test_a_wrong_template_stops_the_build_and_keeps_the_site(toy, words, message):
-    toy.build()
-    before = toy.page
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
-    with pytest.raises(ReportError, match=message):
+def test_a_missing_template_is_named(toy):
+    (toy.project.templates / "sections/toy.md.j2").unlink()
+    with pytest.raises(ReportError, match=r"^there is no templates/sections/toy.md.j2$"):
         toy.build()
-    assert toy.page == before
+
+
+END = "{% endtable %}\n"
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
+        (END, END + "{{ nothing }}", "nothing"),
+        (END, END + "{{ value.nothing }}", "nothing"),
+        (END, END + '{{ claim("nothing") }}', "toy has no claim 'nothing'; it has: helps"),
+        (END, END + '{{ figure("nothing") }}', "toy has no figure"),
+        (END, END + "{{ 3.5 }}", "says nothing of where it comes from"),
+        (END, END + "{% if %}", "templates/sections/toy.md.j2"),
+        (END, END + "It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
+        (END, END + "{% include 'other.md.j2' %}", "there is no templates/other.md.j2$"),
         ("order = 1", "", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
         ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: evidence"),
@@ -79,27 +64,15 @@ def test_a_wrong_template_stops_the_build_and_keeps_the_site(toy, words, message
         ("return Section", "Section", "toy.py: derive returns a NoneType, and not a Section"),
     ],
 )
-def test_a_wrong_section_stops_the_build_in_one_line(toy, old, new, message):
+def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(toy, old, new, message):
     toy.build()
     before = toy.page
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
     toy.write("report/sections/toy.py", MODULE.replace(old, new))
     with pytest.raises(ReportError, match=message) as error:
         toy.build()
     assert "\n" not in str(error.value)
     assert toy.page == before
-
-
-def test_a_missing_template_is_named(toy):
-    (toy.project.templates / "sections/toy.md.j2").unlink()
-    with pytest.raises(ReportError, match=r"^there is no templates/sections/toy.md.j2$"):
-        toy.build()
-
-
-def test_what_the_record_lacks_leaves_its_section_out(toy):
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].nothing_mm }}')
-    toy.build()
-    assert 'id="toy"' not in toy.page
-    assert "newton-1.4.0/toy.json: toy: stiff has no column nothing_mm" in toy.page
 
 
 def test_nothing_is_left_behind_when_drawing_fails(toy):
@@ -112,20 +85,17 @@ def test_nothing_is_left_behind_when_drawing_fails(toy):
     assert not list(toy.project.root.glob(".site-*"))
 
 
-def test_a_stale_section_is_shown_with_what_changed(toy):
+def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):
     toy.write("assets/robot.urdf", "<robot name='other'/>")
     toy.build()
-    assert "config: assets/robot.urdf" in toy.page
-    assert "renews it" in toy.page
+    assert "config: assets/robot.urdf" in toy.page and "renews it" in toy.page
     assert check_site(toy.project.site) == []
-
-
-def test_a_stale_section_that_no_longer_fits_is_left_out(toy):
     toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].new_mm }}')
-    toy.write("experiments/scene.py", "def slip():\n    return 2\n")
-    toy.build()
-    assert 'id="toy"' not in toy.page
-    assert "stiff has no column new_mm" in toy.page
+    for change in (lambda: toy.write("experiments/scene.py", "def slip():\n    return 2\n"), toy.measure):
+        change()
+        toy.build()
+        assert 'id="toy"' not in toy.page
+        assert "newton-1.4.0/toy.json: toy: stiff has no column new_mm" in toy.page
 
 
 @pytest.mark.parametrize("spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')])
@@ -137,19 +107,16 @@ def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
     assert "<code>make rerun SECTION=toy</code>" in toy.page
 
 
-def test_a_figure_without_data_is_one_line(toy):
+def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy):
+    toy.write("report/sections/toy.py", MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'))
+    toy.build()
+    assert "<svg" in toy.page and check_site(toy.project.site) == []
+    toy.write("report/sections/toy.py", MODULE)
     write_record(toy.record_path, toy.record(), {})
     toy.build()
     assert "A figure is left out here: there is no toy.stiff.csv.gz" in toy.page
     assert "<svg" not in toy.page
     assert str(toy.project.root) not in toy.page
-    assert check_site(toy.project.site) == []
-
-
-def test_a_figure_links_only_the_data_that_is_there(toy):
-    toy.write("report/sections/toy.py", MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'))
-    toy.build()
-    assert "<svg" in toy.page
     assert check_site(toy.project.site) == []
 
 
@@ -197,10 +164,21 @@ def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     }
     for name, text in files.items():
         toy.write(name, text)
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "packages/measured-report")}
-    command = [sys.executable, "-c", BARE]
-    done = subprocess.run(command, cwd=toy.project.root, env=environment, capture_output=True, text=True, check=False)
+    done = program("-c", BARE, cwd=toy.project.root, PYTHONPATH=str(ROOT / "packages/measured-report"))
     assert (done.stdout, done.stderr) == ("", "")
     page = (toy.project.site / "results.html").read_text()
     assert 'data-claim="toy.helps"' in page and "Measured with 1.4.0." in page
     assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()
+
+
+def test_the_site_carries_what_a_section_offers(toy):
+    module = MODULE.replace("import Figure,", "import Download, Figure,")
+    module = module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
+    toy.write("report/sections/toy.py", module)
+    words = '\n{{ download("a.py") }}\n\nAlone: {{ download("a.py").link }}\n'
+    toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
+    toy.build()
+    assert (toy.project.site / "download" / "a.py").read_text() == "1 < 2\n"
+    assert '<pre tabindex="0"><code>1 &lt; 2\n</code></pre>' in toy.page
+    assert toy.page.count('href="download/a.py"') == 2
+    assert check_site(toy.project.site) == []

@@ -47,14 +47,6 @@ def test_publishing_switches_a_link(toy, place):
         assert len(list(place.with_name(".www.versions").iterdir())) == 2
 
 
-def test_a_build_with_a_problem_is_not_published(toy, place):
-    before = place.resolve()
-    (toy.project.site / "data/values.json").unlink()
-    with pytest.raises(ReportError, match="not published"):
-        publish(toy.project.site, f"dir:{place}")
-    assert place.resolve() == before
-
-
 def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")
@@ -84,10 +76,19 @@ def test_nothing_is_left_behind_when_publishing_fails(toy, tmp_path, monkeypatch
     assert [path.name for path in tmp_path.iterdir()] == ["project"]
 
 
-def test_an_empty_folder_may_become_the_site(toy, tmp_path):
+def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_by_all(toy, tmp_path):
     (tmp_path / "www").mkdir()
     publish(toy.project.site, f"dir:{tmp_path}/www")
     assert check_site(tmp_path / "www") == []
+    before = os.umask(0o077)
+    try:
+        change(toy)
+        publish(toy.project.site, f"dir:{tmp_path}/www")
+    finally:
+        os.umask(before)
+    modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").resolve().rglob("*")}
+    assert modes == {True: 0o755, False: 0o644}
+    assert (tmp_path / "www").stat().st_mode & 0o777 == 0o755
 
 
 def test_a_quick_look_is_not_published(toy, tmp_path):
@@ -98,12 +99,17 @@ def test_a_quick_look_is_not_published(toy, tmp_path):
         publish(quick.project.site, f"dir:{tmp_path / 'www'}")
 
 
-def test_what_was_damaged_after_it_was_published_is_repaired(toy, place):
+def test_what_was_damaged_after_it_was_published_is_repaired_and_a_build_with_a_problem_is_not_published(toy, place):
     whole = (place / "index.html").read_bytes()
     for damage in (lambda path: path.write_text("half"), lambda path: path.unlink()):
         damage(place / "index.html")
         publish(toy.project.site, f"dir:{place}")
         assert (place / "index.html").read_bytes() == whole
+    before = place.resolve()
+    (toy.project.site / "data/values.json").unlink()
+    with pytest.raises(ReportError, match="not published"):
+        publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == before
 
 
 def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
@@ -124,18 +130,6 @@ def test_nothing_is_published_into_the_site_itself(toy, inside):
     with pytest.raises(UsageError, match="outside of it"):
         publish(toy.project.site, f"dir:{toy.project.site}/{inside}")
     assert sorted(toy.project.site.rglob("*")) == before
-
-
-def test_what_is_published_can_be_read_by_all(toy, tmp_path):
-    before = os.umask(0o077)
-    try:
-        change(toy)
-        publish(toy.project.site, f"dir:{tmp_path}/www")
-    finally:
-        os.umask(before)
-    modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").resolve().rglob("*")}
-    assert modes == {True: 0o755, False: 0o644}
-    assert (tmp_path / "www").stat().st_mode & 0o777 == 0o755
 
 
 @pytest.fixture
@@ -218,7 +212,9 @@ def test_rsync_publishes_to_the_module_of_a_daemon(toy, tmp_path):
     settings = tmp_path / "rsyncd.conf"
     who = f"uid = {os.getuid()}\ngid = {os.getgid()}"
     settings.write_text(f"use chroot = no\n{who}\n[www]\npath = {tmp_path}/www\nread only = no\n")
-    port = free_port()
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
     daemon = subprocess.Popen(
         ["rsync", "--daemon", "--no-detach", "--address=127.0.0.1", f"--port={port}", f"--config={settings}"]
     )
@@ -232,9 +228,3 @@ def test_rsync_publishes_to_the_module_of_a_daemon(toy, tmp_path):
         daemon.terminate()
         daemon.wait()
     assert (tmp_path / "www/evidence.html").read_text() == toy.page and check_site(tmp_path / "www") == []
-
-
-def free_port() -> int:
-    with socket.socket() as there:
-        there.bind(("127.0.0.1", 0))
-        return there.getsockname()[1]

@@ -125,22 +125,16 @@ def test_the_explicit_bound():
     assert explicit_margin(4 * 960.0**2 - 2 * 960.0 * 100.0, 100.0, 1 / 960) == pytest.approx(1.0)
 
 
-def test_what_was_not_measured_is_not_judged(made):
+def test_what_was_not_measured_is_not_judged_and_those_that_pass_are_listed(made):
     assert passing([]) == passed([]) == []
-
-
-def test_those_that_pass(made):
     rows = made([{"family": "mass", "class": "", "finite": finite} for finite in (True, False, True)])
     assert passed(rows) == [rows[0], rows[2]]
 
 
-def test_the_front_is_what_nothing_beats():
+def test_fronts_are_what_nothing_beats_of_what_is_alike_and_counts(made):
     error = np.array([1.0, 2.0, 3.0, 2.0, 4.0, 1.0])
     cost = np.array([9.0, 5.0, 5.0, 5.0, 1.0, 10.0])
     assert pareto_front(error, cost).tolist() == [True, True, False, True, True, False]
-
-
-def test_fronts_compare_what_is_alike_and_counts(made):
     cells = [("good", 1.0, 2.0, "c", True), ("beaten", 2.0, 3.0, "c", True), ("failed", 0.1, None, "c", False)]
     cells += [("other backend", 4.0, 4.0, "warp", True), ("lost", None, 1.0, "c", True)]
     columns = ("case", "error_mm", "ms_per_s", "backend", "valid")

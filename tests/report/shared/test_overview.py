@@ -42,40 +42,26 @@ def test_a_section_that_does_little_says_how_little(results, slip_mm, effect):
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2", "slip_mm": slip_mm}]))
     assert line.does_little == bool(effect)
     assert _label(line, NOISE) == f"a toy\n2 runs{effect}"
+    assert effect != ": no effect" or _label(line, None).endswith(": hardly any effect"), "without a known noise"
 
 
-def test_without_a_known_noise_nothing_is_said_to_have_no_effect(results):
-    (line,) = lines(results([SHIPPED, SHIPPED | {"case": "pad-mu-0.2"}]))
-    assert _label(line, None).endswith(": hardly any effect")
-
-
-def test_what_moves_the_slip_most_is_named_as_shortly_as_can_be(results):
+def test_the_farthest_run_is_named_as_shortly_as_can_be_and_only_what_compares_counts(results):
     slips = {"pad-ke-2.5e6": 0.311, "pad-ke-2.5e5": 0.312, "pad-ke-2.5e4": 1.87, "pad-ke-100": 12.0}
     (line,) = lines(results([SHIPPED, *(SHIPPED | {"case": case, "slip_mm": slip} for case, slip in slips.items())]))
     assert line.farthest.case == "pad-ke-2.5e5"
-
-
-def test_stiff_pads_to_compare_with_move_nothing(results):
     stiff = [SHIPPED | {"case": case, "slip_mm": 0.31} for case in ("stiff-pads", "stiff-pads-noslip")]
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "as-shipped-noslip"}, *stiff]))
     assert line.farthest is None and line.does_little
     (line,) = lines(results([SHIPPED, *stiff]))
     assert line.farthest is None and not line.does_little  # nothing was tried
-
-
-def test_a_section_without_a_run_to_compare_has_no_line(results):
     assert lines(results([SHIPPED | {"slip_mm": None, "slip_mm_reason": "it fell"}])) == []
-
-
-def test_another_shake_is_no_effect_and_not_none(results):
     (line,) = lines(results([SHIPPED, SHIPPED | {"case": "long", "slip_mm": 60.0, "shake_duration_s": 600.0}]))
     assert line.farthest is None and not line.does_little
-
-
-def test_a_look_at_a_part_of_a_run_does_not_count(results):
     parts = [{"case": "missing-term", "slip_mm": 2.2}, {"case": "from-the-shake-on", "slip_mm": 6.3, "failure": None}]
     (line,) = lines(results([SHIPPED, *parts, {"case": "map", "wall_s": 1.0}]))
     assert [row.case for row in line.rows] == ["as-shipped"]
+    assert overview({}) is None
+    assert overview({"toy": results([{"case": "stiff", "slip_mm": 0.3, **WHOLE}])}) is None
 
 
 @pytest.mark.parametrize(
@@ -90,11 +76,6 @@ def test_a_look_at_a_part_of_a_run_does_not_count(results):
 def test_a_mark_says_whether_the_shake_is_the_baseline_s(results, change, mark):
     baseline, run = results([SHIPPED, SHIPPED | {"case": "run"} | change]).rows
     assert _mark(run, baseline) == mark
-
-
-def test_there_is_none_without_a_baseline(results):
-    assert overview({}) is None
-    assert overview({"toy": results([{"case": "stiff", "slip_mm": 0.3, **WHOLE}])}) is None
 
 
 def test_the_page_has_it_when_there_are_runs_to_show(toy):

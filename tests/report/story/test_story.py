@@ -52,10 +52,12 @@ def words_of(prose) -> int:
     return len(TAGS.sub(" ", " ".join([html_of(prose), *captions])).split())
 
 
-def test_the_story_is_short(editions, templates):
+def test_what_was_measured_whole_is_told_shortly(editions, templates):
     for edition in editions.values():
         assert words_of(story_text(edition, templates)) <= MOST_WORDS
         assert words_of(front_text(edition, templates)) <= MOST_WORDS / 3
+    told = [release for release, edition in editions.items() if story_text(edition, templates).printed]
+    assert told == WHOLE
 
 
 @pytest.mark.parametrize("name", ["front", "story"])
@@ -75,11 +77,6 @@ def test_the_story_says_every_number_once(editions, templates):
         assert len(sources) > 40 or not prose.printed
 
 
-def test_what_was_measured_whole_is_told(editions, templates):
-    told = [release for release, edition in editions.items() if story_text(edition, templates).printed]
-    assert told == WHOLE
-
-
 @pytest.mark.parametrize(("make", "page"), [(front_of, "front"), (story_of, "story")])
 def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, templates, make, page):
     for edition in editions.values():
@@ -95,14 +92,10 @@ def test_every_claim_is_on_its_page_and_every_outcome_can_be_said(editions, temp
             assert claim.name == "title" or all(text.endswith((".", ":")) for text in texts), texts
 
 
-def test_the_title_says_the_finding_and_follows_the_data(editions, templates):
+def test_title_and_story_follow_the_data(editions, templates):
     titles = {release: front_text(edition, templates).title.striptags() for release, edition in editions.items()}
     assert titles["1.4.0"].startswith("The cube creeps through a firm grasp")
     assert titles["1.8.0"].startswith("The cube hardly creeps in the grasp")
-
-
-def test_a_drift_the_other_way_is_a_motion_as_well(editions, templates):
-    """Small beside that of the shake in one release, and as large in the other."""
     for release, said in {"1.4.0": "It takes the shake", "1.8.0": "not the shake alone that moves"}.items():
         text = TAGS.sub("", html_of(story_text(editions[release], templates)))
         assert said in text and "the other way" in text
@@ -180,9 +173,8 @@ def test_what_the_lint_does_not_name_says_nothing_of_the_pads(editions, template
 
 def test_front_and_story_agree_on_where_stiff_pads_help(editions, templates):
     for release, edition in editions.items():
-        claims = {
-            claim.name: claim for claim in [*front_of(edition.chapters).claims, *story_of(edition.chapters).claims]
-        }
+        both = [*front_of(edition.chapters).claims, *story_of(edition.chapters).claims]
+        claims = {claim.name: claim for claim in both}
         if "remedy_elsewhere" in claims:
             ways = [claims[f"way_{name}"].outcome == HOLDS for name in ("mujoco", "c", "pyramid")]
             assert (claims["remedy_elsewhere"].outcome == HOLDS) == all(ways), release
@@ -207,11 +199,8 @@ def test_the_scene_that_is_told_is_the_one_that_is_simulated():
 
 def test_alternative_texts_are_short(editions, templates):
     for edition in editions.values():
-        proses = [
-            front_text(edition, templates),
-            story_text(edition, templates),
-            *(c.prose for c in edition.chapters.values()),
-        ]
+        proses = [front_text(edition, templates), story_text(edition, templates)]
+        proses += [chapter.prose for chapter in edition.chapters.values()]
         figures = [figure for prose in proses for figure in prose.figures]
         alts = {figure.anchor: figure.wording("alt", figure.numbers).striptags() for figure in figures}
         assert {anchor: len(alt) for anchor, alt in alts.items() if len(alt) > 300} == {}

@@ -1,0 +1,131 @@
+"""The section on releases: what changed between them, and its cause."""
+
+import json
+import shutil
+
+import pytest
+from conftest import ROWS, TEMPLATE, Toy
+
+from measured_report import ROOT
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.project import Project
+from measured_report.pages.prose import Templates
+from measured_report.records.record import write_record
+from measured_report.site.check import check_site
+
+SOFT, STIFF = ROWS
+
+
+UPGRADE_ROWS = {
+    "1.4.0": {"as-shipped": (6.36, 0.0), "as-shipped-friction-timeconst-on": (0.32, 0.002)},
+    "1.8.0": {"as-shipped": (0.32, 6e-5), "as-shipped-friction-timeconst-off": (6.35, 0.0)},
+    "neither": {"as-shipped": (0.32, 6e-5), "as-shipped-friction-timeconst-off": (0.9, 0.0)},
+}
+ENDS = {"1.4.0": "1.4.0", "1.8.0": "1.8.0"}
+NOISE = """from measured_report.parts.section import Section
+
+order = 0
+
+
+def derive(results):
+    for name, unit in (("slip", "mm"), ("drift", "mm/s")):
+        results.value(f"{name}_floor", "chosen", lambda: 0.01, unit=unit)
+    return Section()
+"""
+
+
+def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
+    """Measure the section on these releases, as one of the two ends gave it."""
+    for release, end in ends.items():
+        rows = [
+            {"case": case, "kind": "run", "slip_mm": slip, "timeconst_s": 0.02, "friction_timeconst_s": friction}
+            for case, (slip, friction) in UPGRADE_ROWS[end].items()
+        ]
+        rows.append({"case": "option-cone", "kind": "option", "name": "cone", "value": "elliptic"})
+        side = toy.of(release)
+        write_record(side.project.record_path("upgrade"), side.record(rows, section="upgrade"))
+
+
+def measure_noise(toy: Toy) -> None:
+    rows = [{"case": "a", "of": "as-shipped", "slip_mm": 1.0}]
+    write_record(toy.project.record_path("noise"), toy.record(rows, section="noise"))
+
+
+def turned(toy: Toy) -> str:
+    """What the page of the releases says of claims that turned."""
+    assert check_site(toy.project.site) == []
+    return (toy.project.site / "releases.html").read_text(encoding="utf-8").partition('class="turns"')[2]
+
+
+@pytest.fixture
+def upgraded(toy) -> Toy:
+    """The real section on releases, beside one that stands for the noise."""
+    shutil.copytree(ROOT / "report/sections/upgrade", toy.project.root / "report/sections/upgrade")
+    for name in ("templates/sections/upgrade.md.j2", "templates/sources.toml"):
+        toy.write(name, (ROOT / name).read_text(encoding="utf-8"))
+    toy.write("report/sections/noise.py", NOISE)
+    toy.write("templates/sections/noise.md.j2", "# Noise\n")
+    for name in ("upgrade", "noise"):
+        toy.write(f"experiments/{name}.py", "from experiments.scene import slip\n")
+    measure_noise(toy)
+    return toy
+
+
+def outcomes(project: Project) -> dict[str, str]:
+    chapter = editions_of(project, Templates(project.templates))[project.release].chapters["upgrade"]
+    return {claim.name: claim.outcome.name for claim in chapter.section.claims}
+
+
+def test_the_cause_is_what_brings_the_old_number_back(upgraded):
+    upgraded.of("1.8.0").measure()
+    measure_upgrade(upgraded, ENDS)
+    found = outcomes(upgraded.project)
+    assert found["slip_is_the_same"] == "fails"
+    assert found["friction_timeconst_is_new"] == "holds"
+    assert found["taking_it_away_brings_it_back"] == found["giving_it_does_the_same"] == found["cause"] == "holds"
+    assert found["release_has_a_switch"] == found["in_one_step"] == "unknown"
+    upgraded.build()
+    assert check_site(upgraded.project.site) == []
+    measure_upgrade(upgraded, {"1.8.0": "neither"})
+    assert outcomes(upgraded.project)["cause"] == "fails"
+
+
+def test_claims_that_turned_are_said_in_both_ways(upgraded):
+    measure_upgrade(upgraded, ENDS)
+    upgraded.write("templates/sections/toy.md.j2", TEMPLATE.replace("It does not.", "It does not, {{ gain }} times."))
+    upgraded.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
+    upgraded.build()
+    said = turned(upgraded)
+    assert "toy</a>: whether it helps" in said
+    assert "In 1.4.0:</b> It helps" in said and "In 1.8.0:</b> It does not" in said
+    assert 'data-src="values.json#/toy/gain"' in said
+    assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
+
+
+def test_what_one_release_cannot_tell_is_listed_and_counted_by_itself(upgraded):
+    measure_upgrade(upgraded, ENDS)
+    newer = upgraded.of("1.8.0")
+    newer.measure([SOFT, {**STIFF, "slip_mm": None, "slip_mm_reason": "as a test"}])
+    measure_noise(newer)  # without it a section is missing
+    upgraded.build()
+    said = turned(upgraded)
+    assert "toy</a>: whether it helps" in said and "Cannot be told in 1.8.0:</b> as a test" in said
+    values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
+    assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
+
+
+def test_one_release_alone_tells_nothing(upgraded):
+    measure_upgrade(upgraded, {"1.4.0": "1.4.0"})
+    assert set(outcomes(upgraded.project).values()) == {"unknown"}
+    upgraded.build()
+    assert check_site(upgraded.project.site) == []
+
+
+def test_the_page_of_an_edition_speaks_of_that_edition(upgraded):
+    measure_upgrade(upgraded, {**ENDS, "1.6.0": "1.8.0"})
+    editions = editions_of(upgraded.project, Templates(upgraded.project.templates))
+    ends = {}
+    for release, edition in editions.items():
+        claims = {claim.name: claim for claim in edition.chapters["upgrade"].section.claims}
+        ends[release] = tuple(claims["slip_is_the_same"].numbers[side] for side in "ab")
+    assert ends == {"1.4.0": ("1.4.0", "1.8.0"), "1.6.0": ("1.4.0", "1.6.0"), "1.8.0": ("1.4.0", "1.8.0")}
