@@ -128,10 +128,8 @@ def points_of(results: Results) -> Points:
     own_model = [row for row in settings if counts(row) and is_own_model(row)]
     in_warp = [row for row in settings if row.method in ("newton", "newton-each-substep", "mujoco")]
     fine = [row for row in in_warp if row.knob == "substeps" and row.substeps.value >= AS_SHIPPED.substeps]
-    floors, formula = (
-        {},
-        "largest distance between a run in Warp and the same in C, from the shipped number of substeps on",
-    )
+    formula = "largest distance between a run in Warp and the same in C, from the shipped number of substeps on"
+    floors = {}
     for pads in PADS:
         cells = [row.c_difference_mm for row in fine if row["pads"] == pads]
         floors[pads] = results.value(f"floor_{pads}", formula, max, *cells, unit="mm")
