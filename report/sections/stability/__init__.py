@@ -11,10 +11,9 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
-from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family
 from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_plateau, draw_sizes, draw_steps
-from report.sections.stability.passing import DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, passing
+from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable, passing
 from report.shared.arithmetic import Column, by_case, cell_or_absent, table_of
 
 order = 145
@@ -22,19 +21,11 @@ page = "limits"
 label = "limits"
 
 LET_GO = "the fingers let the cube go"
-STARTS = {
-    "pads-as-shipped": "shipped pads",
-    "pads-stiff": "stiff pads",
-    "ground": "the ground",
-    "ground-springy": "springy ground",
-}
+STARTS = {"pads-as-shipped": "shipped pads", "pads-stiff": "stiff pads", "ground": "the ground"}
+STARTS |= {"ground-springy": "springy ground"}
 """What a cube starts too deep in."""
-THROWN = {
-    "overlap": "overlap_mm",
-    "exit speed": "exit_speed_mm_s",
-    "undamped spring": "exit_bound_mm_s",
-    "ends": "class",
-}
+THROWN = {"overlap": "overlap_mm", "exit speed": "exit_speed_mm_s", "undamped spring": "exit_bound_mm_s"}
+THROWN |= {"ends": "class"}
 
 
 def derive(results: Results) -> Section:
@@ -54,11 +45,11 @@ def derive(results: Results) -> Section:
         },
         figures={
             "maps": _maps(results, critical, default_kd),
-            "steps": _figure(lambda: draw_steps(family(results, "steps")), family(results, "steps"), near=near),
-            "plateau": _figure(lambda: draw_plateau(critical), critical),
+            "steps": _figure(draw_steps, family(results, "steps"), near=near),
+            "plateau": _figure(draw_plateau, critical),
             "loads": _loads(results),
-            "sizes": _figure(lambda: draw_sizes(family(results, "size"), depth.value), family(results, "size")),
-            "long": Figure(draw=lambda: draw_long(trace), sources=[trace]),
+            "sizes": _figure(lambda rows: draw_sizes(rows, depth.value), family(results, "size")),
+            "long": Figure(lambda: draw_long(trace), [trace]),
         },
         claims=[
             limits.safe(results, critical, default_kd),
@@ -92,39 +83,35 @@ def derive(results: Results) -> Section:
     )
 
 
-def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup | Value) -> Figure:
-    sources = [row.step_ms for row in rows] or [absent("s", "it was not measured")]
-    return Figure(draw=draw, sources=sources, numbers=numbers)
+def _figure(draw: Callable[[Sequence[Row]], Drawing], rows: Sequence[Row], **numbers: Markup | Value) -> Figure:
+    return Figure(lambda: draw(rows), [row.step_ms for row in rows] or [absent("s", "it was not measured")], numbers)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
-    def explicit(ke: np.ndarray) -> np.ndarray:
-        kd = default_kd[0].pad_kd.value
-        return (np.sqrt(kd**2 + 4.0 * ke) - kd) / ke
-
+    kd = default_kd[0].pad_kd.value if default_kd else np.nan
     panels = [
         ("kd = 2√ke", critical, lambda ke: 0.5 / np.sqrt(ke), "timeconst is clamped to 2 dt"),
-        ("kd at its default", default_kd, explicit, "dt² ke + 2 dt kd > 4"),
+        ("kd at its default", default_kd, lambda ke: (np.sqrt(kd**2 + 4.0 * ke) - kd) / ke, "dt² ke + 2 dt kd > 4"),
     ]
     rows = [*critical, *default_kd]
     mine = {name: [row for row in rows if row["class"] == name] for name in CLASSES}
     formula = "cells of both maps that are"
     ends = [(count(results, f"maps_{name}_count", f"{formula} {name}", found), name) for name, found in mine.items()]
     said = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
-    return _figure(lambda: draw_maps(panels), rows if critical and default_kd else [], ends=said)
+    return _figure(lambda _: draw_maps(panels), rows if critical and default_kd else [], ends=said)
 
 
 def _loads(results: Results) -> Figure:
     shakes = family(results, "shake")
     frequencies = [row.shake_frequency_hz.value for row in shakes]
     common = max(set(frequencies), key=frequencies.count, default=0.0)
-    series = {
+    by_kind = {
         "amplitude": [row for row in shakes if row.shake_frequency_hz.value == common],
         "frequency": [row for row in shakes if row.shake_frequency_hz.value != common],
         "grip force": family(results, "grip"),
     }
-    series = {label: rows for label, rows in series.items() if rows}
-    return _figure(lambda: draw_loads(list(series.items())), [row for rows in series.values() for row in rows])
+    series = [(label, rows) for label, rows in by_kind.items() if rows]
+    return _figure(lambda _: draw_loads(series), [row for _, rows in series for row in rows])
 
 
 def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value, Value]]) -> Table:

@@ -21,16 +21,14 @@ from measured_report.claims.claim import (
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family, family_claim, least, most
-from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, passed
+from report.sections.stability.passing import CLASSES, ENERGY_LARGEST, GROWTH_LARGEST, is_stable, passed
 from report.shared.arithmetic import cell_or_absent, extreme, share, size_difference
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
 GRIP_LEAST_N = 0.1
 """Grips that differ by no more than that are the same."""
-MASS_DRIFT_RATIO = 2.0
 SINK_LEAST_MM, NO_SINKING = 0.1, "no sinking"
 """A hand that comes down by no more than that has not come down."""
 
@@ -41,7 +39,9 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     kept = most(results, f"{name}_kept", "largest load that holds", filter(is_stable, rows), "load")
     lost = least(results, f"{name}_lost", "least load that drops", dropped, "load")
     over = {
-        kind: results.value(f"{name}_{kind}_over", f"{load.formula}, over the limit", _over, load, unit="%")
+        kind: results.value(
+            f"{name}_{kind}_over", f"{load.formula}, over the limit", lambda load: 100.0 * (load - 1.0), load, unit="%"
+        )
         for kind, load in (("kept", kept), ("lost", lost))
     }
     mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
@@ -49,18 +49,12 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
 
 
-def _over(load: float) -> float:
-    """How far a share of the limit is over it, in percent; negative below it."""
-    return 100.0 * (load - 1.0)
-
-
 def friction(results: Results) -> Claim:
     rows = sorted(family(results, "friction"), key=lambda row: row.pad_mu.value)
-    held = list(filter(is_stable, rows))
-    kept = least(results, "friction_kept", "least μ that holds", held, "pad_mu")
-    largest = most(results, "friction_most", "largest μ that holds", held, "pad_mu")
+    kept = least(results, "friction_kept", "least μ that holds", filter(is_stable, rows), "pad_mu")
+    largest = most(results, "friction_most", "largest μ that holds", filter(is_stable, rows), "pad_mu")
     also = contiguous([is_stable(row) for row in rows], kept, largest)
-    return family_claim(results, "friction_extremes", family(results, "friction"), also, kept=kept, most=largest)
+    return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
 
 
 def _by_mass(results: Results) -> list[Row]:
@@ -69,9 +63,8 @@ def _by_mass(results: Results) -> list[Row]:
 
 def mass(results: Results) -> Claim:
     rows = _by_mass(results)
-    held = list(filter(is_stable, rows))
-    light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
-    heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
+    light = least(results, "mass_least", "least mass that is held", filter(is_stable, rows), "cube_mass_kg")
+    heavy = most(results, "mass_most", "largest mass that is held", filter(is_stable, rows), "cube_mass_kg")
     also = contiguous([is_stable(row) for row in rows], light, heavy)
     return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
@@ -87,7 +80,7 @@ def mass_drift(results: Results) -> Claim:
     formula = "drift of masses that are held, in size"
     low = extreme(results, "mass_drift_least", f"least {formula}", lambda *found: min(map(abs, found)), drifts)
     high = extreme(results, "mass_drift_most", f"largest {formula}", lambda *found: max(map(abs, found)), drifts)
-    bound = results.chosen("mass_drift_bound", "alike", MASS_DRIFT_RATIO)
+    bound = results.chosen("mass_drift_bound", "alike", 2.0)
     formula = "the largest drift over that bound"
     allowed = results.value("mass_drift_allowed", formula, lambda a, b: a / b, high, bound, unit="mm/s")
     is_one_way = len({drift.value > 0 for drift in drifts if drift.value is not None}) == 1
@@ -111,30 +104,20 @@ def _sinks(rows: Iterable[Row]) -> list[Quantity]:
 def size(results: Results, bound: Value) -> Claim:
     rows = family(results, "size")
     kept = passed(rows)
-    shipped, scaled = (
-        least(
-            results,
-            f"size_{name}",
-            f"least edge that passes, grip {words}",
-            [row for row in kept if row.grip == grip],
-            "cube_edge_mm",
-        )
-        for name, words, grip in (("shipped", "as shipped", "as-shipped"), ("scaled", "scaled", "scaled"))
-    )
+    by_grip = {grip: [row for row in kept if row.grip == grip] for grip in ("as-shipped", "scaled")}
+    formula = "least edge that passes, grip"
+    shipped = least(results, "size_shipped", f"{formula} as shipped", by_grip["as-shipped"], "cube_edge_mm")
+    scaled = least(results, "size_scaled", f"{formula} scaled", by_grip["scaled"], "cube_edge_mm")
     smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
-    small_ones_fail = None not in smallest.values() and all(
-        row.cube_edge_mm.value < smallest[row.grip] for row in rows if row not in kept
-    )
-    numbers = {"bound": bound, "shipped": shipped, "scaled": scaled, "small_ones_fail": small_ones_fail}
-    return family_claim(results, "sizes", rows, **numbers)
+    lost = [row for row in rows if row not in kept]
+    small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
+    return family_claim(results, "sizes", rows, bound=bound, shipped=shipped, scaled=scaled, small_ones_fail=small)
 
 
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     formula = "exit speed over that of an undamped spring"
-    shares = [
-        share(results, f"exit_share_{row.case}", formula, row.exit_speed_mm_s, row.exit_bound_mm_s) for row in rows
-    ]
+    shares = [share(results, f"exit_share_{r.case}", formula, r.exit_speed_mm_s, r.exit_bound_mm_s) for r in rows]
     largest = extreme(results, "exit_share_most", "largest share", max, shares)
     most(results, "exit_fastest", "largest exit speed", rows, "exit_speed_mm_s")
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
@@ -173,9 +156,7 @@ def freed(results: Results) -> Claim:
     growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
     at_rest = [row.case for row in passed(rows) if row.energy_growth.value is None]
     also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
-    return family_claim(
-        results, "freed_cube", rows, also, growth=growth, at_rest=cases_html(at_rest) if at_rest else ""
-    )
+    return family_claim(results, "freed_cube", rows, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
 
 
 def long(results: Results) -> Claim:
@@ -199,15 +180,13 @@ def _long_cells(results: Results) -> dict[str, Quantity]:
 def long_adds_up(results: Results) -> Claim:
     """Whether the cube creeps all the time: as far as by the mean of its first and its last creep."""
     cells = _long_cells(results)
-    found = results.value(
-        "long_slip_share",
-        "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles",
-        lambda slip, first, last, seconds: (
-            100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
-        ),
-        *(cells[name] for name in ("slip", "first", "last", "duration")),
-        unit="%",
-    )
+    formula = "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles"
+
+    def of_expected(slip: float, first: float, last: float, seconds: float) -> float:
+        return 100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
+
+    sources = (cells[name] for name in ("slip", "first", "last", "duration"))
+    found = results.value("long_slip_share", formula, of_expected, *sources, unit="%")
     why = "about as far as that"
     outcome = all_of(at_least(found, 90.0, why=why), at_most(found, 110.0, why=why))
     return Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
@@ -240,10 +219,8 @@ def neighbours(results: Results) -> Claim:
 def repeats_agree(results: Results) -> Claim:
     rows = [row for row in results.rows if (row.repeat_count.value or 0) > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
-    numbers = {
-        "total": count(results, "repeated_count", "cases with repeats", rows),
-        "repeats": least(results, "repeats_least", "least number of repeats", rows, "repeat_count"),
-        "split": count(results, "split_count", "cases whose repeats end in different classes", split),
-    }
-    outcome = at_most(numbers["split"], 0, why="none") if rows else Outcome("unknown", "no case was repeated")
-    return Claim("repeats_agree", outcome, numbers)
+    repeated = count(results, "repeated_count", "cases with repeats", rows)
+    repeats = least(results, "repeats_least", "least number of repeats", rows, "repeat_count")
+    differing = count(results, "split_count", "cases whose repeats end in different classes", split)
+    outcome = at_most(differing, 0, why="none") if rows else Outcome("unknown", "no case was repeated")
+    return Claim("repeats_agree", outcome, {"total": repeated, "repeats": repeats, "split": differing})

@@ -24,8 +24,7 @@ from measured_report.parts.figures import (
     write,
 )
 from measured_report.values.results import Row, Series
-from report.sections.stability.classes import CLASSES, is_stable
-from report.sections.stability.passing import NEAR_FACTOR, near_limit
+from report.sections.stability.passing import CLASSES, NEAR_FACTOR, is_stable, near_limit
 from report.shared.drawing import mark_points
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")

@@ -20,9 +20,8 @@ from measured_report.claims.claim import (
 )
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim, least, most
-from report.sections.stability.passing import passed
+from report.sections.stability.passing import is_stable, passed
 from report.shared.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
 
 UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
