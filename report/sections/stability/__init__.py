@@ -11,7 +11,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
-from report.sections.stability.families import count, family
+from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_plateau, draw_sizes, draw_steps
 from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable, passing
 from report.shared.arithmetic import Column, by_case, cell_or_absent, table_of
@@ -20,7 +20,7 @@ order = 145
 page = "limits"
 label = "limits"
 
-LET_GO = "the fingers let the cube go"
+LET_GO = absent("mm/s", "the fingers let the cube go")
 STARTS = {"pads-as-shipped": "shipped pads", "pads-stiff": "stiff pads", "ground": "the ground"}
 STARTS |= {"ground-springy": "springy ground"}
 """What a cube starts too deep in."""
@@ -57,8 +57,8 @@ def derive(results: Results) -> Section:
             limits.steps(results, near),
             limits.steps_order(results),
             limits.gain_goes(results),
-            limits.plateau(results, critical, near),
-            limits.boundary(results, default_kd, near),
+            family_claim(results, "clamp_plateau", [row for row in critical if row.clamped], near=near),
+            family_claim(results, "explicit_boundary", default_kd, near=near),
             limits.clamp(results),
             limits.leans_on_clamp(results),
             limits.largest_step(results, [found for _, found in predicted.values()]),
@@ -118,38 +118,32 @@ def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value
     by_ke: dict[float, dict[str, Row]] = {}
     for row in sorted(rows, key=lambda row: row.pad_ke.value):
         by_ke.setdefault(row.pad_ke.value, {})[row.of] = row
-    critical, plain = ([found.get(of) for found in by_ke.values()] for of in ("ke-critical", "ke-kd-100"))
-    theory = [predicted[row.case] if row else ("", "") for row in plain]
-    columns = {
-        "kd = 2√ke": [row.largest_step_ms if row else "" for row in critical],
-        "default kd": [row.largest_step_ms if row else "" for row in plain],
-        "predicted": [step for step, _ in theory],
-        "found over predicted": [found for _, found in theory],
+    columns: dict[str, Column] = {
+        label: [found[of].largest_step_ms if of in found else "" for found in by_ke.values()]
+        for label, of in (("kd = 2√ke", "ke-critical"), ("default kd", "ke-kd-100"))
     }
+    theory = [predicted[found["ke-kd-100"].case] if "ke-kd-100" in found else ("", "") for found in by_ke.values()]
+    columns |= {"predicted": [step for step, _ in theory], "found over predicted": [found for _, found in theory]}
     return table_of("ke", [next(iter(found.values())).pad_ke.bare for found in by_ke.values()], columns)
 
 
 def _clamp_table(rows: Sequence[Row]) -> Table:
     ratios = {row.timeconst_steps.value: row.timeconst_steps for row in rows}
-    found = {(row.clamp, row.timeconst_steps.value): _ending(row) for row in rows}
+    found = {(row.clamp, row.timeconst_steps.value): row["class"] for row in rows}
+    for row in filter(is_stable, rows):
+        found[row.clamp, row.timeconst_steps.value] += Markup(" {}").format(row.creep_mm_s)
     falling = sorted(ratios, reverse=True)
     columns = {label: [found.get((way, ratio), "") for ratio in falling] for way, label in limits.UNCLAMPED.items()}
     return table_of("timeconst over dt", [ratios[ratio].bare for ratio in falling], columns)
-
-
-def _ending(row: Row) -> Markup | str:
-    return Markup("{} {}").format(row["class"], row.creep_mm_s) if is_stable(row) else row["class"]
 
 
 def _others_table(results: Results) -> Table:
     families = [family(results, name) for name in ("friction", "mass", "gravity", "buffers")]
     columns: dict[str, Column] = {
         "ends": lambda row: "let go" if _is_freed(row) else row["class"],
-        "drift": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s,
-        "creep": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s,
-        "depth": "penetration_mm",
-        "hand sinks": "hand_sink_mm",
-        "friction needed": _friction_needed,
+        "drift": lambda row: LET_GO if _is_freed(row) else row.drift_mm_s,
+        "creep": lambda row: LET_GO if _is_freed(row) else row.creep_mm_s,
+        **{"depth": "penetration_mm", "hand sinks": "hand_sink_mm", "friction needed": _friction_needed},
         "as expected": [bool(passes) for members in families for passes in passing(members)],
     }
     return by_case([row for members in families for row in members], columns)
@@ -161,7 +155,7 @@ def _is_freed(row: Row) -> bool:
 
 def _friction_needed(row: Row) -> Quantity:
     if _is_freed(row):
-        return absent("1", LET_GO)
+        return absent("1", LET_GO.reason)
     if "pad_mu" in row and row.pad_mu.value == 0.0:
         return absent("1", "there is no friction to use")
     return cell_or_absent(row, "load", "1")
