@@ -7,7 +7,7 @@ from dataclasses import replace
 from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decided, greater, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
-from measured_report.values.results import Results
+from measured_report.values.results import Results, Row
 from report.names import case_html, cases_html, worlds_name
 from report.sections.leave_out.double import change_in_double, double_table, same_in_double
 from report.sections.leave_out.tables import audit_table, case_table, cost_figure, cost_table, same_table
@@ -27,8 +27,9 @@ BASELINE = "as-shipped"
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "device" in row and row.device in DEVICES]
     timed = {(row.device, row.case, row.worlds.value): row for row in rows}
-    runs = {(row.device, row.case): row for row in reversed(rows)}
-    runs = {key: runs[key] for key in dict.fromkeys((row.device, row.case) for row in rows)}
+    runs: dict[tuple[str, str], Row] = {}
+    for row in rows:
+        runs.setdefault((row.device, row.case), row)
     differences = {key: _difference(results, runs, *key) for key in runs}
     # Devices and numbers of worlds for which the untrimmed scene was timed, to compare with.
     untrimmed = [(key, row) for key, row in timed.items() if key[1] == REFERENCE]

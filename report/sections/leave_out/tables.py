@@ -59,9 +59,10 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
 
 
 def cost_table(timed: Timed, runs: Runs) -> Table:
-    found = {(*run, worlds): row.frame_ms for (*run, worlds), row in timed.items()}
-    counts = sorted({worlds for *_, worlds in timed})
-    times = {worlds_name(count): [found.get((*run, count), "") for run in runs] for count in counts}
+    times = {
+        worlds_name(count): [timed[(*run, count)].frame_ms if (*run, count) in timed else "" for run in runs]
+        for count in sorted({worlds for *_, worlds in timed})
+    }
     return _table(runs, {**times, "memory": "buffer_bytes_per_world"})
 
 

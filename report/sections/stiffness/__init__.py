@@ -32,16 +32,10 @@ def derive(results: Results) -> Section:
     columns = COLUMNS | {
         "1 − dmax": [results.value(f"give_{row.case}", "1 - dmax", lambda a: 1 - a, row.dmax) for row in runs.named]
     }
-    sweep = Figure(
-        draw=lambda: draw_sweep(runs, clamp.value),
-        sources=[row.slip_mm for row in runs.held],
-        numbers={"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp},
-    )
-    law = Figure(
-        draw=lambda: draw_law(runs, results),
-        sources=[row.drift_mm_s for row in runs.held],
-        numbers={"has_rest": drift_without_slide(results).value is not None},
-    )
+    numbers = {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp}
+    sweep = Figure(lambda: draw_sweep(runs, clamp.value), [row.slip_mm for row in runs.held], numbers)
+    has_rest = drift_without_slide(results).value is not None
+    law = Figure(lambda: draw_law(runs, results), [row.drift_mm_s for row in runs.held], {"has_rest": has_rest})
     return Section(
         tables={"cases": by_case(runs.named, columns)},
         figures={"sweep": sweep, "law": law},

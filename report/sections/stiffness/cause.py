@@ -42,10 +42,7 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
             "dmax times the timeconst of the friction rows, their own where they have one, and two substeps where it "
             "is less than that",
             lambda dmax, normal, own, shortest: dmax * max(own or normal, shortest),
-            row.dmax,
-            row.timeconst_s,
-            row.friction_timeconst_s,
-            least,
+            *(row.dmax, row.timeconst_s, row.friction_timeconst_s, least),
             unit="s",
         )
         for row in rows
@@ -71,9 +68,7 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         "rate_noise",
         "noise of the drift, of the least drift less that with the left-out acceleration put back, in size",
         lambda floor, still, *drifts: 100 * floor / min(abs(drift - still) for drift in drifts),
-        noise_floor(results, "drift_floor"),
-        rest,
-        *(row.drift_mm_s for row in rows),
+        *(noise_floor(results, "drift_floor"), rest, *(row.drift_mm_s for row in rows)),
         unit="%",
     )
     outcome = all_of(at_most(spread, bound), resolved(noise, bound))

@@ -50,7 +50,7 @@ def _with_slip(name: str, results: Results, outcome: Outcome, numbers: Mapping[s
 
 
 def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
-    held = [row for row in runs.ke_alone if is_held(row)]
+    held = list(filter(is_held, runs.ke_alone))
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
     extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
@@ -105,8 +105,8 @@ def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
     floor = noise_floor(results, "slip_floor")
     numbers: Mapping[str, Quantity] = {"spread": difference, "floor": floor}
     outcome = within(difference, floor)
-    gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
-    if at_least(*gained) != HOLDS:
-        outcome = NO_GAIN.having_read(*gained, difference, floor)
+    gain, bound = results.derived["improvement"], results.derived["improvement_bound"]
+    if at_least(gain, bound) != HOLDS:
+        outcome = NO_GAIN.having_read(gain, bound, difference, floor)
         numbers = told(absent("mm", NO_GAIN.reason), numbers)
-    return Claim("flat_below_clamp", outcome, numbers={"clamp": clamp, **numbers})
+    return Claim("flat_below_clamp", outcome, {"clamp": clamp, **numbers})
