@@ -27,7 +27,7 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 """Where the cases were measured besides, by how their names end."""
 AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
 """Columns of a trace that hold the displacement in the axes of the TCP frame."""
-SCENE = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
+SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
 SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
 """Name, value and unit of what the scene sets; a test compares them with the scene."""
 BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}

@@ -47,7 +47,7 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
     rate, rates = ("", "creeping") if is_narrow() else ("$1.2$", "creeping [mm/s]")
     with matplotlib.rc_context({"text.parse_math": True}):  # a mark that is text is a formula to Matplotlib
-        style = {"linestyle": "", "color": MAP_INK}
+        style: dict[str, Any] = {"linestyle": "", "color": MAP_INK}
         marks = [Line2D([], [], marker=mark or rate, markersize=6 if mark else 11, **style) for mark in MARKS]
     pairs: list[Any] = list(zip(handles, marks, strict=True))
     clamped = Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)

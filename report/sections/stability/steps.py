@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from markupsafe import Markup
 
@@ -65,7 +66,7 @@ def steps(results: Results, near: Value) -> Claim:
     stiff = [row for row in kept if row.pads == "stiff"]
     step = most(results, "stiff_step", "largest step at which stiff pads pass", stiff, "step_ms")
     lost = [row for row in rows if row not in kept]
-    numbers = {
+    numbers: dict[str, Any] = {
         **{"near": near, "step": step, "some_are_lost": len(stable) < len(rows)},
         "stable": count(results, "steps_stable", "of them, runs that keep the cube", stable),
         "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
