@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
@@ -49,8 +49,13 @@ def derive(results: Results) -> Section:
     }
     drops = {kind: rows[f"{kind}-2ms-published-c"].median_drop_s for kind in OBJECTS}
     figure = Figure(lambda: _draw(rows, published), [row.held_count for row in rows.values()], drops)
+    columns: dict[str, list] = {}
+    for engine, label in ENGINES.items():
+        columns[f"held, {label}"] = [rows[f"{run}-{engine}"].held_count for run in RUNS]
+        columns[f"dropped at, {label}"] = [rows[f"{run}-{engine}"].median_drop_s for run in RUNS]
+    grasps = table_of("grasp", map(case_html, HELD), HELD_COLUMNS, held.values())
     return Section(
-        tables={"runs": _table(rows), "held": table_of("grasp", map(case_html, HELD), HELD_COLUMNS, held.values())},
+        tables={"runs": table_of("run", map(case_html, RUNS), columns), "held": grasps},
         figures={"drops": figure},
         claims=[
             _fails_as_published(results, rows),
@@ -169,14 +174,6 @@ def _implicitfast_shakes_harder(results: Results) -> Claim:
     count = total(results, "implicitfast_count", formula, [row.seed_count for row in mine])
     outcome = all_of(at_least(lifted, count), at_most(held, 0.0, why="not one"))
     return Claim("implicitfast_shakes_harder", outcome, {"count": count})
-
-
-def _table(rows: Rows) -> Table:
-    columns: dict[str, list] = {}
-    for engine, label in ENGINES.items():
-        columns[f"held, {label}"] = [rows[f"{run}-{engine}"].held_count for run in RUNS]
-        columns[f"dropped at, {label}"] = [rows[f"{run}-{engine}"].median_drop_s for run in RUNS]
-    return table_of("run", map(case_html, RUNS), columns)
 
 
 def _draw(rows: Rows, published: Times) -> Drawing:

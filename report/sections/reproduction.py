@@ -1,5 +1,6 @@
 """The shake test as shipped: does the cube slip, on which engine, and what does a stiffer pad change?"""
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -83,23 +84,28 @@ def _slips(results: Results, shipped: Row) -> Claim:
     return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
 
 
+def _increment(results: Results, name: str, which: str, part: Callable, cells: Sequence) -> Value:
+    """Derive the mean of a part of the increments after the first cycle, which starts the shake from rest."""
+
+    def mean(*found: Any) -> float:
+        return _mean(part(_cycle_increments(*found)[1:]))
+
+    return results.value(f"increment_{name}", f"mean increment {which} cycles after the first", mean, *cells, unit="mm")
+
+
 def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     """Of the cycles after the first as many early and late ones, each an even number, since odd and even differ."""
 
-    def half(is_late: bool, *found: Any) -> np.ndarray:
-        later = _cycle_increments(*found)[1:]
-        count = len(later) // 4 * 2
-        return later[len(later) - count :] if is_late else later[:count]
+    def half(later: np.ndarray) -> int:
+        return len(later) // 4 * 2
 
-    cells, formula = (trace, shipped.shake_frequency_hz), "mean increment in the {} half of the cycles after the first"
-    early, late = (
-        results.value(
-            f"increment_{name}", formula.format(name), lambda *it, i=i: _mean(half(i, *it)), *cells, unit="mm"
-        )
-        for i, name in ((False, "earlier"), (True, "later"))
+    cells = (trace, shipped.shake_frequency_hz)
+    early = _increment(results, "earlier", "in the earlier half of the", lambda later: later[: half(later)], cells)
+    late = _increment(
+        results, "later", "in the later half of the", lambda later: later[len(later) - half(later) :], cells
     )
     formula = "largest even number of cycles of which there are two sets after the first cycle"
-    count = results.value("steady_cycle_count", formula, lambda *found: len(half(False, *found)), *cells)
+    count = results.value("steady_cycle_count", formula, lambda *found: half(_cycle_increments(*found)[1:]), *cells)
     formula = "size of the difference between the two halves, of the earlier"
     change = departure(results, "increment_change", formula, late, early)
     bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, unit="%")
@@ -108,17 +114,10 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
 
 
 def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
-    """Cycles are counted from 1; the first, which starts the shake from rest, is left out."""
-    even, odd = (
-        results.value(
-            f"increment_{name}",
-            f"mean increment of the {name} cycles after the first",
-            lambda *found, start=start: _mean(_cycle_increments(*found)[start::2]),
-            *(trace, shipped.shake_frequency_hz),
-            unit="mm",
-        )
-        for name, start in (("even", 1), ("odd", 2))
-    )
+    """Cycles are counted from 1."""
+    cells = (trace, shipped.shake_frequency_hz)
+    even = _increment(results, "even", "of the even", lambda later: later[::2], cells)
+    odd = _increment(results, "odd", "of the odd", lambda later: later[1::2], cells)
     formula = "difference between the mean increments of odd and even cycles, of their mean"
     part = results.value("alternation", formula, lambda a, b: 200 * abs(a - b) / abs(a + b), even, odd, unit="%")
     outcome = at_least(part, 10.0, why="steps this unequal alternate")

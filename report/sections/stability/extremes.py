@@ -1,6 +1,6 @@
 """Claims of section stability about loads, sizes, masses, bad starts, long runs and small buffers."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup
 
@@ -38,12 +38,10 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     dropped = [row for row in rows if row["class"] == "dropped"]
     kept = most(results, f"{name}_kept", "largest load that holds", filter(is_stable, rows), "load")
     lost = least(results, f"{name}_lost", "least load that drops", dropped, "load")
-    over = {
-        kind: results.value(
-            f"{name}_{kind}_over", f"{load.formula}, over the limit", lambda load: 100.0 * (load - 1.0), load, unit="%"
-        )
-        for kind, load in (("kept", kept), ("lost", lost))
-    }
+    over = {}
+    for kind, load in (("kept", kept), ("lost", lost)):
+        formula = f"{load.formula}, over the limit"
+        over[kind] = results.value(f"{name}_{kind}_over", formula, lambda share: 100.0 * (share - 1.0), load, unit="%")
     mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
     also = decided(True, kept, lost)
     return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
@@ -57,26 +55,29 @@ def friction(results: Results) -> Claim:
     return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
 
 
-def _by_mass(results: Results) -> list[Row]:
-    return sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
-
-
-def mass(results: Results) -> Claim:
-    rows = _by_mass(results)
-    light = least(results, "mass_least", "least mass that is held", filter(is_stable, rows), "cube_mass_kg")
-    heavy = most(results, "mass_most", "largest mass that is held", filter(is_stable, rows), "cube_mass_kg")
+def masses(results: Results) -> Iterator[Claim]:
+    """Which masses are held, and how grip, drift and hand go with the mass."""
+    rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
+    held = list(filter(is_stable, rows))
+    light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
+    heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
     also = contiguous([is_stable(row) for row in rows], light, heavy)
-    return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
+    yield family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
-
-def mass_grip(results: Results) -> Claim:
-    grips = [row.grip_force_n for row in _by_mass(results)] or [absent("N", "it was not measured")]
+    grips = [row.grip_force_n for row in rows] or [absent("N", "it was not measured")]
     outcome = increases(grips, noise=GRIP_LEAST_N, why="the same grip")
-    return Claim("mass_grip", outcome, {"least": grips[0], "most": grips[-1]})
+    yield Claim("mass_grip", outcome, {"least": grips[0], "most": grips[-1]})
+
+    yield _mass_drift(results, [row.drift_mm_s for row in held])
+
+    sinks = _sinks(rows)
+    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
+    heaviest = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
+    outcome = increases(sinks, noise=SINK_LEAST_MM, why=NO_SINKING)
+    yield Claim("mass_sink", outcome, {"sink": sink, "heavy": heaviest})
 
 
-def mass_drift(results: Results) -> Claim:
-    drifts = [row.drift_mm_s for row in _by_mass(results) if is_stable(row)]
+def _mass_drift(results: Results, drifts: Sequence[Quantity]) -> Claim:
     formula = "drift of masses that are held, in size"
     low = extreme(results, "mass_drift_least", f"least {formula}", lambda *found: min(map(abs, found)), drifts)
     high = extreme(results, "mass_drift_most", f"largest {formula}", lambda *found: max(map(abs, found)), drifts)
@@ -86,15 +87,6 @@ def mass_drift(results: Results) -> Claim:
     is_one_way = len({drift.value > 0 for drift in drifts if drift.value is not None}) == 1
     outcome = all_of(at_least(low, allowed), decided(is_one_way, *drifts))
     return Claim("mass_drift", outcome, {"low": low, "high": high, "bound": bound})
-
-
-def mass_sink(results: Results) -> Claim:
-    rows = _by_mass(results)
-    sinks = _sinks(rows)
-    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
-    heavy = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
-    outcome = increases(sinks, noise=SINK_LEAST_MM, why=NO_SINKING)
-    return Claim("mass_sink", outcome, {"sink": sink, "heavy": heavy})
 
 
 def _sinks(rows: Iterable[Row]) -> list[Quantity]:
@@ -159,37 +151,29 @@ def freed(results: Results) -> Claim:
     return family_claim(results, "freed_cube", rows, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
 
 
-def long(results: Results) -> Claim:
-    rows = family(results, "long")
-    cells, ends = _long_cells(results), rows[0]["class"] if rows else ""
-    bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
-    formula = "creep per cycle in the first tenth times that bound"
-    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
-    is_lost = not all(map(is_stable, rows))
-    also = HOLDS if is_lost else at_most(cells["last"], allowed)
-    return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
-
-
-def _long_cells(results: Results) -> dict[str, Quantity]:
+def long(results: Results) -> Iterator[Claim]:
+    """Whether the long run speeds up, and whether the cube creeps all the time: as far as by the mean of its first and
+    its last creep."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
-    return {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
-
-
-def long_adds_up(results: Results) -> Claim:
-    """Whether the cube creeps all the time: as far as by the mean of its first and its last creep."""
-    cells = _long_cells(results)
-    formula = "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles"
+    cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+    bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
+    formula = "creep per cycle in the first tenth times that bound"
+    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
+    is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
+    also = HOLDS if is_lost else at_most(cells["last"], allowed)
+    yield family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
 
     def of_expected(slip: float, first: float, last: float, seconds: float) -> float:
         return 100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
 
+    formula = "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles"
     sources = (cells[name] for name in ("slip", "first", "last", "duration"))
     found = results.value("long_slip_share", formula, of_expected, *sources, unit="%")
     why = "about as far as that"
     outcome = all_of(at_least(found, 90.0, why=why), at_most(found, 110.0, why=why))
-    return Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
+    yield Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
 
 
 def buffers(results: Results) -> Claim:
