@@ -63,8 +63,7 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
 
 
 def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
-    """A contact at rest at one end of a step, which moves by its velocity there, walks by half of what bends its
-    path."""
+    """A contact at rest at one end of a step moves by its velocity there: it walks by half of what bends its path."""
     found = growths.get(("kamino", LONG)) or absent("%/s", "Kamino does not hold the box, or was not run")
     cells = rows["kamino", LONG].step_ms, results.chosen("turn", "given: how fast the table turns [rad/s]", 2.0)
     formula = "ω² h / 2, in percent of the distance from the axis"

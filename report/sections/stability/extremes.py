@@ -117,21 +117,27 @@ def overlap(results: Results) -> Claim:
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
 
 
-def gravity(results: Results) -> Claim:
-    rows = [row for row in family(results, "gravity") if not row.freed]
-    lost = [row for row in rows if not is_stable(row)]
-    tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
-    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
-    return family_claim(results, "gravities", rows, tried=tried, lost=text)
-
-
-def arm_gives_way(results: Results) -> Claim:
-    """Whether the hand sinks farther where gravity takes the cube than with any cube that is held, though friction
-    could carry it."""
-    pulled = [row for row in family(results, "gravity") if not row.freed]
+def gravity(results: Results) -> Iterator[Claim]:
+    """Which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
+    rows = family(results, "gravity")
+    pulled = [row for row in rows if not row.freed]
     lost = [row for row in pulled if not is_stable(row)]
+    tried = Markup(", ").join(row.gravity_m_s2.bare for row in pulled)
+    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
+    yield family_claim(results, "gravities", pulled, tried=tried, lost=text)
+    yield _arm_gives_way(results, lost, filter(is_stable, [*pulled, *family(results, "mass")]))
+
+    freed = [row for row in rows if row.freed]
+    cells = [cell_or_absent(row, "energy_growth", "1") for row in freed]
+    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
+    at_rest = [row.case for row in passed(freed) if row.energy_growth.value is None]
+    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
+    yield family_claim(results, "freed_cube", freed, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
+
+
+def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
+    """Whether the hand sinks farther where gravity takes a cube than with any that is held, friction to spare."""
     sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
-    held = filter(is_stable, [*pulled, *family(results, "mass")])
     held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
     needed = "largest share of the friction that is needed there"
     load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
@@ -142,18 +148,8 @@ def arm_gives_way(results: Results) -> Claim:
     return Claim("arm_gives_way", outcome, {"sink": sink, "load": load})
 
 
-def freed(results: Results) -> Claim:
-    rows = [row for row in family(results, "gravity") if row.freed]
-    cells = [cell_or_absent(row, "energy_growth", "1") for row in rows]
-    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
-    at_rest = [row.case for row in passed(rows) if row.energy_growth.value is None]
-    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
-    return family_claim(results, "freed_cube", rows, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
-
-
 def long(results: Results) -> Iterator[Claim]:
-    """Whether the long run speeds up, and whether the cube creeps all the time: as far as by the mean of its first and
-    its last creep."""
+    """Whether the long run speeds up, and whether it creeps all the time: as far as its first and last creep say."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}

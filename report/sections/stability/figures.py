@@ -89,8 +89,7 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
 
 
 def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
-    """Slanting lines over the cells at ``places``, as fractions of a cell: one corner to the other, and one on each
-    side."""
+    """Slanting lines over the cells at ``places``: from one corner to the other, and one on each side."""
     lines = []
     for x, y in places:
         left, right = edges_x[ke.index(x) :][:2]

@@ -53,8 +53,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
 
 
 def lifted_stands_more(results: Results) -> Claim:
-    """Whether the largest ke with kd at its default that section stiffness saw hold is as large as the one here: there
-    the cube is lifted, in one run of each ke."""
+    """Whether at the default kd section stiffness, which lifts the cube once with each ke, saw as large a ke hold."""
     lifted = other_value(results, "stiffness", "ke_alone_last")
     return Claim("lifted_stands_more", at_least(lifted, results.derived["kd_100_ke"]), {"lifted": lifted})
 
