@@ -1,7 +1,7 @@
 """What cases are called in figures, tables and sentences; the data, and a title on the page, have their code names."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 from markupsafe import Markup
 
@@ -58,16 +58,16 @@ NAMED_COUNT = 6
 """Cases that a sentence names at most."""
 
 
-def _rules() -> Iterator[tuple[re.Pattern, str]]:
+def _rules() -> list[tuple[re.Pattern, str]]:
     """Read what the parts are called, the longest first."""
-    entries = (entry.split(": ", 1) for line in PARTS.strip().split("\n") for entry in line.split("; "))
+    entries = (entry.split(": ", 1) for entry in re.split("; |\n", PARTS.strip()))
     pairs = [(code, words) for codes, words in entries for code in codes.split(", ")]
     named = {re.escape(code).replace(r"\#", NUMBER): words for code, words in sorted(pairs, key=lambda it: -len(it[0]))}
-    for code, words in (named | {AS_IT_IS: ""}).items():
-        yield re.compile(f"[-/]?(?:{code})(?=[-/]|$)"), words
+    named[AS_IT_IS] = ""
+    return [(re.compile(f"[-/]?(?:{code})(?=[-/]|$)"), words) for code, words in named.items()]
 
 
-RULES = list(_rules())
+RULES = _rules()
 
 
 def name_of(case: str) -> str:
@@ -91,9 +91,8 @@ def number_of(text: str) -> str:
     mantissa, _, power = text.partition("e")
     if not power:
         return text
-    value = float(text)
-    if 1e-3 <= value < 1e5:
-        return f"{value:g}"
+    if 1e-3 <= float(text) < 1e5:
+        return f"{float(text):g}"
     scale = format_power(int(power))
     return scale if float(mantissa) == 1 else f"{mantissa}×{scale}"
 
@@ -110,8 +109,7 @@ def case_html(case: str) -> Markup:
 
 def some_html(names: Sequence[Markup]) -> Markup:
     """As many of these as a sentence can hold, and that there are others."""
-    text = Markup("; ").join(names[:NAMED_COUNT])
-    return text + " and others" if len(names) > NAMED_COUNT else text
+    return Markup("; ").join(names[:NAMED_COUNT]) + (" and others" if len(names) > NAMED_COUNT else "")
 
 
 def cases_html(cases: Iterable[str]) -> Markup:

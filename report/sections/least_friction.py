@@ -16,10 +16,13 @@ order = 181
 page = "scenes"
 label = "least friction"
 
-SETTINGS = (
-    *("published-euler", "published-implicitfast", "pyramidal-impratio-10"),
-    *("elliptic-impratio-1", "elliptic-impratio-10", "elliptic-impratio-100", "elliptic-noslip", "elliptic-euler"),
+SETTINGS: tuple[str, ...] = (
+    "published-euler",
+    "published-implicitfast",
+    "pyramidal-impratio-10",
+    "elliptic-impratio-1",
 )
+SETTINGS += ("elliptic-impratio-10", "elliptic-impratio-100", "elliptic-noslip", "elliptic-euler")
 TRIED = ("0.90", "0.98", "1.00", "1.02", "1.10")
 """Multiples of m g / N; with none of them either integrator held the cube, as was published."""
 STILL = tuple(setting for setting in SETTINGS if "euler" not in setting)
@@ -35,11 +38,8 @@ COLUMNS = {
 def derive(results: Results) -> Section:
     rows = {setting: results.row[setting] for setting in SETTINGS}
     shown = {"pyramidal": "published-implicitfast", "elliptic": "elliptic-impratio-10", "euler": "published-euler"}
-    factors = Figure(
-        draw=lambda: _draw(rows),
-        sources=[row.least_factor for row in rows.values()],
-        numbers={name: rows[setting].least_factor for name, setting in shown.items()},
-    )
+    numbers = {name: rows[setting].least_factor for name, setting in shown.items()}
+    factors = Figure(lambda: _draw(rows), [row.least_factor for row in rows.values()], numbers)
     return Section(
         tables={"settings": table_of("setting", map(case_html, SETTINGS), COLUMNS, rows.values())},
         figures={"factors": factors},
@@ -70,16 +70,13 @@ def _as_published(results: Results) -> Claim:
 
 def _by_coulomb(results: Results, rows: Mapping[str, Row]) -> Claim:
     formula = "least friction that holds less that of Coulomb's law for where the cube is held, of the latter"
-    found = [
-        departure(results, f"{name}_off", formula, rows[name].least_factor, rows[name].coulomb_factor) for name in STILL
-    ]
+    pairs = {name: (rows[name].least_factor, rows[name].coulomb_factor) for name in STILL}
+    found = [departure(results, f"{name}_off", formula, *pair) for name, pair in pairs.items()]
     largest = extreme(results, "coulomb_off", "largest of the departures from Coulomb's law", max, found)
-    elliptic = rows["elliptic-impratio-1"]
+    names, formula = ("least", "coulomb"), "{} excess of m g / N, with an elliptic cone"
     factor, law = (
-        results.value(
-            name, f"{name.replace('_', ' ')} of m g / N, with an elliptic cone", lambda a: 100 * (a - 1), cell, unit="%"
-        )
-        for name, cell in (("least_excess", elliptic.least_factor), ("coulomb_excess", elliptic.coulomb_factor))
+        results.value(f"{name}_excess", formula.format(name), lambda a: 100 * (a - 1), cell, unit="%")
+        for name, cell in zip(names, pairs["elliptic-impratio-1"], strict=True)
     )
     numbers = {"largest": largest, "factor": factor, "law": law}
     return Claim("by_coulomb", at_most(largest, 5.0, why="the same friction"), numbers)
@@ -116,12 +113,10 @@ def _euler_shakes(results: Results, rows: Mapping[str, Row]) -> Claim:
 
 def _draw(rows: Mapping[str, Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 1.1 + (0.4 if is_narrow() else 0.3) * len(SETTINGS))
-    for column, label, colour, marker in (
-        ("least_factor", "least that holds", SERIES[0], "o"),
-        ("coulomb_factor", "by Coulomb's law, where the cube is held", INK, "|"),
-    ):
-        cells = [rows[name][column] for name in SETTINGS]
-        mark_cells(axes, cells, colour, label, marker=marker, markersize=10, markerfacecolor="none")
+    least, law = ([rows[name][column] for name in SETTINGS] for column in ("least_factor", "coulomb_factor"))
+    style = {"markersize": 10, "markerfacecolor": "none"}
+    mark_cells(axes, least, SERIES[0], "least that holds", marker="o", **style)
+    mark_cells(axes, law, INK, "by Coulomb's law, where the cube is held", marker="|", **style)
     axes.axvline(1.0, color=INK, linewidth=0.8, marker="", linestyle=":")
     axes.set_xscale("log")
     tick_125(axes.xaxis)

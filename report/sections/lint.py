@@ -1,25 +1,19 @@
 """The lint: what it says of the scene as shipped and of the fixed one."""
 
-from collections.abc import Callable
-
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from measured_report.claims.claim import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_or_absent, table_of
+from report.shared.arithmetic import Column, cell_or_absent, table_of
 
 order = 130
 page = "fix"
 label = "lint"
 
 SCENES = ("as-shipped", "fixed")
-NOT_FOUND = "the lint does not find it"
-UNITS = ("", "_m", "_s", "_count")
-"""Ends of the columns that hold a finding's values, by unit."""
 ROUNDING, ROUNDED = 1e-5, "the same in single precision"
 """Chosen: up to which share of a number two are the same, and why."""
-MATERIAL = ("ke", "kd")
 MENDED = ("default-gap", "buffer")
 """Rules of which nothing is found in the fixed scene."""
 
@@ -27,11 +21,9 @@ MENDED = ("default-gap", "buffer")
 def derive(results: Results) -> Section:
     findings = [row for row in results.rows if "rule" in row]
     shipped, fixed = ([row for row in findings if row.scene == scene] for scene in SCENES)
+    as_shipped, as_fixed = (table_of("rule", [row.rule for row in rows], COLUMNS, rows) for rows in (shipped, fixed))
     return Section(
-        tables={
-            name: table_of("rule", [row.rule for row in rows], COLUMNS, rows)
-            for name, rows in (("as_shipped", shipped), ("fixed", fixed))
-        },
+        tables={"as_shipped": as_shipped, "fixed": as_fixed},
         claims=[
             _pads_decide(results, "names_the_material", shipped, AS_SHIPPED),
             _names_the_gap(results, shipped),
@@ -45,8 +37,9 @@ def derive(results: Results) -> Section:
 
 def _pads_decide(results: Results, claim: str, findings: list[Row], case: Case) -> Claim:
     """Whether the lint says that ke and kd of the cube go unused, and the pads' of that case are used instead."""
-    outcomes, numbers = [], {}
-    for name in MATERIAL:
+    outcomes: list[Outcome] = []
+    numbers: dict[str, Quantity] = {}
+    for name in ("ke", "kd"):
         finding = _find(findings, "priority", "cube", name)
         numbers |= {name: _cell(finding, "authored"), f"{name}_used": _cell(finding, "used")}
         why = f"{name} authored on the pads of {case.name}"
@@ -58,13 +51,9 @@ def _pads_decide(results: Results, claim: str, findings: list[Row], case: Case) 
 def _names_the_gap(results: Results, findings: list[Row]) -> Claim:
     found = _find(findings, "default-gap", "cube", "gap")
     gap, total = _cell(found, "authored_m", "m"), _cell(found, "used_m", "m")
-    expected = results.value(
-        "gap_sum",
-        "gap of the cube, and the larger one of those authored on fingers and ground",
-        lambda cube: cube + max(AS_SHIPPED.robot_gap_m, AS_SHIPPED.ground_gap_m),
-        gap,
-        unit="m",
-    )
+    formula = "gap of the cube, and the larger one of those authored on fingers and ground"
+    other = max(AS_SHIPPED.robot_gap_m, AS_SHIPPED.ground_gap_m)
+    expected = results.value("gap_sum", formula, lambda cube: cube + other, gap, unit="m")
     return Claim("names_the_gap", _same(total, expected) if found else FAILS, {"gap": gap, "sum": total})
 
 
@@ -112,20 +101,20 @@ def _find(findings: list[Row], rule: str, subject: str, parameter: str) -> Row |
 
 
 def _cell(finding: Row | None, column: str, unit: str = "1") -> Quantity:
-    return cell_or_absent(finding, column, unit, NOT_FOUND)
+    return cell_or_absent(finding, column, unit, "the lint does not find it")
 
 
-def _value(name: str) -> Callable[[Row], Quantity]:
+def _value(row: Row, name: str) -> Quantity:
     """The cell of a column that has one of several units, whichever a row has."""
     lost = absent("1", "it was not kept")
-    return lambda row: next((row[name + unit] for unit in UNITS if name + unit in row), lost)
+    return next((row[name + unit] for unit in ("", "_m", "_s", "_count") if name + unit in row), lost)
 
 
-COLUMNS = {
+COLUMNS: dict[str, Column] = {
     "of": lambda row: "" if row.rule == "buffer" else row.subject,
     "against": "against",
     "pairs": lambda row: row.pair_count if row.against else None,
     "parameter": "parameter",
-    "authored": _value("authored"),
-    "used": _value("used"),
+    "authored": lambda row: _value(row, "authored"),
+    "used": lambda row: _value(row, "used"),
 }

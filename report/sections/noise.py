@@ -47,39 +47,26 @@ class Group:
 
 
 def derive(results: Results) -> Section:
-    groups = _groups(results.rows)
+    keys = dict.fromkeys((row.of, row.kind) for row in results.rows)
+    groups = [Group(*key, [row for row in results.rows if (row.of, row.kind) == key]) for key in keys]
     floors = {metric: _floor(results, groups, metric) for metric in METRICS}
     means, spreads = (
         {metric: [find(results, group, metric) for group in groups] for metric in METRICS} for find in (_mean, _spread)
     )
-    runs = Figure(
-        draw=lambda: _draw_runs(groups),
-        sources=[slip for group in groups for slip in group.cells("slip")],
-        numbers={"groups": list(zip([group.label for group in groups], spreads["slip"], strict=True))},
-    )
+    labelled = {"groups": list(zip([group.label for group in groups], spreads["slip"], strict=True))}
+    runs = Figure(lambda: _draw_runs(groups), [slip for group in groups for slip in group.cells("slip")], labelled)
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
-    columns = {
-        "runs": [cell_count(results, f"{group.name}_count", "number of runs", group.cells("slip")) for group in groups],
-        "mean slip": means["slip"],
-        "slip spread": spreads["slip"],
-        "mean drift": means["drift"],
-        "drift spread": spreads["drift"],
-    }
+    counts = [cell_count(results, f"{group.name}_count", "number of runs", group.cells("slip")) for group in groups]
+    columns = {"runs": counts}
+    for metric in METRICS:
+        columns |= {f"mean {metric}": means[metric], f"{metric} spread": spreads[metric]}
     return Section(
         tables={"groups": table_of("case", [group.label for group in groups], columns)},
         figures={"runs": runs},
-        claims=[
-            _noise_is_small(results, groups, floors),
-            _batch_or_alone(results, groups, means["slip"], spreads["slip"]),
-        ],
+        claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means, spreads)],
     )
-
-
-def _groups(rows: Sequence[Row]) -> list[Group]:
-    keys = dict.fromkeys((row.of, row.kind) for row in rows)
-    return [Group(case, kind, [row for row in rows if (row.of, row.kind) == (case, kind)]) for case, kind in keys]
 
 
 def _of_case(groups: Sequence[Group], case: str, metric: str) -> list[Quantity]:
@@ -93,17 +80,10 @@ def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
     """
     unit = UNITS[metric]
     formula = f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more, by the spread of those measured"
-    bounds = [
-        results.value(
-            f"{case.replace('-', '_')}_{metric}_tolerance",
-            formula,
-            lambda *cell: tolerance(cell),
-            *_of_case(groups, case, metric),
-            unit=unit,
-            is_noise=True,
-        )
-        for case in dict.fromkeys(group.case for group in groups)
-    ]
+    bounds = []
+    for case in dict.fromkeys(group.case for group in groups):
+        name, cells = f"{case.replace('-', '_')}_{metric}_tolerance", _of_case(groups, case, metric)
+        bounds.append(results.value(name, formula, lambda *cell: tolerance(cell), *cells, unit=unit, is_noise=True))
     resolution = column_of(METRICS[metric]).resolution
     least = results.chosen(f"{metric}_resolution", "what rounding may do", resolution, unit=unit)
     formula = "largest of the cases, and at least the resolution"
@@ -121,33 +101,28 @@ def _mean(results: Results, group: Group, metric: str) -> Value:
 
 
 def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[str, Value]) -> Claim:
-    shares = {
-        metric: results.value(
-            f"{metric}_floor_share",
-            f"noise floor of the {metric}, of the mean {metric} of the first case",
-            lambda floor, *found: 100 * floor / fmean(found),
-            floor,
-            *_of_case(groups, groups[0].case, metric),
-            unit="%",
-            is_noise=True,
-        )
-        for metric, floor in floors.items()
-    }
+    def of_mean(floor: float, *found: float) -> float:
+        return 100 * floor / fmean(found)
+
+    shares = {}
+    for metric, floor in floors.items():
+        formula = f"noise floor of the {metric}, of the mean {metric} of the first case"
+        cells = floor, *_of_case(groups, groups[0].case, metric)
+        name = f"{metric}_floor_share"
+        shares[metric] = results.value(name, formula, of_mean, *cells, unit="%", is_noise=True)
     numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
     return Claim("noise_is_small", all_of(*(at_most(share, 1.0, why=SMALL) for share in shares.values())), numbers)
 
 
-def _batch_or_alone(
-    results: Results, groups: Sequence[Group], means: Sequence[Value], spreads: Sequence[Value]
-) -> Claim:
+def _batch_or_alone(results: Results, groups: Sequence[Group], means: Mapping, spreads: Mapping) -> Claim:
     """Of the first case, which is there both ways."""
     kinds = [group.kind for group in groups]
-    batch, alone = kinds.index("batch"), kinds.index("alone")
+    places = kinds.index("batch"), kinds.index("alone")
+    batch, alone = (means["slip"][place] for place in places)
     formula = "difference between the mean slip in a batch and alone"
-    apart = size_difference(results, "alone_difference", formula, means[batch], means[alone])
-    of_slip = share(results, "alone_share", "that difference, of the mean slip in a batch", apart, means[batch])
-    formula = "larger of the spreads in a batch and alone"
-    pair = spreads[batch], spreads[alone]
+    apart = size_difference(results, "alone_difference", formula, batch, alone)
+    of_slip = share(results, "alone_share", "that difference, of the mean slip in a batch", apart, batch)
+    formula, pair = "larger of the spreads in a batch and alone", (spreads["slip"][place] for place in places)
     kind_spread = results.value("within_spread", formula, max, *pair, unit="mm", is_noise=True)
     outcome = all_of(within(apart, kind_spread), at_most(of_slip, 1.0, why=SMALL))
     return Claim("batch_or_alone", outcome, {"difference": apart, "within": kind_spread, "share": of_slip})

@@ -20,16 +20,10 @@ PADS = ("as-shipped", "stiff-pads")
 def derive(results: Results) -> Section:
     cases = [f"{pads}-{engine}" for engine in ENGINES for pads in PADS]
     without, treated = [results.row[case] for case in cases], [results.row[f"{case}-noslip"] for case in cases]
-    changes = {
-        row.case: excess(
-            results,
-            f"{row.case}_change",
-            f"drift of {row.case} with noslip less that without, of that without",
-            found.drift_mm_s,
-            row.drift_mm_s,
-        )
-        for row, found in zip(without, treated, strict=True)
-    }
+    changes = {}
+    for case, row, found in zip(cases, without, treated, strict=True):
+        formula = f"drift of {case} with noslip less that without, of that without"
+        changes[case] = excess(results, f"{case}_change", formula, found.drift_mm_s, row.drift_mm_s)
     columns = {
         "drift": "drift_mm_s",
         "drift with noslip": [row.drift_mm_s for row in treated],

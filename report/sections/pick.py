@@ -8,7 +8,7 @@ from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of
@@ -47,13 +47,15 @@ def derive(results: Results) -> Section:
         run: results.value(f"published_{'_'.join(run)}", "published, and not measured here", lambda t=time: t, unit="s")
         for run, time in PUBLISHED_DROP_S.items()
     }
-    figure = Figure(
-        draw=lambda: _draw(rows, published),
-        sources=[row.held_count for row in rows.values()],
-        numbers={kind: rows[f"{kind}-2ms-published-c"].median_drop_s for kind in OBJECTS},
-    )
+    drops = {kind: rows[f"{kind}-2ms-published-c"].median_drop_s for kind in OBJECTS}
+    figure = Figure(lambda: _draw(rows, published), [row.held_count for row in rows.values()], drops)
+    columns: dict[str, list] = {}
+    for engine, label in ENGINES.items():
+        columns[f"held, {label}"] = [rows[f"{run}-{engine}"].held_count for run in RUNS]
+        columns[f"dropped at, {label}"] = [rows[f"{run}-{engine}"].median_drop_s for run in RUNS]
+    grasps = table_of("grasp", map(case_html, HELD), HELD_COLUMNS, held.values())
     return Section(
-        tables={"runs": _table(rows), "held": table_of("grasp", map(case_html, HELD), HELD_COLUMNS, held.values())},
+        tables={"runs": table_of("run", map(case_html, RUNS), columns), "held": grasps},
         figures={"drops": figure},
         claims=[
             _fails_as_published(results, rows),
@@ -120,15 +122,10 @@ def _shorter_does_not(results: Results, rows: Rows) -> Claim:
 def _ball_creeps_out(results: Results, rows: Rows, held: Rows) -> Claim:
     """When the ball drops is told from the creep of a grasp that is not shaken at all."""
     found, row = held["ball-published"], rows["ball-2ms-published-c"]
-    when = results.value(
-        "ball_passes",
-        "time after which the ball has crept as far as it is from the edge",
-        lambda begin, margin, creep: begin + margin / creep,
-        results.chosen("hold_start", "when the creep began to be watched", 4.5, unit="s"),
-        found.margin_mm,
-        found.forecast_creep_mm_s,
-        unit="s",
-    )
+    begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, unit="s")
+    formula = "time after which the ball has crept as far as it is from the edge"
+    cells = begin, found.margin_mm, found.forecast_creep_mm_s
+    when = results.value("ball_passes", formula, lambda start, margin, creep: start + margin / creep, *cells, unit="s")
     formula = "time of the drop less that, in size, of the latter"
     off = departure(results, "ball_drop_off", formula, row.median_drop_s, when)
     formula = "last drop of the ball less the first"
@@ -148,11 +145,9 @@ def _cube_is_shaken_out(results: Results, rows: Rows, held: Rows) -> Claim:
 
 def _creep_is_predicted(results: Results, held: Rows) -> Claim:
     formula = "the larger of measured and predicted creep, of the smaller"
+    pairs = {name: (row.creep_mm_s, row.forecast_creep_mm_s) for name, row in held.items()}
     factors = [
-        results.value(
-            f"{name}_factor", formula, lambda a, b: max(a / b, b / a), row.creep_mm_s, row.forecast_creep_mm_s
-        )
-        for name, row in held.items()
+        results.value(f"{name}_factor", formula, lambda a, b: max(a / b, b / a), *pair) for name, pair in pairs.items()
     ]
     largest = extreme(results, "held_factor", "largest factor between measured and predicted creep", max, factors)
     slow, fast = (held[f"ball-{setting}"].creep_mm_s for setting in ("elliptic", "published"))
@@ -173,21 +168,12 @@ def _implicitfast_shakes_harder(results: Results) -> Claim:
     """With implicitfast the arm lifts with either step, and drops what an elliptic cone holds with Euler."""
     mine = [results.row[f"{kind}-{step}-elliptic-implicitfast"] for kind in OBJECTS for step in STEPS]
     formula = "grasps with implicitfast"
-    lifted = total(
-        results, "implicitfast_lifted", f"{formula} that lift their object", [row.lifted_count for row in mine]
-    )
+    lifts = [row.lifted_count for row in mine]
+    lifted = total(results, "implicitfast_lifted", f"{formula} that lift their object", lifts)
     held = total(results, "implicitfast_held", "of these that stand the shake", [row.held_count for row in mine])
     count = total(results, "implicitfast_count", formula, [row.seed_count for row in mine])
     outcome = all_of(at_least(lifted, count), at_most(held, 0.0, why="not one"))
     return Claim("implicitfast_shakes_harder", outcome, {"count": count})
-
-
-def _table(rows: Rows) -> Table:
-    columns: dict[str, list] = {}
-    for engine, label in ENGINES.items():
-        columns[f"held, {label}"] = [rows[f"{run}-{engine}"].held_count for run in RUNS]
-        columns[f"dropped at, {label}"] = [rows[f"{run}-{engine}"].median_drop_s for run in RUNS]
-    return table_of("run", map(case_html, RUNS), columns)
 
 
 def _draw(rows: Rows, published: Times) -> Drawing:

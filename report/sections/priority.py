@@ -1,17 +1,24 @@
 """Whose material counts: the same swing of stiffness on the cube and on the pads, and the pads without priority."""
 
-from collections.abc import Callable
-
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, equal_within, greater, within
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure, Section
-from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.shared.arithmetic import by_case, departure, noise_floor, ratio, settles, share, size_difference, spread
+from report.shared.arithmetic import (
+    Column,
+    by_case,
+    departure,
+    noise_floor,
+    ratio,
+    settles,
+    share,
+    size_difference,
+    spread,
+)
 from report.shared.variants import is_small
 
 order = 100
@@ -21,15 +28,21 @@ label = "whose material counts"
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
 """What the contact has after the two sides' materials are combined."""
+COLUMNS = {"timeconst": "timeconst_s", **{column: column for column in ("dampratio", "friction", "dmin", "dmax")}}
+COLUMNS |= {"slip": "slip_mm", "drift": "drift_mm_s"}
 EXACT = "what a material gives is exact"
 
 
 def derive(results: Results) -> Section:
     rows, shipped = results.rows, results.row["cube-ke-8e4"]
     said = Markup("; ").join(Markup("{}: {}").format(name_of(row.case), row.slip_mm) for row in rows)
-    slips = Figure(draw=lambda: _draw_slips(rows), sources=[row.slip_mm for row in rows], numbers={"slips": said})
+    slips = Figure(lambda: _draw_slips(rows), [row.slip_mm for row in rows], {"slips": said})
+    changed: dict[str, Column] = {
+        column.replace("_", " "): [row[column] if column in row else "" for row in rows]  # noqa: SIM401 a row has no get
+        for column in ("cube_ke", "pad_ke", "pad_kd", "pad_priority")
+    }
     return Section(
-        tables={"cases": by_case(rows, COLUMNS)},
+        tables={"cases": by_case(rows, {**changed, **COLUMNS})},
         figures={"slips": slips},
         claims=[
             _cube_does_not_count(results),
@@ -43,16 +56,11 @@ def derive(results: Results) -> Section:
 
 def _cube_does_not_count(results: Results) -> Claim:
     rows = [results.row[case] for case in CUBE]
-    spreads = [
-        spread(
-            results,
-            f"cube_{column}_spread",
-            f"largest less smallest {column} of the contact, over the three stiffnesses of the cube",
-            [row[column] for row in rows],
-            unit=rows[0][column].unit,
-        )
-        for column in RESOLVED
-    ]
+    spreads = []
+    for column in RESOLVED:
+        cells = [row[column] for row in rows]
+        formula = f"largest less smallest {column} of the contact, over the three stiffnesses of the cube"
+        spreads.append(spread(results, f"cube_{column}_spread", formula, cells, unit=cells[0].unit))
     largest = results.value("cube_resolved_spread", "largest of these spreads", max, *spreads)
     numbers = {"low": rows[0].cube_ke, "high": rows[-1].cube_ke, "timeconst": rows[1].timeconst_s}
     numbers |= {"dampratio": rows[1].dampratio, "friction": rows[1].friction}
@@ -82,14 +90,9 @@ def _pads_count(results: Results, shipped: Row) -> Claim:
 def _equal_priorities_mix(results: Results, shipped: Row) -> Claim:
     mixed = results.row["priority-0"]
     before, after = shipped.timeconst_s, mixed.timeconst_s
-    drop = results.value(
-        "mixed_drop",
-        "how much the slip falls when both geoms have the same priority, of the slip as shipped",
-        lambda before, after: 100 * (1 - after / before),
-        shipped.slip_mm,
-        mixed.slip_mm,
-        unit="%",
-    )
+    formula = "how much the slip falls when both geoms have the same priority, of the slip as shipped"
+    slips = shipped.slip_mm, mixed.slip_mm
+    drop = results.value("mixed_drop", formula, lambda then, now: 100 * (1 - now / then), *slips, unit="%")
     falls = greater(shipped.slip_mm, mixed.slip_mm, noise=noise_floor(results, "slip_floor"))
     numbers = {"before": before, "after": after, "drop": drop, "slip": mixed.slip_mm, "shipped": shipped.slip_mm}
     return Claim("equal_priorities_mix", all_of(greater(before, after, noise=0.0, why=EXACT), falls), numbers)
@@ -112,15 +115,6 @@ def _cube_stiffness_is_no_lever(results: Results) -> Claim:
     numbers = {"ke": stiffer.cube_ke, "change": change, "deep": mixed.penetration_mm, "shallow": stiffer.penetration_mm}
     numbers |= {"timeconst": stiffer.timeconst_s, "timeconst_before": mixed.timeconst_s}
     return Claim("cube_stiffness_is_no_lever", outcome, numbers)
-
-
-def _changed(column: str) -> Callable[[Row], Quantity | str]:
-    return lambda row: row[column] if column in row else ""  # noqa: SIM401 a row has no get
-
-
-COLUMNS = {column.replace("_", " "): _changed(column) for column in ("cube_ke", "pad_ke", "pad_kd", "pad_priority")}
-COLUMNS |= {"timeconst": "timeconst_s", **{column: column for column in ("dampratio", "friction", "dmin", "dmax")}}
-COLUMNS |= {"slip": "slip_mm", "drift": "drift_mm_s"}
 
 
 def _draw_slips(rows: list[Row]) -> Drawing:

@@ -9,7 +9,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.shared.arithmetic import excess, extreme, table_of
+from report.shared.arithmetic import Column, excess, extreme, table_of
 
 order = 21
 page = "evidence"
@@ -21,11 +21,7 @@ WAYS = {
     "ordered": "and MuJoCo Warp asked to order contacts and rows",
     "all": "and its sums",
 }
-SO = {
-    "sorted": "Newton's contacts sorted",
-    "ordered": "Newton's contacts sorted, and MuJoCo Warp asked to order contacts and rows",
-    "all": "all that both offer",
-}
+SO = {"sorted": WAYS["sorted"], "ordered": f"{WAYS['sorted']}, {WAYS['ordered']}", "all": "all that both offer"}
 """The same in a sentence."""
 WORLD_COUNTS = (1, 4096)
 NO_WAY = "no way gives the same twice"
@@ -34,8 +30,8 @@ NO_WAY = "no way gives the same twice"
 def derive(results: Results) -> Section:
     rows = {way: results.row[way] for way in WAYS}
     times = {row.case: row for row in results.rows if row.kind == "time"}
-    exact = next((way for way in list(WAYS)[1:] if rows[way].differing_world_count.value == 0), "")
-    columns = {
+    exact = next((way for way in SO if rows[way].differing_world_count.value == 0), "")
+    columns: dict[str, Column] = {
         "worlds that differ": "differing_world_count",
         "run against run": "run_spread_mm",
         "all worlds": "world_spread_mm",
@@ -61,12 +57,11 @@ def _plain_differs(plain: Row) -> Claim:
 
 
 def _some_way_repeats(results: Results, rows: Mapping[str, Row], exact: str) -> Claim:
-    tried = [row.differing_world_count for way, row in rows.items() if way != "plain"]
+    tried = [rows[way].differing_world_count for way in SO]
     least = extreme(results, "differing_least", "least number of worlds that differ, of all ways", min, tried)
     spread = rows[exact].world_spread_mm if exact else absent("mm", "no way is exact")
-    lacking = Markup("; ").join(
-        WAYS[way].removeprefix("and ") for way, row in rows.items() if row.differing_world_count.value is None
-    )
+    lost = [words for way, words in WAYS.items() if rows[way].differing_world_count.value is None]
+    lacking = Markup("; ").join(words.removeprefix("and ") for words in lost)
     numbers = {"way": SO.get(exact, ""), "least": least, "worlds": rows["plain"].worlds, "lacking": lacking}
     outcome = at_most(least, 0, why="the same to the last bit")
     return Claim("some_way_repeats", outcome, {**numbers, "has_spread": exact, "spread": spread})

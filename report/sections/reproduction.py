@@ -1,29 +1,22 @@
 """The shake test as shipped: does the cube slip, on which engine, and what does a stiffer pad change?"""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
-from markupsafe import Markup
+from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.classes import cycle_increments
 from measured_report.claims.claim import HOLDS, Claim, Outcome, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section, Table
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
 from report.names import cases_html, name_of
-from report.shared.arithmetic import (
-    DEVICES,
-    NO_DRIFT,
-    SETTLES,
-    by_case,
-    departure,
-    needs_shaking,
-    ratio,
-    size_share,
-    spread,
-)
+from report.shared import arithmetic
+from report.shared.arithmetic import DEVICES, Column, departure, needs_shaking, ratio
 from report.shared.overview import HARDLY, LITTLE
 
 order = 10
@@ -35,13 +28,8 @@ OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C 
 """Where the cases were measured besides, by how their names end."""
 AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
 """Columns of a trace that hold the displacement in the axes of the TCP frame."""
-SCENE = (
-    ("cube_edge", 40, "mm"),
-    ("cube_mass", 32, "g"),
-    ("frame_rate", 60, "1/s"),
-    ("substeps", 16, "1"),
-    ("impratio", 50, "1"),
-)
+SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
+SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
 """Name, value and unit of what the scene sets; a test compares them with the scene."""
 BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
 """Most that a batch may cost against one world, by the device that it runs on."""
@@ -54,16 +42,11 @@ def derive(results: Results) -> Section:
     shaken = {name: traces[name] for name in CALIBRATED}
     slips = _slips(results, shipped)
     launched = _batches(results, launched=True)
-    displacement = Figure(
-        draw=lambda: _draw_displacement(traces),
-        sources=list(traces.values()),
-        numbers={"shipped": shipped.slip_mm, "stiff": stiff.slip_mm, "hold": hold.slip_mm},
-    )
-    increments = Figure(
-        draw=lambda: _draw_increments(shaken, shipped.shake_frequency_hz.value),
-        sources=list(shaken.values()),
-        numbers={"shipped": shipped.increment_mean_mm, "stiff": stiff.increment_mean_mm},
-    )
+    slipped = {"shipped": shipped.slip_mm, "stiff": stiff.slip_mm, "hold": hold.slip_mm}
+    displacement = Figure(lambda: _draw_displacement(traces), list(traces.values()), slipped)
+    means = {"shipped": shipped.increment_mean_mm, "stiff": stiff.increment_mean_mm}
+    frequency = shipped.shake_frequency_hz.value
+    increments = Figure(lambda: _draw_increments(shaken, frequency), list(shaken.values()), means)
     return Section(
         tables={"cases": _table(results)},
         figures={"displacement": displacement, "increments": increments},
@@ -101,27 +84,28 @@ def _slips(results: Results, shipped: Row) -> Claim:
     return Claim("slips", at_least(shipped.slip_mm, bound), numbers)
 
 
+def _increment(results: Results, name: str, which: str, part: Callable, cells: Sequence) -> Value:
+    """Derive the mean of a part of the increments after the first cycle, which starts the shake from rest."""
+
+    def mean(*found: Any) -> float:
+        return _mean(part(_cycle_increments(*found)[1:]))
+
+    return results.value(f"increment_{name}", f"mean increment {which} cycles after the first", mean, *cells, unit="mm")
+
+
 def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     """Of the cycles after the first as many early and late ones, each an even number, since odd and even differ."""
 
-    def halves(frame: pd.DataFrame, frequency_hz: float) -> tuple[float, float, int]:
-        later = _cycle_increments(frame, frequency_hz)[1:]
-        count = len(later) // 4 * 2
-        return _mean(later[:count]), _mean(later[len(later) - count :]), count
+    def half(later: np.ndarray) -> int:
+        return len(later) // 4 * 2
 
     cells = (trace, shipped.shake_frequency_hz)
-    early, late = (
-        results.value(
-            f"increment_{name}",
-            f"mean increment in the {name} half of the cycles after the first",
-            lambda *found, index=index: halves(*found)[index],
-            *cells,
-            unit="mm",
-        )
-        for index, name in enumerate(("earlier", "later"))
+    early = _increment(results, "earlier", "in the earlier half of the", lambda later: later[: half(later)], cells)
+    late = _increment(
+        results, "later", "in the later half of the", lambda later: later[len(later) - half(later) :], cells
     )
     formula = "largest even number of cycles of which there are two sets after the first cycle"
-    count = results.value("steady_cycle_count", formula, lambda *found: halves(*found)[2], *cells)
+    count = results.value("steady_cycle_count", formula, lambda *found: half(_cycle_increments(*found)[1:]), *cells)
     formula = "size of the difference between the two halves, of the earlier"
     change = departure(results, "increment_change", formula, late, early)
     bound = results.chosen("increment_change_bound", "steps this equal count as steady", 10.0, unit="%")
@@ -130,18 +114,10 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
 
 
 def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
-    """Cycles are counted from 1; the first, which starts the shake from rest, is left out."""
-    even, odd = (
-        results.value(
-            f"increment_{name}",
-            f"mean increment of the {name} cycles after the first",
-            lambda frame, frequency_hz, start=start: _mean(_cycle_increments(frame, frequency_hz)[start::2]),
-            trace,
-            shipped.shake_frequency_hz,
-            unit="mm",
-        )
-        for name, start in (("even", 1), ("odd", 2))
-    )
+    """Cycles are counted from 1."""
+    cells = (trace, shipped.shake_frequency_hz)
+    even = _increment(results, "even", "of the even", lambda later: later[::2], cells)
+    odd = _increment(results, "odd", "of the odd", lambda later: later[1::2], cells)
     formula = "difference between the mean increments of odd and even cycles, of their mean"
     part = results.value("alternation", formula, lambda a, b: 200 * abs(a - b) / abs(a + b), even, odd, unit="%")
     outcome = at_least(part, 10.0, why="steps this unequal alternate")
@@ -151,8 +127,8 @@ def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
 def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
     """In all directions, where the drift is that along the shake's main axis."""
     formula = "slip with the arm held still, of the slip with shipped pads"
-    total = size_share(results, "hold_slip_share", formula, hold.slip_mm, shipped.slip_mm)
-    bound = results.chosen("hold_slip_share_bound", *NO_DRIFT, unit="%")
+    total = arithmetic.size_share(results, "hold_slip_share", formula, hold.slip_mm, shipped.slip_mm)
+    bound = results.chosen("hold_slip_share_bound", *arithmetic.NO_DRIFT, unit="%")
     return Claim("moves_little_when_held", at_most(total, bound), {"slip": hold.slip_mm, "total": total})
 
 
@@ -160,45 +136,34 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     """On each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told to agree."""
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
-    cells = [[results.row[f"{case}{suffix}"].slip_mm for suffix in places] for case in CALIBRATED]
-    formula = "largest less smallest slip of any engine and device that has one, with {} pads"
-    shipped, stiff = (
-        spread(
-            results,
-            f"engine_difference_{pads}",
-            formula.format(pads),
-            [slip for slip in found if slip.value is not None],
-            unit="mm",
-        )
-        for pads, found in zip(("shipped", "stiff"), cells, strict=True)
-    )
+    rows = [results.row[f"{case}{suffix}"] for case in CALIBRATED for suffix in places]
+    lost = [row for row in rows if row.slip_mm.value is None]
+
+    def apart(pads: str, rows: list[Row]) -> Value:
+        slips = [row.slip_mm for row in rows if row not in lost]
+        formula = f"largest less smallest slip of any engine and device that has one, with {pads} pads"
+        return arithmetic.spread(results, f"engine_difference_{pads}", formula, slips, unit="mm")
+
+    shipped, stiff = apart("shipped", rows[: len(places)]), apart("stiff", rows[len(places) :])
     formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"
     difference = results.value("engine_difference", formula, max, shipped, stiff, unit="mm")
     bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
-    lost = [
-        row
-        for row in (results.row[f"{case}{suffix}"] for case in CALIBRATED for suffix in places)
-        if row.slip_mm.value is None
-    ]
     reason = lost[0].slip_mm.reason if lost else ""
     outcome = at_most(difference, bound)
     if lost and outcome == HOLDS:
         outcome = Outcome("unknown", reason)
     agree_shipped, agree_stiff = (at_most(each, bound) == HOLDS for each in (shipped, stiff))
     numbers = {"shipped": shipped, "stiff": stiff, "agree_shipped": agree_shipped, "agree_stiff": agree_stiff}
-    numbers |= {"places": _listed(list(places.values())), "bound": bound, "slips": slips.outcome == HOLDS}
+    *first, last = places.values()
+    listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
+    numbers |= {"places": listed, "bound": bound, "slips": slips.outcome == HOLDS}
     numbers |= {"lost": cases_html(row.case for row in lost) if lost else "", "reason": reason}
     return Claim("same_on_both_engines", outcome, numbers)
 
 
-def _listed(things: Sequence[str]) -> Markup:
-    *first, last = things
-    return Markup("{} and {}").format(Markup(", ").join(first), last) if first else Markup("{}").format(last)
-
-
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
     gain = ratio(results, "stiff_gain", "slip as shipped over slip with stiff pads", shipped.slip_mm, stiff.slip_mm)
-    outcome = at_least(gain, results.chosen("stiff_gain_bound", *SETTLES))
+    outcome = at_least(gain, results.chosen("stiff_gain_bound", *arithmetic.SETTLES))
     return Claim("stiff_pads_hold", outcome, {"slip": stiff.slip_mm, "gain": gain})
 
 
@@ -234,18 +199,15 @@ def _mean(increments: np.ndarray) -> float:
 
 
 def _table(results: Results) -> Table:
-    columns = {"engine": lambda row: _engine(results, row), "slip": "slip_mm", "drift": "drift_mm_s"}
+    def engine(row: Row) -> str:
+        """MuJoCo's C engine computes on the CPU wherever it is called from."""
+        device = row["device"] if "device" in row else results.record.machine["device"]
+        return "MuJoCo C, CPU" if row.backend == "mujoco" else f"MuJoCo Warp, {DEVICES[device]}"
+
+    columns: dict[str, Column] = {"engine": engine, "slip": "slip_mm", "drift": "drift_mm_s"}
     columns |= {"per cycle": "increment_mean_mm", "oscillation": "oscillation_mm"}
     columns |= {"wander": "wander_mm", "dropped": "dropped"}
-    return by_case([row for row in results.rows if "slip_mm" in row], columns)
-
-
-def _engine(results: Results, row: Row) -> str:
-    """Which engine on which device; MuJoCo's C engine computes on the CPU wherever it is called from."""
-    if row.backend == "mujoco":
-        return "MuJoCo C, CPU"
-    device = row["device"] if "device" in row else results.record.machine["device"]
-    return f"MuJoCo Warp, {DEVICES[device]}"
+    return arithmetic.by_case([row for row in results.rows if "slip_mm" in row], columns)
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:

@@ -11,7 +11,7 @@ from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import departure, difference, excess, ratio, share, table_of
+from report.shared.arithmetic import Column, departure, difference, excess, ratio, share, table_of
 from report.shared.timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
@@ -48,10 +48,8 @@ def derive(results: Results) -> Section:
 
 def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value) -> Claim:
     """The bound holds for each of FLOOR_COUNTS, so one that wasn't measured leaves it open."""
-    cells = {
-        count: over_floor.get(count) or cell(results, None, "frame_ms", f"a batch of {count} worlds")
-        for count in FLOOR_COUNTS
-    }
+    lost = {count: cell(results, None, "frame_ms", f"a batch of {count} worlds") for count in FLOOR_COUNTS}
+    cells = {count: over_floor.get(count, lost[count]) for count in FLOOR_COUNTS}
     worst = results.value("over_floor_worst", "largest of those at 1, 4096 and 16384 worlds", max, *cells.values())
     within, over = [], []
     formula = "how far the time of a frame is over the bound, of the bound"
@@ -71,13 +69,9 @@ def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value)
 def _rate(results: Results) -> Claim:
     bound = results.chosen("rate_bound", "what this GPU should reach", 6.0, unit="million world-substeps/s")
     row = results.row.get(f"worlds-{RATE_COUNT}")
-    rate = results.value(
-        "rate",
-        "world-substeps per second with the most worlds aimed for, in millions",
-        lambda per_second: 1e-6 * per_second,
-        cell(results, row, "world_substeps_per_s", f"a batch of {RATE_COUNT} worlds"),
-        unit=bound.unit,
-    )
+    per_second = cell(results, row, "world_substeps_per_s", f"a batch of {RATE_COUNT} worlds")
+    formula = "world-substeps per second with the most worlds aimed for, in millions"
+    rate = results.value("rate", formula, lambda number: 1e-6 * number, per_second, unit=bound.unit)
     return Claim("rate", at_least(rate, bound), {"worlds": row.worlds if row else "", "rate": rate, "bound": bound})
 
 
@@ -122,14 +116,10 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
 
 def _table(results: Results, rows: Sequence[Row], over_floor: Mapping[int, Value]) -> Table:
     formula = "time of a whole frame less that of its substeps as bare engine steps"
-    columns = {
-        "frame": "frame_ms",
-        "steps": "mjw_step_ms",
-        "frame / steps": lambda row: over_floor[row.worlds.value],
+    columns: dict[str, Column] = {
+        **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": lambda row: over_floor[row.worlds.value]},
         "rest": lambda row: difference(results, f"beside_{row.worlds.value}", formula, row.frame_ms, row.mjw_step_ms),
-        "all substeps": "world_substeps_per_s",
-        "memory": "bytes_per_world",
-        "buffers": "buffer_bytes_per_world",
+        **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
     }
     return table_of("worlds", [str(row.worlds) for row in rows], columns, rows)
 
@@ -145,8 +135,7 @@ def _draw_times(rows: Sequence[Row], over_floor: Mapping[int, Value], bound: Val
     draw_line(ratios, counts, list(over_floor.values()), 0, "")
     ratios.axhline(bound.value, color=INK, linewidth=1, linestyle="--")
     ratios.set_ylim(bottom=1.0)
-    ratios.set_ylabel("whole / alone")
-    ratios.set_xlabel("worlds")
+    ratios.set(ylabel="whole / alone", xlabel="worlds")
     world_axis(ratios, counts)
     return drawing
 
@@ -155,13 +144,12 @@ def _draw_capacity(rows: Sequence[Row]) -> Drawing:
     counts = [row.worlds.value for row in rows]
     drawing, (rates, memory) = new_figure(7.2, 4.6, nrows=2, sharex=True)
     draw_line(rates, counts, [row.world_substeps_per_s for row in rows], 0, "")
-    decade_axis(rates)
-    rates.set_ylabel("world-substeps/s")
     draw_line(memory, counts, [row.bytes_per_world for row in rows], 0, "all", scale=1e-3)
     draw_line(memory, counts, [row.buffer_bytes_per_world for row in rows], 1, "contacts and constraints", scale=1e-3)
-    decade_axis(memory)
-    memory.set_ylabel("per world [kB]")
-    memory.set_xlabel("worlds")
+    for axes in (rates, memory):
+        decade_axis(axes)
+    rates.set_ylabel("world-substeps/s")
+    memory.set(ylabel="per world [kB]", xlabel="worlds")
     memory.legend()
     world_axis(memory, counts)
     return drawing

@@ -30,7 +30,8 @@ def derive(results: Results, releases: Releases) -> Section:
     changed = _changed(*ends) if ends else []
     linted = _linted(results)
     solved = [row for row in linted if row.solver == MUJOCO]
-    unbuilt = sorted((row for row in _examples(results) if row.unbuilt), key=lambda row: (row.unbuilt, row.case))
+    lost = (row for row in results.rows if "unbuilt" in row and row.unbuilt)
+    unbuilt = sorted(lost, key=lambda row: (row.unbuilt, row.case))
     return Section(
         tables={
             "rules": _rule_table(results, surveys),
@@ -48,12 +49,8 @@ def derive(results: Results, releases: Releases) -> Section:
     )
 
 
-def _examples(results: Results) -> list[Row]:
-    return [row for row in results.rows if "unbuilt" in row]
-
-
 def _linted(results: Results) -> list[Row]:
-    return [row for row in _examples(results) if not row.unbuilt]
+    return [row for row in results.rows if "unbuilt" in row and not row.unbuilt]
 
 
 def _many_are_linted(results: Results, linted: Sequence[Row]) -> Claim:
@@ -97,8 +94,7 @@ def _changed(old: Results, new: Results) -> list[str]:
         return [(row.rule, row.parameter, _authored(row).value) for row in _findings(results, case)]
 
     both = {row.case for row in _linted(new)}
-    cases = [row.case for row in _linted(old) if row.case in both]
-    return [case for case in cases if told(old, case) != told(new, case)]
+    return [row.case for row in _linted(old) if row.case in both and told(old, row.case) != told(new, row.case)]
 
 
 def _releases_differ(results: Results, ends: Sequence[Results], changed: Sequence[str]) -> Claim:
@@ -117,46 +113,34 @@ def _changed_table(ends: Sequence[Results], changed: Sequence[str]) -> Table:
     """Show what is authored in the examples that changed, or words where it is not found, release beside release."""
     lines: list[tuple] = []
     for case in changed:
-        found = [_by_parameter(_findings(side, case)) for side in ends]
-        for said in dict.fromkeys([*found[0], *found[1]]):
-            values = zip_longest(*(side.get(said, []) for side in found), fillvalue="nothing")
+        found: list[dict[tuple[str, str], list[Quantity]]] = [{}, {}]
+        for side, at in zip(ends, found, strict=True):
+            for row in _findings(side, case):
+                at.setdefault((row.rule, row.parameter), []).append(_authored(row))
+        for said in found[0] | found[1]:
+            values = zip_longest(*(at.get(said, []) for at in found), fillvalue="nothing")
             lines += [(case, *said, *cells) for cells in values]
     names = ["rule", "parameter", *(side.edition for side in ends)]
     columns = {name: [line[place] for line in lines] for place, name in enumerate(names, start=1)}
     return table_of("example", [line[0] for line in lines], columns)
 
 
-def _by_parameter(findings: Sequence[Row]) -> dict[tuple[str, str], list[Quantity]]:
-    """Sort what is authored by rule and parameter."""
-    found: dict[tuple[str, str], list[Quantity]] = {}
-    for row in findings:
-        found.setdefault((row.rule, row.parameter), []).append(_authored(row))
-    return found
-
-
 def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
     """Count the examples in which each rule finds something, by release."""
-    formula = "examples in which the rule finds something"
-    columns = {
-        release: [
-            results.value(
-                f"{name}_in_{release}", formula, _positive_count, *[row[column] for row in _linted(found)], across=True
-            )
-            for name, column in RULES.items()
-        ]
-        for release, found in surveys.items()
-    }
-    return table_of("rule", RULES, columns)
+
+    def count(release: str, rule: str) -> Quantity:
+        cells = [row[RULES[rule]] for row in _linted(surveys[release])]
+        formula = "examples in which the rule finds something"
+        return results.value(f"{rule}_in_{release}", formula, _positive_count, *cells, across=True)
+
+    return table_of("rule", RULES, {release: [count(release, rule) for rule in RULES] for release in surveys})
 
 
 def _scene_table(results: Results, rows: Sequence[Row]) -> Table:
     """Show a line for each thing that is found in these examples."""
-    found = [(row, finding) for row in rows for finding in _findings(results, row.case)]
+    found = [finding for row in rows for finding in _findings(results, row.case)]
     columns: dict[str, Column] = {
-        "solver": [row.solver.removeprefix("Solver") for row, _ in found],
-        "rule": "rule",
-        "parameter": "parameter",
-        "authored": _authored,
-        "places": "place_count",
+        "solver": lambda row: results.row[row.scene].solver.removeprefix("Solver"),
+        **{"rule": "rule", "parameter": "parameter", "authored": _authored, "places": "place_count"},
     }
-    return table_of("example", [row.case for row, _ in found], columns, [finding for _, finding in found])
+    return table_of("example", [row.scene for row in found], columns, found)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Any
 
 from matplotlib.figure import Figure as Drawing
@@ -25,10 +26,8 @@ BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
-VARIANTS = (
-    *("plain", "noslip", "impratio", "pyramidal", "euler", "rk4", "half-timeconst", "half-step"),
-    *("term", "term-pyramidal", "term-rk4", "term-centred", *CURED),
-)
+VARIANTS: tuple[str, ...] = ("plain", *NO_HELP, "euler", "rk4", "half-timeconst", "half-step")
+VARIANTS += ("term", "term-pyramidal", "term-rk4", "term-centred", *CURED)
 """In the order of the figure: without the term and with it."""
 
 
@@ -47,11 +46,8 @@ def derive(results: Results) -> Section:
     )
     columns: dict[str, Column] = {label: _of_engine(measured, engine) for engine, label in ENGINES.items()}
     columns |= {"law": _of_engine(law, "c"), "start": "start_radius_mm", "end": "end_radius_mm"}
-    rates = Figure(
-        draw=lambda: _draw(measured, law),
-        sources=[row.growth_per_s for row in rows.values()],
-        numbers={"plain": measured["plain-warp"], "term": measured["term-warp"]},
-    )
+    numbers = {"plain": measured["plain-warp"], "term": measured["term-warp"]}
+    rates = Figure(lambda: _draw(measured, law), [row.growth_per_s for row in rows.values()], numbers)
     return Section(
         tables={"runs": table_of("run", map(case_html, VARIANTS), columns, _of_engine(rows, "c"))},
         figures={"rates": rates},
@@ -92,13 +88,10 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
 
 
 def _largest_gap(results: Results, name: str, formula: str, pairs: Sequence[tuple[Quantity, Quantity]]) -> Value:
-    return results.value(
-        name,
-        formula,
-        lambda *cells: max(abs(a - b) for a, b in zip(cells[::2], cells[1::2], strict=True)),
-        *(cell for pair in pairs for cell in pair),
-        unit="%/s",
-    )
+    def largest(*found: float) -> float:
+        return max(abs(a - b) for a, b in zip(found[::2], found[1::2], strict=True))
+
+    return results.value(name, formula, largest, *chain.from_iterable(pairs), unit="%/s")
 
 
 def _same_in_both(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:

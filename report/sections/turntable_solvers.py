@@ -27,7 +27,11 @@ Growths = Mapping[tuple[str, str], Value]
 
 def derive(results: Results) -> Section:
     rows = {(solver, step): results.row[f"{solver}-{step}"] for solver in SOLVERS for step in STEPS}
-    growths = {key: _growth(results, key, row) for key, row in rows.items() if row and row.stays}
+    growths = {}
+    for key, row in rows.items():
+        if row and row.stays:
+            formula = f"growth_per_s of {row.case}, in percent of the distance from the axis"
+            growths[key] = results.value("_".join(key), formula, lambda rate: 100 * rate, row.growth_per_s, unit="%/s")
     columns = {
         f"step of {step.replace('ms', ' ms')}": [_shown(rows, growths, (solver, step)) for solver in SOLVERS]
         for step in STEPS
@@ -36,11 +40,6 @@ def derive(results: Results) -> Section:
         tables={"solvers": table_of("solver", SOLVERS.values(), columns)},
         claims=[_only_here_it_stays(results, rows, growths), _kamino_walks_by_its_step(results, rows, growths)],
     )
-
-
-def _growth(results: Results, key: tuple[str, str], row: Row) -> Value:
-    formula = f"growth_per_s of {row.case}, in percent of the distance from the axis"
-    return results.value("_".join(key), formula, lambda rate: 100 * rate, row.growth_per_s, unit="%/s")
 
 
 def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
@@ -56,7 +55,7 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
     largest = extreme(results, "others_kept", "largest of the others", max, others)
     count = cell_count(results, "other_count", "others", others)
     lost = absent("%/s", "MuJoCo Warp does not hold the box, or was not run")
-    numbers = {"largest": largest, "count": count}
+    numbers: dict[str, Quantity] = {"largest": largest, "count": count}
     for name, step in (("long", LONG), ("short", SHORT)):
         numbers |= {name: rows["mujoco", step].step_ms, f"growth_{name}": growths.get(("mujoco", step)) or lost}
     outcome = all_of(at_least(mine, 0.9, why="about as much"), at_most(largest, 0.6, why="about half"))
@@ -64,17 +63,11 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
 
 
 def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
-    """A contact at rest at one end of a step, which moves by its velocity there, walks by half of what bends its
-    path."""
+    """A contact at rest at one end of a step moves by its velocity there: it walks by half of what bends its path."""
     found = growths.get(("kamino", LONG)) or absent("%/s", "Kamino does not hold the box, or was not run")
-    law = results.value(
-        "step_walk",
-        "ω² h / 2, in percent of the distance from the axis",
-        lambda step_ms, turn: 100 * turn**2 * 1e-3 * step_ms / 2,
-        rows["kamino", LONG].step_ms,
-        results.chosen("turn", "given: how fast the table turns [rad/s]", 2.0),
-        unit="%/s",
-    )
+    cells = rows["kamino", LONG].step_ms, results.chosen("turn", "given: how fast the table turns [rad/s]", 2.0)
+    formula = "ω² h / 2, in percent of the distance from the axis"
+    law = results.value("step_walk", formula, lambda ms, turn: 100 * turn**2 * 1e-3 * ms / 2, *cells, unit="%/s")
     off = departure(results, "step_walk_off", "growth over that, less one", found, law)
     return Claim("kamino_walks_by_its_step", at_most(off, 5.0, why="the same"), {"growth": found, "law": law})
 

@@ -8,7 +8,7 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, cases_html
 from report.sections.leave_out.variants import REFERENCE, is_identical
-from report.shared.arithmetic import difference, friction_rows_differ, largest_size, noise_floor, table_of
+from report.shared.arithmetic import Column, difference, friction_rows_differ, largest_size, noise_floor, table_of
 
 
 def change_in_double(results: Results, row: Row) -> Value:
@@ -32,7 +32,7 @@ def same_in_double(results: Results, rows: Sequence[Row], changes: Sequence[Valu
 
 
 def double_table(rows: Sequence[Row], changes: Sequence[Value]) -> Table:
-    columns = {
+    columns: dict[str, Column] = {
         "slip": "slip_mm",
         "change": changes,
         "same bits": lambda row: "reference" if row.of == REFERENCE else is_identical(row),

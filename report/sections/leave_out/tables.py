@@ -11,16 +11,7 @@ from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.sections.leave_out.variants import (
-    ALL,
-    REFERENCE,
-    Variant,
-    Variants,
-    is_identical,
-    reference_of,
-    row_of,
-    was_compared,
-)
+from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
 from report.shared.arithmetic import DEVICES, Column, cells_of, table_of
 from report.shared.drawing import name_lines
 
@@ -42,19 +33,18 @@ LEFT_OUT = {
 }
 
 
-def case_table(variants: Variants) -> Table:
-    names = list(dict.fromkeys(case for _, case in variants))
+def case_table(runs: Runs) -> Table:
+    names = list(dict.fromkeys(case for _, case in runs))
     return table_of("case", map(case_html, names), {"left out": [LEFT_OUT.get(name, "") for name in names]})
 
 
 def audit_table(results: Results) -> Table:
     rows = [row for row in results.rows if "item" in row]
     items = [row.item.split(", against ") for row in rows]
-    columns = {
+    columns: dict[str, Column] = {
         "there": lambda row: _whole(results, row, "present"),
         "used": lambda row: _whole(results, row, "used"),
-        "counted as used": [", ".join(item[1:]) for item in items],
-        "note": "note",
+        **{"counted as used": [", ".join(item[1:]) for item in items], "note": "note"},
     }
     columns = {name: cells for name, cells in cells_of(rows, columns).items() if any(cells)}
     return table_of("", [item[0] for item in items], columns)
@@ -68,59 +58,50 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_table(variants: Variants) -> Table:
-    counts = sorted({row.worlds.value for variant in variants.values() for row in variant.rows})
+def cost_table(timed: Timed, runs: Runs) -> Table:
     times = {
-        worlds_name(count): [row.frame_ms if row else "" for row in (each.at(count) for each in variants.values())]
-        for count in counts
+        worlds_name(count): [timed[(*run, count)].frame_ms if (*run, count) in timed else "" for run in runs]
+        for count in sorted({worlds for *_, worlds in timed})
     }
-    memory = [variant.run.buffer_bytes_per_world for variant in variants.values()]
-    return _table(variants, {**times, "memory": memory})
+    return _table(runs, {**times, "memory": "buffer_bytes_per_world"})
 
 
-def same_table(variants: Variants, differences: Mapping[str, Value]) -> Table:
-    columns = {
-        "slip": "slip_mm",
-        "change": [differences[variant.name] for variant in variants.values()],
-        "drift": "drift_mm_s",
-        "same bits": [_bits(variants, variant) for variant in variants.values()],
-        "apart": "pose_difference_mm",
-    }
-    return _table(variants, columns)
+def same_table(runs: Runs, differences: Mapping[tuple[str, str], Value]) -> Table:
+    references = [reference_of(runs, device) for device in DEVICES]
+
+    def bits(row: Row) -> bool | str:
+        if row in references:
+            return "reference"
+        return is_identical(row) if "differing_frame_count" in row else "not run"
+
+    columns = {"slip": "slip_mm", "change": list(differences.values()), "drift": "drift_mm_s"}
+    return _table(runs, {**columns, "same bits": bits, "apart": "pose_difference_mm"})
 
 
-def _table(variants: Variants, columns: Mapping[str, Column]) -> Table:
-    """Make a table with a line for each variant, after the device that it was run on."""
-    columns = {"on": [DEVICES[device] for device, _ in variants], **columns}
-    runs = [variant.run for variant in variants.values()]
-    return table_of("case", [case_html(case) for _, case in variants], columns, runs)
+def _table(runs: Runs, columns: Mapping[str, Column]) -> Table:
+    """Make a table with a line for each run, after the device that it was run on."""
+    columns = {"on": lambda row: DEVICES[row.device], **columns}
+    return table_of("case", [case_html(case) for _, case in runs], columns, runs.values())
 
 
-def _bits(variants: Variants, variant: Variant) -> bool | str:
-    if variant is reference_of(variants, variant.device):
-        return "reference"
-    return is_identical(variant.run) if was_compared(variant.run) else "not run"
-
-
-def cost_figure(variants: Variants, panels: Sequence[tuple[str, int]]) -> Figure:
-    timed = [(variant, row) for variant in variants.values() for row in variant.rows]
+def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
     times = Markup("; ").join(
-        Markup("{} on the {}, {}: {}").format(name_of(variant.case), DEVICES[device], worlds_name(worlds), row.frame_ms)
-        for device, worlds in dict.fromkeys((*panels[:1], *panels[-1:]))
-        for variant, row in timed
-        if (variant.device, row.worlds.value) == (device, worlds) and variant.case in (REFERENCE, ALL)
+        Markup("{} on the {}, {}: {}").format(name_of(case), DEVICES[device], worlds_name(worlds), row.frame_ms)
+        for panel in dict.fromkeys((*panels[:1], *panels[-1:]))
+        for (device, case, worlds), row in timed.items()
+        if (device, worlds) == panel and case in (REFERENCE, ALL)
     )
-    sources = [row.frame_ms for variant, row in timed if (variant.device, row.worlds.value) in panels]
-    return Figure(draw=lambda: _draw_cost(variants, panels), sources=sources, numbers={"times": times})
+    sources = [row.frame_ms for (device, _, worlds), row in timed.items() if (device, worlds) in panels]
+    return Figure(lambda: _draw_cost(timed, panels), sources, {"times": times})
 
 
-def _draw_cost(variants: Variants, panels: Sequence[tuple[str, int]]) -> Drawing:
-    names = list(dict.fromkeys(case for _, case in variants))
+def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
+    names = list(dict.fromkeys(case for _, case, _ in timed))
     drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
     for axes, (device, worlds) in zip(grid[0], panels, strict=True):
-        whole = row_of(variants, device, REFERENCE, worlds).frame_ms.value
+        whole = timed[device, REFERENCE, worlds].frame_ms.value
         for place, case in enumerate(names):
-            row = row_of(variants, device, case, worlds)
+            row = timed.get((device, case, worlds))
             if row and row.frame_ms.value is not None:
                 _draw_time(axes, place, row, whole)
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")

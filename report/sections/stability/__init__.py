@@ -11,30 +11,21 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability import extremes
 from report.sections.stability import steps as limits
-from report.sections.stability.classes import CLASSES, is_stable
-from report.sections.stability.families import count, family
+from report.sections.stability.families import count, family, family_claim
 from report.sections.stability.figures import draw_loads, draw_long, draw_maps, draw_plateau, draw_sizes, draw_steps
-from report.sections.stability.passing import DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, passing
+from report.sections.stability.passing import CLASSES, DEPTH_LARGEST, LIMIT_MARGIN, NEAR_FACTOR, is_stable, passing
 from report.shared.arithmetic import Column, by_case, cell_or_absent, table_of
 
 order = 145
 page = "limits"
 label = "limits"
 
-LET_GO = "the fingers let the cube go"
-STARTS = {
-    "pads-as-shipped": "shipped pads",
-    "pads-stiff": "stiff pads",
-    "ground": "the ground",
-    "ground-springy": "springy ground",
-}
+LET_GO = absent("mm/s", "the fingers let the cube go")
+STARTS = {"pads-as-shipped": "shipped pads", "pads-stiff": "stiff pads", "ground": "the ground"}
+STARTS |= {"ground-springy": "springy ground"}
 """What a cube starts too deep in."""
-THROWN = {
-    "overlap": "overlap_mm",
-    "exit speed": "exit_speed_mm_s",
-    "undamped spring": "exit_bound_mm_s",
-    "ends": "class",
-}
+THROWN = {"overlap": "overlap_mm", "exit speed": "exit_speed_mm_s", "undamped spring": "exit_bound_mm_s"}
+THROWN |= {"ends": "class"}
 
 
 def derive(results: Results) -> Section:
@@ -54,11 +45,11 @@ def derive(results: Results) -> Section:
         },
         figures={
             "maps": _maps(results, critical, default_kd),
-            "steps": _figure(lambda: draw_steps(family(results, "steps")), family(results, "steps"), near=near),
-            "plateau": _figure(lambda: draw_plateau(critical), critical),
+            "steps": _figure(draw_steps, family(results, "steps"), near=near),
+            "plateau": _figure(draw_plateau, critical),
             "loads": _loads(results),
-            "sizes": _figure(lambda: draw_sizes(family(results, "size"), depth.value), family(results, "size")),
-            "long": Figure(draw=lambda: draw_long(trace), sources=[trace]),
+            "sizes": _figure(lambda rows: draw_sizes(rows, depth.value), family(results, "size")),
+            "long": Figure(lambda: draw_long(trace), [trace]),
         },
         claims=[
             limits.safe(results, critical, default_kd),
@@ -66,25 +57,18 @@ def derive(results: Results) -> Section:
             limits.steps(results, near),
             limits.steps_order(results),
             limits.gain_goes(results),
-            limits.plateau(results, critical, near),
-            limits.boundary(results, default_kd, near),
+            family_claim(results, "clamp_plateau", [row for row in critical if row.clamped], near=near),
+            family_claim(results, "explicit_boundary", default_kd, near=near),
             limits.clamp(results),
             limits.leans_on_clamp(results),
             limits.largest_step(results, [found for _, found in predicted.values()]),
-            extremes.crossover(results, "shake", margin),
-            extremes.crossover(results, "grip", margin),
+            *(extremes.crossover(results, name, margin) for name in ("shake", "grip")),
             extremes.friction(results),
-            extremes.mass(results),
-            extremes.mass_grip(results),
-            extremes.mass_drift(results),
-            extremes.mass_sink(results),
+            *extremes.masses(results),
             extremes.size(results, depth),
             extremes.overlap(results),
-            extremes.gravity(results),
-            extremes.arm_gives_way(results),
-            extremes.freed(results),
-            extremes.long(results),
-            extremes.long_adds_up(results),
+            *extremes.gravity(results),
+            *extremes.long(results),
             extremes.buffers(results),
             extremes.neighbours(results),
             extremes.repeats_agree(results),
@@ -92,77 +76,67 @@ def derive(results: Results) -> Section:
     )
 
 
-def _figure(draw: Callable[[], Drawing], rows: Sequence[Row], **numbers: Markup | Value) -> Figure:
-    sources = [row.step_ms for row in rows] or [absent("s", "it was not measured")]
-    return Figure(draw=draw, sources=sources, numbers=numbers)
+def _figure(draw: Callable[[Sequence[Row]], Drawing], rows: Sequence[Row], **numbers: Markup | Value) -> Figure:
+    return Figure(lambda: draw(rows), [row.step_ms for row in rows] or [absent("s", "it was not measured")], numbers)
 
 
 def _maps(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Figure:
-    def explicit(ke: np.ndarray) -> np.ndarray:
-        kd = default_kd[0].pad_kd.value
-        return (np.sqrt(kd**2 + 4.0 * ke) - kd) / ke
-
+    kd = default_kd[0].pad_kd.value if default_kd else np.nan
     panels = [
         ("kd = 2√ke", critical, lambda ke: 0.5 / np.sqrt(ke), "timeconst is clamped to 2 dt"),
-        ("kd at its default", default_kd, explicit, "dt² ke + 2 dt kd > 4"),
+        ("kd at its default", default_kd, lambda ke: (np.sqrt(kd**2 + 4.0 * ke) - kd) / ke, "dt² ke + 2 dt kd > 4"),
     ]
     rows = [*critical, *default_kd]
     mine = {name: [row for row in rows if row["class"] == name] for name in CLASSES}
     formula = "cells of both maps that are"
     ends = [(count(results, f"maps_{name}_count", f"{formula} {name}", found), name) for name, found in mine.items()]
     said = Markup(", ").join(Markup("{} {}").format(*end) for end in ends if end[0].value)
-    return _figure(lambda: draw_maps(panels), rows if critical and default_kd else [], ends=said)
+    return _figure(lambda _: draw_maps(panels), rows if critical and default_kd else [], ends=said)
 
 
 def _loads(results: Results) -> Figure:
     shakes = family(results, "shake")
     frequencies = [row.shake_frequency_hz.value for row in shakes]
     common = max(set(frequencies), key=frequencies.count, default=0.0)
-    series = {
+    by_kind = {
         "amplitude": [row for row in shakes if row.shake_frequency_hz.value == common],
         "frequency": [row for row in shakes if row.shake_frequency_hz.value != common],
         "grip force": family(results, "grip"),
     }
-    series = {label: rows for label, rows in series.items() if rows}
-    return _figure(lambda: draw_loads(list(series.items())), [row for rows in series.values() for row in rows])
+    series = [(label, rows) for label, rows in by_kind.items() if rows]
+    return _figure(lambda _: draw_loads(series), [row for _, rows in series for row in rows])
 
 
 def _largest_step_table(rows: Sequence[Row], predicted: Mapping[str, tuple[Value, Value]]) -> Table:
     by_ke: dict[float, dict[str, Row]] = {}
     for row in sorted(rows, key=lambda row: row.pad_ke.value):
         by_ke.setdefault(row.pad_ke.value, {})[row.of] = row
-    critical, plain = ([found.get(of) for found in by_ke.values()] for of in ("ke-critical", "ke-kd-100"))
-    theory = [predicted[row.case] if row else ("", "") for row in plain]
-    columns = {
-        "kd = 2√ke": [row.largest_step_ms if row else "" for row in critical],
-        "default kd": [row.largest_step_ms if row else "" for row in plain],
-        "predicted": [step for step, _ in theory],
-        "found over predicted": [found for _, found in theory],
+    columns: dict[str, Column] = {
+        label: [found[of].largest_step_ms if of in found else "" for found in by_ke.values()]
+        for label, of in (("kd = 2√ke", "ke-critical"), ("default kd", "ke-kd-100"))
     }
+    theory = [predicted[found["ke-kd-100"].case] if "ke-kd-100" in found else ("", "") for found in by_ke.values()]
+    columns |= {"predicted": [step for step, _ in theory], "found over predicted": [found for _, found in theory]}
     return table_of("ke", [next(iter(found.values())).pad_ke.bare for found in by_ke.values()], columns)
 
 
 def _clamp_table(rows: Sequence[Row]) -> Table:
     ratios = {row.timeconst_steps.value: row.timeconst_steps for row in rows}
-    found = {(row.clamp, row.timeconst_steps.value): _ending(row) for row in rows}
+    found = {(row.clamp, row.timeconst_steps.value): row["class"] for row in rows}
+    for row in filter(is_stable, rows):
+        found[row.clamp, row.timeconst_steps.value] += Markup(" {}").format(row.creep_mm_s)
     falling = sorted(ratios, reverse=True)
     columns = {label: [found.get((way, ratio), "") for ratio in falling] for way, label in limits.UNCLAMPED.items()}
     return table_of("timeconst over dt", [ratios[ratio].bare for ratio in falling], columns)
-
-
-def _ending(row: Row) -> Markup | str:
-    return Markup("{} {}").format(row["class"], row.creep_mm_s) if is_stable(row) else row["class"]
 
 
 def _others_table(results: Results) -> Table:
     families = [family(results, name) for name in ("friction", "mass", "gravity", "buffers")]
     columns: dict[str, Column] = {
         "ends": lambda row: "let go" if _is_freed(row) else row["class"],
-        "drift": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.drift_mm_s,
-        "creep": lambda row: absent("mm/s", LET_GO) if _is_freed(row) else row.creep_mm_s,
-        "depth": "penetration_mm",
-        "hand sinks": "hand_sink_mm",
-        "friction needed": _friction_needed,
+        "drift": lambda row: LET_GO if _is_freed(row) else row.drift_mm_s,
+        "creep": lambda row: LET_GO if _is_freed(row) else row.creep_mm_s,
+        **{"depth": "penetration_mm", "hand sinks": "hand_sink_mm", "friction needed": _friction_needed},
         "as expected": [bool(passes) for members in families for passes in passing(members)],
     }
     return by_case([row for members in families for row in members], columns)
@@ -174,7 +148,7 @@ def _is_freed(row: Row) -> bool:
 
 def _friction_needed(row: Row) -> Quantity:
     if _is_freed(row):
-        return absent("1", LET_GO)
+        return absent("1", LET_GO.reason)
     if "pad_mu" in row and row.pad_mu.value == 0.0:
         return absent("1", "there is no friction to use")
     return cell_or_absent(row, "load", "1")

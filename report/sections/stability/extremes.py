@@ -1,6 +1,6 @@
 """Claims of section stability about loads, sizes, masses, bad starts, long runs and small buffers."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup
 
@@ -21,16 +21,14 @@ from measured_report.claims.claim import (
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.sections.stability.classes import CLASSES, is_stable
 from report.sections.stability.families import count, family, family_claim, least, most
-from report.sections.stability.passing import ENERGY_LARGEST, GROWTH_LARGEST, passed
+from report.sections.stability.passing import CLASSES, ENERGY_LARGEST, GROWTH_LARGEST, is_stable, passed
 from report.shared.arithmetic import cell_or_absent, extreme, share, size_difference
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
 GRIP_LEAST_N = 0.1
 """Grips that differ by no more than that are the same."""
-MASS_DRIFT_RATIO = 2.0
 SINK_LEAST_MM, NO_SINKING = 0.1, "no sinking"
 """A hand that comes down by no more than that has not come down."""
 
@@ -40,68 +38,55 @@ def crossover(results: Results, name: str, margin: Value) -> Claim:
     dropped = [row for row in rows if row["class"] == "dropped"]
     kept = most(results, f"{name}_kept", "largest load that holds", filter(is_stable, rows), "load")
     lost = least(results, f"{name}_lost", "least load that drops", dropped, "load")
-    over = {
-        kind: results.value(f"{name}_{kind}_over", f"{load.formula}, over the limit", _over, load, unit="%")
-        for kind, load in (("kept", kept), ("lost", lost))
-    }
+    over = {}
+    for kind, load in (("kept", kept), ("lost", lost)):
+        formula = f"{load.formula}, over the limit"
+        over[kind] = results.value(f"{name}_{kind}_over", formula, lambda share: 100.0 * (share - 1.0), load, unit="%")
     mu = results.value(f"{name}_mu", "given: friction coefficient of the pads", lambda: MU[name])
     also = decided(True, kept, lost)
     return family_claim(results, f"{name}_crossover", family(results, name), also, mu=mu, margin=margin, **over)
 
 
-def _over(load: float) -> float:
-    """How far a share of the limit is over it, in percent; negative below it."""
-    return 100.0 * (load - 1.0)
-
-
 def friction(results: Results) -> Claim:
     rows = sorted(family(results, "friction"), key=lambda row: row.pad_mu.value)
-    held = list(filter(is_stable, rows))
-    kept = least(results, "friction_kept", "least μ that holds", held, "pad_mu")
-    largest = most(results, "friction_most", "largest μ that holds", held, "pad_mu")
+    kept = least(results, "friction_kept", "least μ that holds", filter(is_stable, rows), "pad_mu")
+    largest = most(results, "friction_most", "largest μ that holds", filter(is_stable, rows), "pad_mu")
     also = contiguous([is_stable(row) for row in rows], kept, largest)
-    return family_claim(results, "friction_extremes", family(results, "friction"), also, kept=kept, most=largest)
+    return family_claim(results, "friction_extremes", rows, also, kept=kept, most=largest)
 
 
-def _by_mass(results: Results) -> list[Row]:
-    return sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
-
-
-def mass(results: Results) -> Claim:
-    rows = _by_mass(results)
+def masses(results: Results) -> Iterator[Claim]:
+    """Which masses are held, and how grip, drift and hand go with the mass."""
+    rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
     held = list(filter(is_stable, rows))
     light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
     heavy = most(results, "mass_most", "largest mass that is held", held, "cube_mass_kg")
     also = contiguous([is_stable(row) for row in rows], light, heavy)
-    return family_claim(results, "masses", rows, also, light=light, heavy=heavy)
+    yield family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
-
-def mass_grip(results: Results) -> Claim:
-    grips = [row.grip_force_n for row in _by_mass(results)] or [absent("N", "it was not measured")]
+    grips = [row.grip_force_n for row in rows] or [absent("N", "it was not measured")]
     outcome = increases(grips, noise=GRIP_LEAST_N, why="the same grip")
-    return Claim("mass_grip", outcome, {"least": grips[0], "most": grips[-1]})
+    yield Claim("mass_grip", outcome, {"least": grips[0], "most": grips[-1]})
+
+    yield _mass_drift(results, [row.drift_mm_s for row in held])
+
+    sinks = _sinks(rows)
+    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
+    heaviest = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
+    outcome = increases(sinks, noise=SINK_LEAST_MM, why=NO_SINKING)
+    yield Claim("mass_sink", outcome, {"sink": sink, "heavy": heaviest})
 
 
-def mass_drift(results: Results) -> Claim:
-    drifts = [row.drift_mm_s for row in _by_mass(results) if is_stable(row)]
+def _mass_drift(results: Results, drifts: Sequence[Quantity]) -> Claim:
     formula = "drift of masses that are held, in size"
     low = extreme(results, "mass_drift_least", f"least {formula}", lambda *found: min(map(abs, found)), drifts)
     high = extreme(results, "mass_drift_most", f"largest {formula}", lambda *found: max(map(abs, found)), drifts)
-    bound = results.chosen("mass_drift_bound", "alike", MASS_DRIFT_RATIO)
+    bound = results.chosen("mass_drift_bound", "alike", 2.0)
     formula = "the largest drift over that bound"
     allowed = results.value("mass_drift_allowed", formula, lambda a, b: a / b, high, bound, unit="mm/s")
     is_one_way = len({drift.value > 0 for drift in drifts if drift.value is not None}) == 1
     outcome = all_of(at_least(low, allowed), decided(is_one_way, *drifts))
     return Claim("mass_drift", outcome, {"low": low, "high": high, "bound": bound})
-
-
-def mass_sink(results: Results) -> Claim:
-    rows = _by_mass(results)
-    sinks = _sinks(rows)
-    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
-    heavy = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
-    outcome = increases(sinks, noise=SINK_LEAST_MM, why=NO_SINKING)
-    return Claim("mass_sink", outcome, {"sink": sink, "heavy": heavy})
 
 
 def _sinks(rows: Iterable[Row]) -> list[Quantity]:
@@ -111,30 +96,20 @@ def _sinks(rows: Iterable[Row]) -> list[Quantity]:
 def size(results: Results, bound: Value) -> Claim:
     rows = family(results, "size")
     kept = passed(rows)
-    shipped, scaled = (
-        least(
-            results,
-            f"size_{name}",
-            f"least edge that passes, grip {words}",
-            [row for row in kept if row.grip == grip],
-            "cube_edge_mm",
-        )
-        for name, words, grip in (("shipped", "as shipped", "as-shipped"), ("scaled", "scaled", "scaled"))
-    )
+    by_grip = {grip: [row for row in kept if row.grip == grip] for grip in ("as-shipped", "scaled")}
+    formula = "least edge that passes, grip"
+    shipped = least(results, "size_shipped", f"{formula} as shipped", by_grip["as-shipped"], "cube_edge_mm")
+    scaled = least(results, "size_scaled", f"{formula} scaled", by_grip["scaled"], "cube_edge_mm")
     smallest = {"as-shipped": shipped.value, "scaled": scaled.value}
-    small_ones_fail = None not in smallest.values() and all(
-        row.cube_edge_mm.value < smallest[row.grip] for row in rows if row not in kept
-    )
-    numbers = {"bound": bound, "shipped": shipped, "scaled": scaled, "small_ones_fail": small_ones_fail}
-    return family_claim(results, "sizes", rows, **numbers)
+    lost = [row for row in rows if row not in kept]
+    small = None not in smallest.values() and all(row.cube_edge_mm.value < smallest[row.grip] for row in lost)
+    return family_claim(results, "sizes", rows, bound=bound, shipped=shipped, scaled=scaled, small_ones_fail=small)
 
 
 def overlap(results: Results) -> Claim:
     rows = family(results, "overlap")
     formula = "exit speed over that of an undamped spring"
-    shares = [
-        share(results, f"exit_share_{row.case}", formula, row.exit_speed_mm_s, row.exit_bound_mm_s) for row in rows
-    ]
+    shares = [share(results, f"exit_share_{r.case}", formula, r.exit_speed_mm_s, r.exit_bound_mm_s) for r in rows]
     largest = extreme(results, "exit_share_most", "largest share", max, shares)
     most(results, "exit_fastest", "largest exit speed", rows, "exit_speed_mm_s")
     deepest = most(results, "overlap_deepest", "deepest start", rows, "overlap_mm")
@@ -142,21 +117,27 @@ def overlap(results: Results) -> Claim:
     return family_claim(results, "overlaps", rows, also, deepest=deepest, most=largest)
 
 
-def gravity(results: Results) -> Claim:
-    rows = [row for row in family(results, "gravity") if not row.freed]
-    lost = [row for row in rows if not is_stable(row)]
-    tried = Markup(", ").join(row.gravity_m_s2.bare for row in rows)
-    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
-    return family_claim(results, "gravities", rows, tried=tried, lost=text)
-
-
-def arm_gives_way(results: Results) -> Claim:
-    """Whether the hand sinks farther where gravity takes the cube than with any cube that is held, though friction
-    could carry it."""
-    pulled = [row for row in family(results, "gravity") if not row.freed]
+def gravity(results: Results) -> Iterator[Claim]:
+    """Which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
+    rows = family(results, "gravity")
+    pulled = [row for row in rows if not row.freed]
     lost = [row for row in pulled if not is_stable(row)]
+    tried = Markup(", ").join(row.gravity_m_s2.bare for row in pulled)
+    text = Markup(", ").join(Markup("{} ({})").format(row.gravity_m_s2, row["class"]) for row in lost)
+    yield family_claim(results, "gravities", pulled, tried=tried, lost=text)
+    yield _arm_gives_way(results, lost, filter(is_stable, [*pulled, *family(results, "mass")]))
+
+    freed = [row for row in rows if row.freed]
+    cells = [cell_or_absent(row, "energy_growth", "1") for row in freed]
+    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
+    at_rest = [row.case for row in passed(freed) if row.energy_growth.value is None]
+    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
+    yield family_claim(results, "freed_cube", freed, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
+
+
+def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
+    """Whether the hand sinks farther where gravity takes a cube than with any that is held, friction to spare."""
     sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
-    held = filter(is_stable, [*pulled, *family(results, "mass")])
     held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
     needed = "largest share of the friction that is needed there"
     load = results.value("gravity_load", needed, lambda *share: 100 * max(share), *(row.load for row in lost), unit="%")
@@ -167,50 +148,28 @@ def arm_gives_way(results: Results) -> Claim:
     return Claim("arm_gives_way", outcome, {"sink": sink, "load": load})
 
 
-def freed(results: Results) -> Claim:
-    rows = [row for row in family(results, "gravity") if row.freed]
-    cells = [cell_or_absent(row, "energy_growth", "1") for row in rows]
-    growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
-    at_rest = [row.case for row in passed(rows) if row.energy_growth.value is None]
-    also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
-    return family_claim(
-        results, "freed_cube", rows, also, growth=growth, at_rest=cases_html(at_rest) if at_rest else ""
-    )
-
-
-def long(results: Results) -> Claim:
-    rows = family(results, "long")
-    cells, ends = _long_cells(results), rows[0]["class"] if rows else ""
-    bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
-    formula = "creep per cycle in the first tenth times that bound"
-    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
-    is_lost = not all(map(is_stable, rows))
-    also = HOLDS if is_lost else at_most(cells["last"], allowed)
-    return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
-
-
-def _long_cells(results: Results) -> dict[str, Quantity]:
+def long(results: Results) -> Iterator[Claim]:
+    """Whether the long run speeds up, and whether it creeps all the time: as far as its first and last creep say."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
-    return {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+    cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
+    bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
+    formula = "creep per cycle in the first tenth times that bound"
+    allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
+    is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
+    also = HOLDS if is_lost else at_most(cells["last"], allowed)
+    yield family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
 
+    def of_expected(slip: float, first: float, last: float, seconds: float) -> float:
+        return 100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
 
-def long_adds_up(results: Results) -> Claim:
-    """Whether the cube creeps all the time: as far as by the mean of its first and its last creep."""
-    cells = _long_cells(results)
-    found = results.value(
-        "long_slip_share",
-        "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles",
-        lambda slip, first, last, seconds: (
-            100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
-        ),
-        *(cells[name] for name in ("slip", "first", "last", "duration")),
-        unit="%",
-    )
+    formula = "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles"
+    sources = (cells[name] for name in ("slip", "first", "last", "duration"))
+    found = results.value("long_slip_share", formula, of_expected, *sources, unit="%")
     why = "about as far as that"
     outcome = all_of(at_least(found, 90.0, why=why), at_most(found, 110.0, why=why))
-    return Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
+    yield Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
 
 
 def buffers(results: Results) -> Claim:
@@ -240,10 +199,8 @@ def neighbours(results: Results) -> Claim:
 def repeats_agree(results: Results) -> Claim:
     rows = [row for row in results.rows if (row.repeat_count.value or 0) > 1]
     split = [row for row in rows if len(set(row["classes"].split(", ")) & set(CLASSES)) > 1]
-    numbers = {
-        "total": count(results, "repeated_count", "cases with repeats", rows),
-        "repeats": least(results, "repeats_least", "least number of repeats", rows, "repeat_count"),
-        "split": count(results, "split_count", "cases whose repeats end in different classes", split),
-    }
-    outcome = at_most(numbers["split"], 0, why="none") if rows else Outcome("unknown", "no case was repeated")
-    return Claim("repeats_agree", outcome, numbers)
+    repeated = count(results, "repeated_count", "cases with repeats", rows)
+    repeats = least(results, "repeats_least", "least number of repeats", rows, "repeat_count")
+    differing = count(results, "split_count", "cases whose repeats end in different classes", split)
+    outcome = at_most(differing, 0, why="none") if rows else Outcome("unknown", "no case was repeated")
+    return Claim("repeats_agree", outcome, {"total": repeated, "repeats": repeats, "split": differing})

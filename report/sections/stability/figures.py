@@ -24,8 +24,7 @@ from measured_report.parts.figures import (
     write,
 )
 from measured_report.values.results import Row, Series
-from report.sections.stability.classes import CLASSES, is_stable
-from report.sections.stability.passing import NEAR_FACTOR, near_limit
+from report.sections.stability.passing import CLASSES, NEAR_FACTOR, is_stable, near_limit
 from report.shared.drawing import mark_points
 
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
@@ -48,19 +47,13 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
     handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
     rate, rates = ("", "creeping") if is_narrow() else ("$1.2$", "creeping [mm/s]")
     with matplotlib.rc_context({"text.parse_math": True}):  # a mark that is text is a formula to Matplotlib
-        marks = [
-            Line2D([], [], linestyle="", marker=mark or rate, color=MAP_INK, markersize=6 if mark else 11)
-            for mark in MARKS
-        ]
+        style: dict[str, Any] = {"linestyle": "", "color": MAP_INK}
+        marks = [Line2D([], [], marker=mark or rate, markersize=6 if mark else 11, **style) for mark in MARKS]
     pairs: list[Any] = list(zip(handles, marks, strict=True))
-    drawing.legend(
-        [*pairs, Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)],
-        [*(rates if name == "creeping" else name for name in CLASSES), "clamped"],
-        loc="outside upper center",
-        ncols=4,
-        fontsize=9,
-        handlelength=2.6,
-    )
+    clamped = Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)
+    names = [*(rates if name == "creeping" else name for name in CLASSES), "clamped"]
+    place = {"loc": "outside upper center", "ncols": 4, "fontsize": 9, "handlelength": 2.6}
+    drawing.legend([*pairs, clamped], names, **place)
     return drawing
 
 
@@ -75,7 +68,10 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set(xscale="log", yscale="log", xlim=edges_x[[0, -1]], ylim=edges_y[[0, -1]])
     axes.grid(False)
     for number, colour in enumerate(COLOURS):
-        _fill(axes, colour, edges_x, edges_y, np.argwhere(grid == number))
+        corners = [[(x, y), (x, y + 1), (x + 1, y + 1), (x + 1, y)] for y, x in np.argwhere(grid == number)]
+        outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
+        if outlines:  # the cells of a colour are one shape
+            axes.add_patch(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
     clamped = [(x, y) for (x, y), row in cells.items() if "clamped" in row and row.clamped]
     lines = [point for line in _hatching(clamped, ke, steps, edges_x, edges_y) for point in (*line, (np.nan, np.nan))]
     if lines:  # one line with gaps, which takes a tenth of the room that a line for each takes
@@ -92,17 +88,8 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
     tick_at(axes.yaxis, steps, digits=2)
 
 
-def _fill(axes: Axes, colour: str, edges_x: np.ndarray, edges_y: np.ndarray, places: np.ndarray) -> None:
-    """Cells at ``places``, rows of their numbers in y and x, as one shape."""
-    corners = [[(x, y), (x, y + 1), (x + 1, y + 1), (x + 1, y)] for y, x in places]
-    outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
-    if outlines:
-        axes.add_patch(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
-
-
 def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
-    """Slanting lines over the cells at ``places``, as fractions of a cell: one corner to the other, and one on each
-    side."""
+    """Slanting lines over the cells at ``places``: from one corner to the other, and one on each side."""
     lines = []
     for x, y in places:
         left, right = edges_x[ke.index(x) :][:2]
@@ -147,13 +134,11 @@ def draw_plateau(rows: Sequence[Row]) -> Drawing:
     for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
         mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
         label = f"{write(mine[0].step_ms)} ms"
-        mine = [row for row in mine if is_stable(row)]
+        points = {(row.pad_ke.value, row.penetration_mm.value): row.clamped for row in mine if is_stable(row)}
         colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
-        points = [(row.pad_ke.value, row.penetration_mm.value) for row in mine]
         axes.plot([x for x, _ in points], [y for _, y in points], color=colour, linestyle=style, marker="", label=label)
-        for is_clamped in (False, True):
-            at = [point for row, point in zip(mine, points, strict=True) if row.clamped is is_clamped]
-            mark, face = ("s", colour) if is_clamped else ("o", "none")
+        for is_clamped, mark, face in ((False, "o", "none"), (True, "s", colour)):
+            at = [point for point, clamped in points.items() if clamped is is_clamped]
             mark_points(axes, at, marker=mark, color=colour, markerfacecolor=face)
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="depth in the pads [mm]")
     tick_decades(axes.xaxis)
@@ -170,12 +155,8 @@ def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
     colours = (SERIES[2], SERIES[0], SERIES[1], SERIES[3], SERIES[5], INK)
     marks = ("o", "s", "v", "*", "P", "x")
     for name, colour, mark in zip(CLASSES, colours, marks, strict=True):
-        found = [
-            (row.load.value, place)
-            for place, (_, rows) in enumerate(series)
-            for row in rows
-            if row["class"] == name and row.load.value is not None
-        ]
+        rows = [(row, place) for place, (_, mine) in enumerate(series) for row in mine if row["class"] == name]
+        found = [(row.load.value, place) for row, place in rows if row.load.value is not None]
         if found:
             axes.scatter(*zip(*found, strict=True), color=colour, marker=mark, s=40, label=name, alpha=0.9, zorder=3)
     axes.set_yticks(range(len(series)), [label for label, _ in series])

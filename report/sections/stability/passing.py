@@ -3,17 +3,16 @@
 A stable run that lacks a number by which it is judged is not judged.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
+from experiments.facts import classes
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
-from report.sections.stability.classes import is_stable
 
-Judge = Callable[[Row], bool | None]
-"""Tells whether a row passes; None where nothing is asked of it."""
-
+CLASSES = classes.CLASSES[::-1]
+"""How a run ends, from the best to the worst."""
 DEPTH_LARGEST = 1.0
 """Depth in stiff pads, at most, in percent of the edge."""
 GROWTH_LARGEST = 1.1
@@ -26,13 +25,15 @@ NEAR_FACTOR = 2.0
 """Numbers that are alike are no more than this factor apart."""
 
 
+def is_stable(row: Row) -> bool:
+    return row["class"] in classes.STABLE
+
+
 def passing(rows: Sequence[Row]) -> list[bool | None]:
-    """Judge the rows of one family; rows that are judged by each other must all be among them."""
+    """Judge the rows of one family, all of it where they are judged by each other; None where nothing is asked."""
     whole = [row for row in rows if all(cell.value is not None for cell in judged_by(row))]
-    if not whole:
-        return [None] * len(rows)
-    judge = ALONE.get(whole[0].family) or TOGETHER[whole[0].family](whole)
-    verdicts = {row: judge(row) for row in whole}
+    judge = TOGETHER.get(whole[0].family) if whole else None
+    verdicts = dict(zip(whole, judge(whole) if judge else map(_passes_alone, whole), strict=True))
     return [verdicts.get(row) for row in rows]
 
 
@@ -45,18 +46,15 @@ def passed(rows: Sequence[Row]) -> list[Row]:
     return [row for row, passes in zip(rows, passing(rows), strict=True) if passes]
 
 
-def _steps(rows: Sequence[Row]) -> Judge:
+def _steps(rows: Sequence[Row]) -> list[bool | None]:
     """Stable, and the drift near to that with the smallest step."""
-    converged = {row.pads: row.drift_mm_s.value for row in sorted(rows, key=lambda row: row.substeps.value)}
-
-    def passes(row: Row) -> bool:
-        last = converged[row.pads]
-        return is_stable(row) and last is not None and _is_near(row.drift_mm_s.value, last)
-
-    return passes
+    last = {row.pads: row.drift_mm_s.value for row in sorted(rows, key=lambda row: row.substeps.value)}
+    return [
+        is_stable(row) and last[row.pads] is not None and _is_near(row.drift_mm_s.value, last[row.pads]) for row in rows
+    ]
 
 
-def _critical(rows: Sequence[Row]) -> Judge:
+def _critical(rows: Sequence[Row]) -> list[bool | None]:
     """Finite, and where the clamp is at work nearly as deep in the pads as the other clamped cells of the same step:
     the clamp predicts the same stiffness for them all."""
     depths: dict[int, list[float]] = {}
@@ -64,16 +62,15 @@ def _critical(rows: Sequence[Row]) -> Judge:
         if row.clamped and is_stable(row):
             depths.setdefault(row.substeps.value, []).append(row.penetration_mm.value)
     plateau = {substeps: float(np.median(found)) for substeps, found in depths.items()}
+    return [
+        is_stable(row) and _is_near(row.penetration_mm.value, plateau[row.substeps.value])
+        if row.clamped
+        else row.finite
+        for row in rows
+    ]
 
-    def passes(row: Row) -> bool:
-        if not row.clamped:
-            return row.finite
-        return is_stable(row) and _is_near(row.penetration_mm.value, plateau[row.substeps.value])
 
-    return passes
-
-
-def _kd_100(rows: Sequence[Row]) -> Judge:
+def _kd_100(rows: Sequence[Row]) -> list[bool | None]:
     """Stable where the explicit bound says so with the factor to spare, and not stable where it is exceeded as much. A
     contact too soft to hold the cube at any step says nothing of the step."""
     held = {row.pad_ke.value for row in rows if is_stable(row)}
@@ -82,11 +79,9 @@ def _kd_100(rows: Sequence[Row]) -> Judge:
         margin = explicit_margin(row.pad_ke.value, row.pad_kd.value, 1e-3 * row.step_ms.value)
         if margin > NEAR_FACTOR:
             return not is_stable(row)
-        if margin >= 1.0 / NEAR_FACTOR or row.pad_ke.value not in held:
-            return None
-        return is_stable(row)
+        return is_stable(row) if margin < 1.0 / NEAR_FACTOR and row.pad_ke.value in held else None
 
-    return passes
+    return list(map(passes, rows))
 
 
 def explicit_margin(ke: float, kd: float, step_s: float) -> float:
@@ -98,61 +93,42 @@ def explicit_margin(ke: float, kd: float, step_s: float) -> float:
     return (step_s**2 * ke + 2.0 * step_s * kd) / 4.0
 
 
-def _clamp(rows: Sequence[Row]) -> Judge:
+def _clamp(rows: Sequence[Row]) -> list[bool | None]:
     """All runs of one way pass when some of them fail and some do not: the failure has been found."""
     found = {(row.clamp, is_stable(row)) for row in rows}
-    return lambda row: {(row.clamp, True), (row.clamp, False)} <= found
+    return [{(row.clamp, True), (row.clamp, False)} <= found for row in rows]
 
 
-def _load(row: Row) -> bool | None:
-    """Held well below what friction can carry, dropped well above."""
-    low, high = near_limit()
-    load = row.load.value
-    if load is None:
-        return False
-    if load < low:
-        return is_stable(row)
-    return row["class"] == "dropped" if load > high else None
+def _passes_alone(row: Row) -> bool | None:
+    match row.family:
+        case "shake" | "grip":  # held well below what friction can carry, dropped well above
+            (low, high), load = near_limit(), row.load.value
+            if load is None or load > high:
+                return load is not None and row["class"] == "dropped"
+            return is_stable(row) if load < low else None
+        case "friction":
+            return row.finite and (row.pad_mu.value > 0.0 or row["class"] == "dropped")
+        case "size":
+            return is_stable(row) and row.penetration_mm.value < 0.01 * DEPTH_LARGEST * row.cube_edge_mm.value
+        case "overlap":  # thrown out no faster than by an undamped spring
+            return is_stable(row) and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value
+        case "gravity" if row.finite and row.freed:  # a cube that is let go gains no energy
+            return row.freed_speed_last_mm_s.value**2 <= ENERGY_LARGEST * row.freed_speed_first_mm_s.value**2
+        case "buffers" if row.case == "buffers-ample":
+            return is_stable(row)
+        case "buffers":  # the failure names the buffer that was too small
+            return row.failure is not None and f"the {row.case.split('-')[1]} buffer" in row.failure
+        case "long":  # creeps no faster in the end than in the beginning
+            first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
+            return is_stable(row) and last <= GROWTH_LARGEST * first
+        case "mass" | "gravity":
+            return row.finite
+    raise LookupError(f"nothing says when a run of {row.family} passes")
 
 
 def near_limit() -> tuple[float, float]:
     """Between these shares of what friction can carry nothing is asked."""
     return 1.0 - 0.01 * LIMIT_MARGIN, 1.0 + 0.01 * LIMIT_MARGIN
-
-
-def _friction(row: Row) -> bool:
-    """Finite, and dropped where there is no friction."""
-    return row.finite and (row.pad_mu.value > 0.0 or row["class"] == "dropped")
-
-
-def _size(row: Row) -> bool:
-    """Stable, and not deep in the pads."""
-    return is_stable(row) and row.penetration_mm.value < 0.01 * DEPTH_LARGEST * row.cube_edge_mm.value
-
-
-def _overlap(row: Row) -> bool:
-    """Stable, and thrown out no faster than by an undamped spring."""
-    return is_stable(row) and row.exit_speed_mm_s.value <= row.exit_bound_mm_s.value
-
-
-def _gravity(row: Row) -> bool:
-    """Finite, and a cube that is let go gains no energy."""
-    if not (row.finite and row.freed):
-        return row.finite
-    return row.freed_speed_last_mm_s.value**2 <= ENERGY_LARGEST * row.freed_speed_first_mm_s.value**2
-
-
-def _buffers(row: Row) -> bool:
-    """The failure names the buffer that was too small; with ample room there is none."""
-    if row.case == "buffers-ample":
-        return is_stable(row)
-    return row.failure is not None and f"the {row.case.split('-')[1]} buffer" in row.failure
-
-
-def _long(row: Row) -> bool:
-    """Stable, and creeping no faster in the end than in the beginning."""
-    first, last = row.increment_first_mm_per_cycle.value, row.increment_last_mm_per_cycle.value
-    return is_stable(row) and last <= GROWTH_LARGEST * first
 
 
 def _is_near(value: float, other: float) -> bool:
@@ -169,14 +145,5 @@ JUDGED_BY = {
     "overlap": ("exit_speed_mm_s", "exit_bound_mm_s"),
     "long": ("increment_first_mm_per_cycle", "increment_last_mm_per_cycle"),
 }
-TOGETHER: dict[str, Callable[[Sequence[Row]], Judge]] = {
-    "steps": _steps,
-    "ke-critical": _critical,
-    "ke-kd-100": _kd_100,
-    "clamp": _clamp,
-}
+TOGETHER = {"steps": _steps, "ke-critical": _critical, "ke-kd-100": _kd_100, "clamp": _clamp}
 """Families whose rows are judged by each other."""
-ALONE: dict[str, Judge] = {
-    **{"shake": _load, "grip": _load, "friction": _friction, "mass": lambda row: row.finite, "size": _size},
-    **{"overlap": _overlap, "gravity": _gravity, "buffers": _buffers, "long": _long},
-}

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from markupsafe import Markup
 
@@ -20,9 +21,8 @@ from measured_report.claims.claim import (
 )
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.sections.stability.classes import is_stable
 from report.sections.stability.families import count, family, family_claim, least, most
-from report.sections.stability.passing import passed
+from report.sections.stability.passing import is_stable, passed
 from report.shared.arithmetic import departure, extreme, friction_rows_differ, log_slope, other_value, ratio
 
 UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
@@ -53,8 +53,7 @@ def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -
 
 
 def lifted_stands_more(results: Results) -> Claim:
-    """Whether the largest ke with kd at its default that section stiffness saw hold is as large as the one here: there
-    the cube is lifted, in one run of each ke."""
+    """Whether at the default kd section stiffness, which lifts the cube once with each ke, saw as large a ke hold."""
     lifted = other_value(results, "stiffness", "ke_alone_last")
     return Claim("lifted_stands_more", at_least(lifted, results.derived["kd_100_ke"]), {"lifted": lifted})
 
@@ -66,17 +65,13 @@ def steps(results: Results, near: Value) -> Claim:
     stiff = [row for row in kept if row.pads == "stiff"]
     step = most(results, "stiff_step", "largest step at which stiff pads pass", stiff, "step_ms")
     lost = [row for row in rows if row not in kept]
-    return family_claim(
-        results,
-        "steps",
-        rows,
-        near=near,
-        stable=count(results, "steps_stable", "of them, runs that keep the cube", stable),
-        step=step,
-        some_are_lost=len(stable) < len(rows),
-        friction_rows_differ=friction_rows_differ(results.others.get("contacts")),
-        failed_are_stiff=all(row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in lost),
-    )
+    numbers: dict[str, Any] = {
+        **{"near": near, "step": step, "some_are_lost": len(stable) < len(rows)},
+        "stable": count(results, "steps_stable", "of them, runs that keep the cube", stable),
+        "friction_rows_differ": friction_rows_differ(results.others.get("contacts")),
+        "failed_are_stiff": all(row.pads == "stiff" and row.step_ms.value > (step.value or 0.0) for row in lost),
+    }
+    return family_claim(results, "steps", rows, **numbers)
 
 
 def steps_order(results: Results) -> Claim:
@@ -84,55 +79,37 @@ def steps_order(results: Results) -> Claim:
     rows = [row for row in family(results, "steps") if row.pads == "stiff"]
     by_step = sorted(rows, key=lambda row: row.step_ms.value)
     noise = most(results, "steps_noise", "how far apart repeats creep, at most", rows, "creep_floor_mm_s")
-    exponent = _step_exponent(results, rows)
+    # Where hardly anything slides, the sign may be another than with long steps.
+    drifting = [row for row in rows if is_stable(row) and (row.drift_mm_s.value or 0.0) > 0.0]
+    cells, half = [row[column] for column in ("drift_mm_s", "step_ms") for row in drifting], len(drifting)
+    formula = "slope of a line through the logarithms of drift and step, stiff pads, runs with a drift above zero"
+
+    def slope(*found: float) -> float:
+        return log_slope(found[half:], found[:half]) if half > 1 else math.nan
+
+    exponent = results.value("steps_exponent", formula, slope, *cells)
     one = results.chosen("steps_exponent_of_proportion", "in proportion", 1.0)
     off = departure(results, "steps_exponent_off", "how far the exponent is from one", exponent, one)
     rises = increases([row.drift_mm_s for row in by_step], noise=noise)
     return Claim("steps_order", all_of(rises, at_most(off, 10.0, why="about in proportion")), {"exponent": exponent})
 
 
-def _step_exponent(results: Results, rows: Sequence[Row]) -> Value:
-    """Of those that drift the way they do with long steps: where hardly anything slides, the sign may be another."""
-    drifting = [row for row in rows if is_stable(row) and (row.drift_mm_s.value or 0.0) > 0.0]
-    half = len(drifting)
-    return results.value(
-        "steps_exponent",
-        "slope of a line through the logarithms of drift and step, stiff pads, runs with a drift above zero",
-        lambda *found: log_slope(found[half:], found[:half]) if half > 1 else math.nan,
-        *(row.drift_mm_s for row in drifting),
-        *(row.step_ms for row in drifting),
-    )
-
-
 def gain_goes(results: Results) -> Claim:
     """What stiff pads gain against shipped ones, from the shipped step to the longest."""
     runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
     counts = [number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps]
-    gains = [
-        results.value(
-            f"step_gain_{number}",
-            f"drift of shipped pads over that of stiff ones, {number} substeps, in size",
-            lambda shipped, stiff: abs(shipped / stiff),
-            runs["as-shipped", number].drift_mm_s,
-            runs["stiff", number].drift_mm_s,
-        )
-        for number in sorted(counts, reverse=True)
-        if ("as-shipped", number) in runs
-    ]
+    gains = []
+    for number in sorted(counts, reverse=True):
+        if ("as-shipped", number) in runs:
+            formula = f"drift of shipped pads over that of stiff ones, {number} substeps, in size"
+            drifts = runs["as-shipped", number].drift_mm_s, runs["stiff", number].drift_mm_s
+            gains.append(results.value(f"step_gain_{number}", formula, lambda a, b: abs(a / b), *drifts))
     if len(gains) < 2:
         return Claim("gain_goes", Outcome("unknown", "it was not measured with longer steps"))
     falls = decreases([gains[0], gains[1], gains[-1]], noise=0.1, why="the same gain")
     ends = all_of(at_least(gains[0], 2.0, why="a gain"), at_most(gains[-1], 2.0, why="a gain"))
     numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}
     return Claim("gain_goes", all_of(ends, falls), numbers)
-
-
-def plateau(results: Results, rows: Sequence[Row], near: Value) -> Claim:
-    return family_claim(results, "clamp_plateau", [row for row in rows if row.clamped], near=near)
-
-
-def boundary(results: Results, rows: Sequence[Row], near: Value) -> Claim:
-    return family_claim(results, "explicit_boundary", rows, near=near)
 
 
 def clamp(results: Results) -> Claim:
@@ -158,12 +135,10 @@ def leans_on_clamp(results: Results) -> Claim:
     outcome = decided(not any(kept), *times) if long else Outcome("unknown", "it was not measured")
     if outcome == FAILS and all(kept):
         outcome = OPPOSITE.having_read(*times)
-    numbers = {
-        "count": count(results, "clamp_long_count", "runs without the clamp that need none", long),
-        "most": extreme(results, "clamp_longest", "largest timeconst over dt", max, times),
-        "own": friction_rows_differ(results.others.get("contacts")),
-    }
-    return Claim("leans_on_clamp", outcome, numbers)
+    number = count(results, "clamp_long_count", "runs without the clamp that need none", long)
+    longest = extreme(results, "clamp_longest", "largest timeconst over dt", max, times)
+    own = friction_rows_differ(results.others.get("contacts"))
+    return Claim("leans_on_clamp", outcome, {"count": number, "most": longest, "own": own})
 
 
 def largest_step(results: Results, ratios: Sequence[Value]) -> Claim:
@@ -181,20 +156,12 @@ def predict_step(results: Results, row: Row) -> tuple[Value, Value]:
     The second is there if a step was seen to hold and a larger one to fail.
     """
     name = f"{row.of}_{row.pad_ke.value:.3g}".replace("+", "")
-    predicted = results.value(
-        f"predicted_step_{name}",
-        "step at which dt² ke + 2 dt kd is 4",
-        lambda ke, kd: 1e3 * ((kd**2 + 4 * ke) ** 0.5 - kd) / ke,
-        row.pad_ke,
-        row.pad_kd,
-        unit="ms",
-    )
-    found = results.value(
-        f"step_ratio_{name}",
-        "geometric mean of the largest step that holds and the least that fails, over the predicted",
-        lambda found, failing, predicted: (found * failing) ** 0.5 / predicted,
-        row.largest_step_ms,
-        row.failing_step_ms,
-        predicted,
-    )
-    return predicted, found
+
+    def step_ms(ke: float, kd: float) -> float:
+        return 1e3 * ((kd**2 + 4 * ke) ** 0.5 - kd) / ke
+
+    formula = "step at which dt² ke + 2 dt kd is 4"
+    predicted = results.value(f"predicted_step_{name}", formula, step_ms, row.pad_ke, row.pad_kd, unit="ms")
+    formula = "geometric mean of the largest step that holds and the least that fails, over the predicted"
+    cells = row.largest_step_ms, row.failing_step_ms, predicted
+    return predicted, results.value(f"step_ratio_{name}", formula, lambda a, b, c: (a * b) ** 0.5 / c, *cells)

@@ -6,9 +6,9 @@ from experiments.facts.case import AS_SHIPPED
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
+from report.sections.stiffness import knobs
 from report.sections.stiffness.cause import cause, drift_follows_timeconst, not_creep_under_load
 from report.sections.stiffness.figures import draw_law, draw_sweep
-from report.sections.stiffness.knobs import knob_claims
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, drift_without_slide, is_held
 from report.shared.arithmetic import Column, by_case
 
@@ -32,16 +32,10 @@ def derive(results: Results) -> Section:
     columns = COLUMNS | {
         "1 − dmax": [results.value(f"give_{row.case}", "1 - dmax", lambda a: 1 - a, row.dmax) for row in runs.named]
     }
-    sweep = Figure(
-        draw=lambda: draw_sweep(runs, clamp.value),
-        sources=[row.slip_mm for row in runs.held],
-        numbers={"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp},
-    )
-    law = Figure(
-        draw=lambda: draw_law(runs, results),
-        sources=[row.drift_mm_s for row in runs.held],
-        numbers={"has_rest": drift_without_slide(results).value is not None},
-    )
+    numbers = {"shipped": results.row[SHIPPED].slip_mm, "fix": results.row[FIX].slip_mm, "clamp": clamp}
+    sweep = Figure(lambda: draw_sweep(runs, clamp.value), [row.slip_mm for row in runs.held], numbers)
+    has_rest = drift_without_slide(results).value is not None
+    law = Figure(lambda: draw_law(runs, results), [row.drift_mm_s for row in runs.held], {"has_rest": has_rest})
     return Section(
         tables={"cases": by_case(runs.named, columns)},
         figures={"sweep": sweep, "law": law},
@@ -49,7 +43,12 @@ def derive(results: Results) -> Section:
             cause(results, proportional),
             proportional,
             not_creep_under_load(results),
-            *knob_claims(results, runs, clamp),
+            knobs.ke_is_no_spring(results),
+            knobs.ke_alone_does_not_help(results, runs),
+            knobs.stiff_contact_still_slips(results),
+            knobs.ke_alone_fails(results, runs),
+            knobs.together_they_hold(results),
+            knobs.flat_below_clamp(results, runs, clamp),
         ],
     )
 

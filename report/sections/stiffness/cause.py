@@ -42,10 +42,7 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
             "dmax times the timeconst of the friction rows, their own where they have one, and two substeps where it "
             "is less than that",
             lambda dmax, normal, own, shortest: dmax * max(own or normal, shortest),
-            row.dmax,
-            row.timeconst_s,
-            row.friction_timeconst_s,
-            least,
+            *(row.dmax, row.timeconst_s, row.friction_timeconst_s, least),
             unit="s",
         )
         for row in rows
@@ -57,25 +54,22 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
         )
         for row, time in zip(rows, times, strict=True)
     ]
-    spread = results.value(
-        "rate_spread",
-        "largest departure of these rates from their median, of the median",
-        lambda *found: 100 * max(abs(rate / median(found) - 1) for rate in found),
-        *rates,
-        unit="%",
-    )
+
+    def departure(*found: float) -> float:
+        return 100 * max(abs(rate / median(found) - 1) for rate in found)
+
+    formula = "largest departure of these rates from their median, of the median"
+    spread = results.value("rate_spread", formula, departure, *rates, unit="%")
     formula = "longest over shortest dmax times timeconst"
     width = results.value("response_range", formula, lambda *found: max(found) / min(found), *times)
     bound = results.chosen("rate_spread_bound", "one law", 15.0, unit="%")
-    noise = results.value(
-        "rate_noise",
-        "noise of the drift, of the least drift less that with the left-out acceleration put back, in size",
-        lambda floor, still, *drifts: 100 * floor / min(abs(drift - still) for drift in drifts),
-        noise_floor(results, "drift_floor"),
-        rest,
-        *(row.drift_mm_s for row in rows),
-        unit="%",
-    )
+
+    def of_least(floor: float, still: float, *drifts: float) -> float:
+        return 100 * floor / min(abs(drift - still) for drift in drifts)
+
+    formula = "noise of the drift, of the least drift less that with the left-out acceleration put back, in size"
+    cells = noise_floor(results, "drift_floor"), rest, *(row.drift_mm_s for row in rows)
+    noise = results.value("rate_noise", formula, of_least, *cells, unit="%")
     outcome = all_of(at_most(spread, bound), resolved(noise, bound))
     is_wide = at_least(width, 3.0, why="enough to see a law")
     is_narrow = is_wide == FAILS and spread.value is not None

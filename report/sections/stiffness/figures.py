@@ -1,10 +1,9 @@
 """The figures of section stiffness."""
 
-from collections.abc import Sequence
 from statistics import median
+from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
@@ -18,7 +17,8 @@ ENDS = {"dropped": "v", "not finite": "x", "overflow": "P", "hardly shaken": "s"
 
 def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
     drawing, axes = new_figure(7.2, 4.2)
-    series = (("kd at its default", runs.ke_alone), ("kd = 2√ke, damping ratio 1", _critical(runs.together)))
+    fine = [row for row in runs.together if row.case.startswith("sweep-")]
+    series = (("kd at its default", runs.ke_alone), ("kd = 2√ke, damping ratio 1", fine))
     held = [row.slip_mm.value for _, rows in series for row in rows if is_held(row)]
     top = 3.0 * max(held)
     for label, rows in series:
@@ -26,33 +26,27 @@ def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
         axes.plot([r.pad_ke.value for r in kept], [r.slip_mm.value for r in kept], label=label, markevery=1)
     for end, mark in ENDS.items():
         for number, (_, rows) in enumerate(series):
-            found = [(row.pad_ke.value, top) for row in rows if not is_held(row) and _end(row) == end]
+            found = [(row.pad_ke.value, top) for row in rows if _end(row) == end]
             mark_points(axes, found, marker=mark, color=SERIES[number], clip_on=False, markersize=7)
-        if any(_end(row) == end for _, rows in series for row in rows if not is_held(row)):
+        if any(_end(row) == end for _, rows in series for row in rows):
             axes.plot([], [], mark, color=INK, markersize=7, markevery=1, label=end)
     axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="slip [mm]", ylim=(0.6 * min(held), top))
-    _mark_clamp(axes, (clamp_kd / 2) ** 2)
+    clamp_ke = (clamp_kd / 2) ** 2
+    axes.axvline(clamp_ke, color=INK, linewidth=1.0, linestyle=":")
+    place: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "xytext": (6, 0), "textcoords": "offset points"}
+    axes.annotate("2/kd = 2·dt\n(kd = 2√ke)", (clamp_ke, 0.42), **place)
     tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=3)
     return drawing
 
 
-def _critical(rows: Sequence[Row]) -> list[Row]:
-    """Those of the fine sweep, whose damping ratio is exactly one."""
-    return [row for row in rows if row.case.startswith("sweep-")]
-
-
 def _end(row: Row) -> str:
-    """Why a run has no slip to show, in a word or two."""
+    """Why a run has no slip to show, in a word or two; empty where it has."""
+    if is_held(row):
+        return ""
     if row.slip_mm.value is not None:
         return "dropped" if row.dropped else "hardly shaken"
     return "overflow" if "overflow" in (row.failure or "") else "not finite"
-
-
-def _mark_clamp(axes: Axes, ke: float) -> None:
-    axes.axvline(ke, color=INK, linewidth=1.0, linestyle=":")
-    place = {"xycoords": ("data", "axes fraction"), "xytext": (6, 0), "textcoords": "offset points"}
-    axes.annotate("2/kd = 2·dt\n(kd = 2√ke)", (ke, 0.42), **place)
 
 
 def draw_law(runs: Runs, results: Results) -> Drawing:

@@ -18,19 +18,7 @@ NO_SLIP = "with shipped pads there is no slip to bring down"
 NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
 
 
-def knob_claims(results: Results, runs: Runs, clamp: Value) -> list[Claim]:
-    """Beyond kd ``clamp`` the timeconst is two substeps."""
-    return [
-        _ke_is_no_spring(results),
-        _ke_alone_does_not_help(results, runs),
-        _stiff_contact_still_slips(results),
-        _ke_alone_fails(results, runs),
-        _together_they_hold(results),
-        _flat_below_clamp(results, runs, clamp),
-    ]
-
-
-def _ke_is_no_spring(results: Results) -> Claim:
+def ke_is_no_spring(results: Results) -> Claim:
     soft, stiff = results.row[SHIPPED], results.row[STIFFEST]
     formula = "largest over smallest authored ke of the named cases"
     authored = ratio(results, "ke_ratio", formula, stiff.pad_ke, soft.pad_ke)
@@ -49,8 +37,8 @@ def _with_slip(name: str, results: Results, outcome: Outcome, numbers: Mapping[s
     return Claim(name, Outcome("unknown", NO_SLIP, reads=slip.reads), told(absent("mm", NO_SLIP), numbers))
 
 
-def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
-    held = [row for row in runs.ke_alone if is_held(row)]
+def ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
+    held = list(filter(is_held, runs.ke_alone))
     slips, stiffnesses = [row.slip_mm for row in held], [row.pad_ke for row in held]
     low = extreme(results, "ke_alone_least", "least slip of the runs with kd at its default", min, slips)
     extreme(results, "ke_alone_most", "largest slip of these runs", max, slips)
@@ -62,7 +50,7 @@ def _ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     return _with_slip("ke_alone_does_not_help", results, at_least(of_shipped, NO_HELP, why="no help"), numbers)
 
 
-def _stiff_contact_still_slips(results: Results) -> Claim:
+def stiff_contact_still_slips(results: Results) -> Claim:
     kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
     alone = kept[0] if kept else results.row[ALONE[0]]
     formula = (
@@ -79,7 +67,7 @@ def _stiff_contact_still_slips(results: Results) -> Claim:
     return _with_slip("stiff_contact_still_slips", results, outcome, numbers)
 
 
-def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
+def ke_alone_fails(results: Results, runs: Runs) -> Claim:
     lost = [row for row in runs.ke_alone if not is_held(row)]
     count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
     total = results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone))
@@ -90,7 +78,7 @@ def _ke_alone_fails(results: Results, runs: Runs) -> Claim:
     return Claim("ke_alone_fails", at_least(count, 1, why="at least one"), numbers)
 
 
-def _together_they_hold(results: Results) -> Claim:
+def together_they_hold(results: Results) -> Claim:
     shipped, fix = results.row[SHIPPED], results.row[FIX]
     gain = ratio(results, "improvement", "slip as shipped over slip with the fix", shipped.slip_mm, fix.slip_mm)
     bound = results.chosen("improvement_bound", *SETTLES)
@@ -98,15 +86,16 @@ def _together_they_hold(results: Results) -> Claim:
     return Claim("together_they_hold", at_least(gain, bound), numbers)
 
 
-def _flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
+def flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
+    """Beyond kd ``clamp`` the timeconst is two substeps."""
     slips = [row.slip_mm for row in runs.together if is_held(row) and row.pad_kd.value >= clamp.value]
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")
     floor = noise_floor(results, "slip_floor")
     numbers: Mapping[str, Quantity] = {"spread": difference, "floor": floor}
     outcome = within(difference, floor)
-    gained = [results.derived[name] for name in ("improvement", "improvement_bound")]
-    if at_least(*gained) != HOLDS:
-        outcome = NO_GAIN.having_read(*gained, difference, floor)
+    gain, bound = results.derived["improvement"], results.derived["improvement_bound"]
+    if at_least(gain, bound) != HOLDS:
+        outcome = NO_GAIN.having_read(gain, bound, difference, floor)
         numbers = told(absent("mm", NO_GAIN.reason), numbers)
-    return Claim("flat_below_clamp", outcome, numbers={"clamp": clamp, **numbers})
+    return Claim("flat_below_clamp", outcome, {"clamp": clamp, **numbers})
