@@ -221,8 +221,9 @@ def _draw_map(axes: Axes, slip: pd.DataFrame, dropped: pd.DataFrame, failure: pd
     shown = np.ma.masked_where(lost | failed | slip.isna().to_numpy(), slip.to_numpy(dtype=float))
     axes.set_facecolor(EMPTY)
     axes.grid(visible=False)
-    style = {"norm": LogNorm(*SLIP_RANGE_MM), "cmap": "viridis", "shading": "nearest", "rasterized": True}
-    colours = axes.pcolormesh(frequency, amplitude, shown, zorder=0.5, **style)
+    norm = LogNorm(*SLIP_RANGE_MM)
+    place = frequency, amplitude, shown
+    colours = axes.pcolormesh(*place, zorder=0.5, norm=norm, cmap="viridis", shading="nearest", rasterized=True)
     x, y = np.broadcast_arrays(frequency[np.newaxis, :], amplitude[:, np.newaxis])
     axes.set(xscale="log", yscale="log")
     for marker, cells in (("x", lost), ("_", failed)):

@@ -47,8 +47,8 @@ def _still(found: Found) -> Figure:
     cases = ("as-shipped", "stiff-pads")
     traces = {case: found.trace("reproduction", case) for case in cases}
     slips = {case: found.cell("reproduction", case, "slip_mm", "mm") for case in cases}
-    numbers = dict(zip(("shipped", "stiff"), slips.values(), strict=True))
-    numbers |= {"slips": found.does_slip, "less": found.does_hold}
+    shipped, stiff = slips.values()
+    numbers = {"shipped": shipped, "stiff": stiff, "slips": found.does_slip, "less": found.does_hold}
     return Figure(lambda: draw_still(traces, slips), [*traces.values(), *slips.values()], numbers)
 
 
@@ -64,8 +64,8 @@ def _is_mistuned(found: Found) -> Claim:
     better = greater(slip, stiff, noise=found.value("noise", "slip_floor", "mm"))
     is_named = material.outcome == HOLDS
     outcome = all_of(material.outcome, held.outcome) if is_named else material.outcome
-    numbers = {"slip": slip, "stiff": stiff, "bound": found.value("reproduction", "stiff_gain_bound")}
-    numbers = {**material.numbers, **numbers, "is_named": is_named, "is_better": better == HOLDS}
+    own = {"slip": slip, "stiff": stiff, "bound": found.value("reproduction", "stiff_gain_bound")}
+    numbers = {**material.numbers, **own, "is_named": is_named, "is_better": better == HOLDS}
     return replace(material, outcome=replace(outcome, reads=outcome.reads | better.reads), numbers=numbers)
 
 

@@ -37,8 +37,8 @@ def _numbers(releases: Releases) -> Table:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
             cells = (with_mark(headline.cell(each, name), marks.get(name, "")) for name, each in releases.items())
-            cells = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
-            for column, content in zip(columns.values(), cells, strict=True):
+            line = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
+            for column, content in zip(columns.values(), line, strict=True):
                 column.append(content)
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
 

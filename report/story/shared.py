@@ -10,6 +10,7 @@ def gain(found: Found) -> Claim:
     coarse, converged = (found.value("error_runtime", name) for name in ("pads_gain_shipped_step", "pads_gain"))
     same = found.value("error_runtime", "pads_gain_same")
     hides = found.claim("contacts", "slide_falls_less_than_displacement")
+    numbers: dict[str, Quantity | bool]
     numbers = {"coarse": coarse, "converged": converged, "substeps": found.value("reproduction", "substeps")}
     numbers["hides"] = bool(hides and hides.numbers["hides"])
     return Claim("gain", greater(coarse, converged, noise=same), numbers)
@@ -48,7 +49,7 @@ def ways(found: Found) -> list[Claim]:
                 case = f"{pads}/newton/cone-pyramidal"
                 numbers[name] = found.cell("error_runtime", case, "grasp_error_mm_per_cycle", "mm/cycle")
         slips = at_least(cells[0], bound)
-        less = _is_less(*cells, noise) if len(cells) > 1 else _is_less(numbers["shipped"], numbers["stiff"])
+        less = _is_less(cells[0], cells[1], noise) if len(cells) > 1 else _is_less(numbers["shipped"], numbers["stiff"])
         outcome = all_of(slips, less) if slips == HOLDS else slips
         claims.append(Claim(f"way_{way}", outcome, numbers | {"slips": slips == HOLDS}))
     return claims

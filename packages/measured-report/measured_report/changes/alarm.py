@@ -72,7 +72,7 @@ def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     if form == "markdown":
         return _markdown(*_diff_in_markdown(found))
     lines = [" → ".join(f"{config().package} {release}" for release in found.releases), _summary(found)]
-    lines += [each.text for each in (*found.faults, *found.flips)]
+    lines += [fault.text for fault in found.faults] + [flip.text for flip in found.flips]
     lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
     if all_values:
         for section in _sums(found.moves):

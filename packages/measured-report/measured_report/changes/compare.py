@@ -40,7 +40,7 @@ def compare(before: Edition, after: Edition) -> Comparison:
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),
         flips=flips_between(*sides),
-        moves=[move for name in shared for move in moves_between(*(side[name] for side in sides), floors)],
+        moves=[each for name in shared for each in moves_between(before.chapters[name], after.chapters[name], floors)],
         notes=[*_unshared(before, after), *_costs_apart(*sides), *_near_claims(*sides)],
     )
 

@@ -40,8 +40,8 @@ def points(releases: Releases, query: Query) -> list[Point]:
         answer = query.answer(chapters)
         if answer is not None:
             floor = floors.get(release, widest).get(column, widest.get(column))
-            is_noisy = floor and not isinstance(answer, str)
-            noise = max(floor.at(answer), column_of(column).resolution) if is_noisy else None
+            told = None if isinstance(answer, str) else answer
+            noise = max(floor.at(told), column_of(column).resolution) if floor and told is not None else None
             said = query.claim(chapters).outcome.said if query.is_claim else f"{answer:.4g}"
             point = Point(release, answer, noise, said if noise is None else f"{said} ± {noise:.2g}")
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)

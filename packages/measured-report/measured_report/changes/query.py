@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
+from typing import Any
 
 from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters
@@ -60,7 +61,7 @@ class Query:
             claim = self.claim(chapters)
             return claim.outcome.name if claim and claim.outcome.name != "unknown" else None
         found = self.quantity(chapters)
-        value = getattr(found, "value", found)  # yes and no are plain, and so are texts, which nothing is told of
+        value: Any = getattr(found, "value", found)  # yes and no are plain, and so are texts, which nothing is told of
         return None if isinstance(value, str) else value
 
     def quantity(self, chapters: Chapters) -> Quantity | bool | str | None:

@@ -77,7 +77,7 @@ def test(project: Project, arguments: argparse.Namespace) -> int:
     """Run the tests with one release."""
     python = python_of(arguments.stack, expected_packages(project), project.root)
     add_tests_cluster(python, project)
-    command = [python, "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
+    command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
     return subprocess.run(command, cwd=project.root, check=False).returncode
 
 

@@ -6,7 +6,7 @@ import os
 import pkgutil
 import signal
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from measured_report import ReportError, UsageError
@@ -104,6 +104,7 @@ def _parse_arguments() -> argparse.Namespace:
     parser = _Parser(prog="build.py", description="What make calls; make help says what there is.", allow_abbrev=False)
     parser.set_defaults(edition=None, pins="", profile="full")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    known: list[tuple[str, Callable[..., int], str, tuple[str, ...]]]
     known = [(place.partition(":")[2], partial(_run, place), "", options) for place, options in COMMANDS.items()]
     known += [(name, program.run, program.help, program.options) for name, program in programs().items()]
     for name, run, said, options in known:

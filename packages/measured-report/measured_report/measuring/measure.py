@@ -102,8 +102,10 @@ def _run(project: Project, stack: Stack, module: str, device: str, *options: str
         settings["CUDA_VISIBLE_DEVICES"] = ""  # a process that has begun with CUDA must not be forked
     # It ends with this process, since nobody would know of it otherwise. A Ctrl-C is for this process alone: it lets
     # the other stop those that measure for it, which takes a moment.
-    apart = {"preexec_fn": partial(obey, os.getpid()), "start_new_session": True}
-    with subprocess.Popen(command, cwd=project.root, env=settings, **apart) as measuring:
+    begin = partial(obey, os.getpid())
+    with subprocess.Popen(
+        command, cwd=project.root, env=settings, preexec_fn=begin, start_new_session=True
+    ) as measuring:
         try:
             status = measuring.wait()
         except KeyboardInterrupt:

@@ -50,8 +50,10 @@ class Process:
             if self.program is None or self.program.poll() is not None:
                 command = [sys.executable, "-m", "measured_report.measuring.process", self.device, str(os.getpid())]
                 settings = {**os.environ, **self.settings, "TQDM_DISABLE": "1"}
-                pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-                self.program = subprocess.Popen(command, cwd=ROOT, env=settings, start_new_session=True, **pipes)
+                pipe = subprocess.PIPE
+                self.program = subprocess.Popen(
+                    command, cwd=ROOT, env=settings, start_new_session=True, stdin=pipe, stdout=pipe
+                )
             try:
                 pickle.dump(call, self.program.stdin, protocol=pickle.HIGHEST_PROTOCOL)
                 self.program.stdin.flush()
@@ -99,7 +101,7 @@ def introduce(device: str, processor: str | None, thread_count: int, call: bytes
         return node, Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}")
     found = measure(device, names[0], call)
     if isinstance(found, Done):
-        found = Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
+        return node, Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
     return node, found
 
 
