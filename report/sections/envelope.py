@@ -169,8 +169,9 @@ def _table(points: Points, gains: Mapping[str, Value]) -> Table:
     sides = dict(zip(("before", "after"), zip(*points.values(), strict=True), strict=True))
     columns: dict[str, list] = {f"slip {when}": [row.slip_mm for row in rows] for when, rows in sides.items()}
     columns["ratio"] = list(gains.values())
-    fates = {None: "no result", True: "dropped", False: "held"}
-    columns["cube"] = [" → ".join(dict.fromkeys(fates[row.dropped] for row in pair)) for pair in points.values()]
+    fates = {True: "dropped", False: "held"}
+    told = [[fates.get(row.dropped, "no result") for row in pair] for pair in points.values()]
+    columns["cube"] = [" → ".join(dict.fromkeys(pair)) for pair in told]
     columns |= {f"height {when}": [row.cube_height_m for row in rows] for when, rows in sides.items()}
     return table_of("shake", [name.replace("cm-", " cm, ").replace("hz", " Hz") for name in points], columns)
 
