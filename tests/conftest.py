@@ -110,7 +110,7 @@ EXPERIMENT = """from experiments.scene import slip
 def measure(conditions):
     return slip()
 """
-SOURCES = ("experiments", "report", "templates", "assets", "pyproject.toml")
+SOURCES = ("packages", "experiments", "report", "templates", "assets", "pyproject.toml", "report.toml")
 ROWS = ({"case": "soft", "slip_mm": 6.3617, "dropped": False}, {"case": "stiff", "slip_mm": 0.3124, "dropped": False})
 
 
