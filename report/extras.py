@@ -7,22 +7,24 @@ from pathlib import Path
 from typing import Any
 
 from experiments.facts.clip_record import clips_state
-from measured_report import ReportError
 from measured_report.deriving import extras
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, results_digest
-from measured_report.files.staging import Draft
+from measured_report.editions.status import State
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.names import name_of
-from report.story.cards import cards_of
 from report.story.found import Found
 
 __all__ = ["Extras", "card", "name_of", "scripts"]
 MEDIA = Path(__file__).with_name("media")
+LAB = ROOT / "assets/lab/dist"
+"""The engine that a page runs, and the scripts that do."""
 CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
 """What the picture of links shows of each release, by its name there."""
 
@@ -33,8 +35,15 @@ class Extras(extras.Extras):
     @cached_property
     def clips(self) -> Clips | None:
         """Its clips; None when there are none that can be shown."""
-        state = clips_state(self.edition.project)
-        return Clips(self.edition.project, state) if state.record else None
+        return Clips(self.edition.project, self._clips_state) if self._clips_state.record else None
+
+    @cached_property
+    def _clips_state(self) -> State:
+        return clips_state(self.edition.project)
+
+    @property
+    def left_out(self) -> Sequence[State]:
+        return [self._clips_state] if self._clips_state.kind == "damaged" else []
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
@@ -59,24 +68,23 @@ class Extras(extras.Extras):
 
     def names(self, section: Section) -> Mapping[str, Any]:
         found = Found(self.edition.chapters)
-        return {
-            "does_slip": found.does_slip,
-            "value": found.value,
-            "cell": found.cell,
-            "overview": "overview" in section.figures,
-            "cards": cards_of(self.edition.chapters),
-            "clips": self.clips,
-            "replay": REPLAY if self.replay else "",
-        }
+        return {"value": found.value, "cell": found.cell, "clips": self.clips, "replay": REPLAY if self.replay else ""}
 
-    def write(self, site: Draft, folder: str, templates: Templates) -> None:
-        """Put the clips below ``data/``, and the replay; what was not kept or not made is left out."""
-        project = self.edition.project
-        for file in self.clips.files if self.clips else ():
-            site.copy(f"{folder}data/{project.results.name}/{file.name}", file)
-        if self.replay:
-            poses = self.edition.chapters["poses"]
-            site.write(f"{folder}{REPLAY}", replay_page(project, poses, self.replay, self.clips, templates))
+    @property
+    def data(self) -> Sequence[Path]:
+        return self.clips.files if self.clips else ()
+
+    def pages(self, templates: Templates) -> Mapping[str, str]:
+        """Return the replay, where all of its runs were kept."""
+        if not self.replay:
+            return {}
+        project, poses = self.edition.project, self.edition.chapters["poses"]
+        return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates)}
+
+    @property
+    def files(self) -> Mapping[str, Path]:
+        """The program of the lab."""
+        return {f"lab/{file.name}": file for file in LAB.iterdir()} if "lab" in self.edition.chapters else {}
 
 
 def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
@@ -101,4 +109,4 @@ def _slips(edition: Edition) -> dict[str, Quantity | None]:
 
 
 def scripts() -> Sequence[str]:
-    return (script(),)
+    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("*.js")))

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from functools import cache
 
 from markupsafe import Markup
 
@@ -34,7 +35,7 @@ overlap-pads-as-shipped-#mm: start {} mm deep in shipped pads; overlap-pads-stif
 overlap-ground-#mm: start {} mm deep in the ground; overlap-ground-springy-#mm: start {} mm deep in springy ground
 gravity--9.81: gravity upward; gravity-98.1: gravity tenfold; gravity-9.81: gravity as on Earth; gravity-0: no gravity
 freed: cube let go; buffers-contact-#: room for {} contacts; buffers-constraint-#: room for {} constraint rows
-buffers-ample: ample buffers; long-stiff: stiff pads, long shake; best: all remedies; motion: motion in MuJoCo C
+buffers-ample: ample buffers; long-stiff: stiff pads, long shake; best: the whole cure; motion: motion in MuJoCo C
 worlds-#: {} worlds; batch-#: run {} of a batch; alone-#: run {} by itself; map-#: cell {} of the map
 mujoco-c, c: MuJoCo C; warp: MuJoCo Warp; warp-cpu, cpu: Warp on the CPU; one-core: one core of C; reference: converged
 mujoco: MuJoCo's contacts; contacts-mujoco, mujoco-contacts: contacts found by MuJoCo; newton: Newton's contacts
@@ -47,7 +48,7 @@ term-centred, centred: term centred; full: term centred, in normal rows too; rou
 without-all: without all of it; without-buffers: without room in the buffers; without-ik-in-turn: without waiting for IK
 without-ik-iterations: without most IK iterations; without-state-sync: without writing the state
 without-cube-gap: without the cube's wide gap; without-hand-box: without the hand's box
-without-visuals: without visual shapes; without-broad-phase: without the broad phase
+whole-cure: the whole cure; without-visuals: without visual shapes; without-broad-phase: without the broad phase
 """
 """Parts that the name of a case is made of, the longest that fits counts; a # is a number."""
 AS_IT_IS = r"without-[a-z-]+|noslip|slope|implicitfast|cube|ball|alone"
@@ -70,6 +71,7 @@ def _rules() -> list[tuple[re.Pattern, str]]:
 RULES = _rules()
 
 
+@cache
 def name_of(case: str) -> str:
     """What a case is called; a case that no rule knows keeps its own name, with spaces."""
     if case in WHOLE:

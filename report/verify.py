@@ -4,10 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from measured_report import ReportError
 from measured_report.claims.claim import Outcome, within
 from measured_report.deriving.editions import Edition
+from measured_report.files.errors import ReportError
 from measured_report.values.quantities import Quantity, absent
+from report.lab_check import verify_lab
+
+__all__ = ["PROGRAM", "verify", "verify_lab"]
 
 PROGRAM = "experiments.simulation.headline"
 """What measures it."""

@@ -15,12 +15,12 @@ import pytest
 from hypothesis import settings
 
 import report.sections
-from measured_report import ROOT
 from measured_report.changes.compare import Comparison, compare
 from measured_report.deriving.editions import Edition, derive_edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 import pytest
 from conftest import program
 
-from measured_report import UsageError
 from measured_report.commands import options
+from measured_report.files.errors import UsageError
 from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 

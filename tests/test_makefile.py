@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 GIVEN = re.search(r"^override GIVEN := ((?:.*\\\n)*.*)", (ROOT / "Makefile").read_text(), re.MULTILINE)[1]
 NAMES = GIVEN.replace("\\\n", " ").split()

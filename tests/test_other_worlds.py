@@ -11,12 +11,7 @@ from measured_report.editions.project import own_release
 pytestmark = pytest.mark.words
 
 RECOMMENDING = ("front.title", "front.remedy", "front.is_mistuned", "front.way_", "story.remedy", "story.files")
-RECOMMENDING += (
-    "fix.recommended",
-    "stiffness.together_they_hold",
-    "priority.pads_count",
-    "reproduction.stiff_pads_hold",
-)
+RECOMMENDING += ("fix.recommended", "stiffness.together_they_hold", "reproduction.stiff_pads_hold")
 CAUSES = ("stiffness.cause", "contacts.missing_term", "contacts.term_restored", "story.restored", "story.missing")
 CAUSES += ("hold.creep_is_rounding", "turntable.follows_law", "front.remedy", "story.remedy", "fix.recommended")
 BELOW_THE_NOISE = ("hold.longer_steps", "contacts.rest_goes_with_step", "cure_hold.compensation")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
 PROGRAM = """#!/bin/bash

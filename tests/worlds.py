@@ -21,9 +21,9 @@ from unittest import mock
 import numpy as np
 import pandas as pd
 
-from measured_report import ROOT
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project, own_release
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
@@ -244,6 +244,8 @@ AS_MEASURED = Scenario("as-measured")
 SCENARIOS = (
     Scenario("reversed", reversed_rows, reversed_frame),
     moving("moving-x-0.05", 0.05),
+    moving("moving-x-half", 0.5),
+    moving("moving-x-2", 2.0),
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
     Scenario("all-equal", equal_rows, equal_frame),

@@ -41,8 +41,8 @@ from experiments.facts.trace import Trace
 from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
 from experiments.stability.limits import reference_stiffness, solref, step_s
-from newton_lint.compat import kf_is_read
 from newton_lint.creep import impedance_at
+from newton_lint.of_newton.compat import kf_is_read
 
 BISECTION_COUNT = 50
 

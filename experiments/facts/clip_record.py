@@ -1,19 +1,21 @@
 """The clips of a release: where they lie, what they were made from, and whether that is still what there is."""
 
 import hashlib
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
-from measured_report.files.atomic import RecordError
+from measured_report.files.atomic import RecordError, read_own_file, short_path
 from measured_report.records.identity import Identity, changes, files_digest, identity_at
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record
 from measured_report.records.traces import trace_path
 
 CLIPS = "clips"
+BYTE_LIMIT = 64 << 20
 RUNS = {"3cm": ("as-shipped", "stiff-pads"), "10cm": ("as-shipped-10cm", "stiff-pads-10cm")}
 """The runs of section poses that each clip shows, left and right."""
 FIRST = "3cm"
@@ -50,9 +52,15 @@ def clips_state(project: Project) -> State:
         record = load_record(path)
     except RecordError as error:
         return State(CLIPS, "damaged", notes=(str(error),))
-    wrong = [name for name, digest in files_of(record) if _digest(path.with_name(name)) != digest]
+    try:
+        wrong = [name for name, digest in files_of(record) if _digest(path, name) != digest]
+    except (KeyError, TypeError, ValueError) as error:
+        said = " ".join(str(error).split())
+        return State(CLIPS, "damaged", notes=(f"{short_path(path)} names no files of its own: {said}",))
     if wrong:
-        return State(CLIPS, "damaged", notes=tuple(f"{name} is not the file that was made" for name in wrong))
+        return State(
+            CLIPS, "damaged", notes=tuple(f"{short_path(path)}: {name} is not the file that was made" for name in wrong)
+        )
     changed = changes(record.identity, clips_identity(project))
     return State(CLIPS, "stale" if changed else "fresh", record, tuple(changed))
 
@@ -65,5 +73,11 @@ def files_of(record: Record) -> Iterable[tuple[str, str]]:
             yield row["poster"], row["poster_sha256"]
 
 
-def _digest(path: Path) -> str | None:
-    return sha256(path) if path.is_file() else None
+def _digest(record: Path, name: str) -> str:
+    """Digest a file beside the record; empty for none; ValueError for a name that leads elsewhere."""
+    if not re.fullmatch(rf"{CLIPS}\.[\w.-]+", name):
+        raise ValueError(f"{name!r:.80} is no name of a file there")
+    try:
+        return hashlib.sha256(read_own_file(record.with_name(name), BYTE_LIMIT)).hexdigest()
+    except RecordError:
+        return ""

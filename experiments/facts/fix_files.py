@@ -2,7 +2,8 @@
 
 import re
 
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 
 FIXED_SCENE = "assets/fix/fixed_scene.py"
 PATCH = "assets/fix/fix.patch"

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from experiments.facts.kinematics import link_poses, quaternion_matrices, read_joints, relative_poses
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 DESCRIPTION = ROOT / "assets/fr3.urdf"
 TCP = "fr3_hand_tcp"

@@ -27,9 +27,9 @@ from experiments.media.clips import (
     write_video,
 )
 from experiments.simulation.host import warp_device
-from measured_report import ReportError
 from measured_report.editions.project import PROFILES, Project, own_release
 from measured_report.files.atomic import atomic_file
+from measured_report.files.errors import ReportError
 from measured_report.measuring.machine import commit, machine
 from measured_report.records.columns import units_of
 from measured_report.records.reading import load_record

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 FOLDER = ROOT / "assets/visual"
 ARM_LINKS = {f"fr3_link{number}": f"link{number}" for number in range(8)}

@@ -11,7 +11,7 @@ from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import CUBE_GAP_DEFAULT, Case
 from experiments.simulation.worlds import model_of
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 ROBOT_POSITION = (-0.5, -0.5, 0.0)
 READY_POSE = (0.0, 0.5, 0.0, -1.5, 0.0, 2.0, np.pi / 4.0, 0.035, 0.035)

@@ -11,7 +11,7 @@ from tqdm import tqdm
 
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.survey import examples
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: what it finds is the same on any machine."""

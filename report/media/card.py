@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import INK, SERIES, own_style
+from measured_report.parts.figures import INK, own_style
 from measured_report.values.quantities import Quantity
+from report.shared.drawing import SHIPPED, STIFF
 
 
 def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
@@ -16,10 +17,11 @@ def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()
         for place, pair in enumerate(slips.values()):
-            for number, (shift, (label, slip)) in enumerate(zip((-0.18, 0.18), pair.items(), strict=True)):
-                if slip is not None and slip.value is not None:
-                    axes.barh(place + shift, slip.value, height=0.34, color=SERIES[1 - number], label=label)
-                    axes.text(slip.value, place + shift, f" {slip}", va="center", fontsize=22, color=INK)
+            for shift, colour, (label, slip) in zip((-0.18, 0.18), (SHIPPED, STIFF), pair.items(), strict=True):
+                there = slip is not None and slip.value is not None
+                width, text = (slip.value, str(slip)) if there else (0.0, "not measured")
+                axes.barh(place + shift, width, height=0.34, color=colour, label=label)
+                axes.text(width, place + shift, f" {text}", va="center", fontsize=22, color=INK)
         axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
         axes.invert_yaxis()
         axes.margins(x=0.2)

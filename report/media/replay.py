@@ -9,12 +9,11 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report import ROOT
 from measured_report.deriving.chapters import Chapter
 from measured_report.editions.project import Project
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.values.format import format_number
-from measured_report.values.quantities import local
 from report.media.clips import Clips
 
 REPLAY = "replay.html"
@@ -46,7 +45,7 @@ def replay_page(
         "script": Markup(text),
         "digest": base64.b64encode(hashlib.sha256(text.encode()).digest()).decode(),
     }
-    return local(templates.layout(f"{REPLAY}.j2", names), project.release)
+    return templates.layout(f"{REPLAY}.j2", names)
 
 
 def script(root: Path = ROOT) -> str:

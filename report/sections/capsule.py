@@ -4,31 +4,26 @@ from collections.abc import Iterator, Mapping
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import case_html, name_of
-from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share, table_of
+from report.names import name_of
+from report.shared.arithmetic import cell_count, departure, difference, extreme, ratio, share
 from report.shared.drawing import mark_cells, name_lines
 
 order = 180
 page = "scenes"
 label = "pinched capsule"
 
-ENGINES = {"c": "MuJoCo C", "warp": "MuJoCo Warp", "newton": "through Newton"}
+ENGINES = ("c", "warp", "newton")
 VARIANTS = (
     *("recipe", "impratio-1", "impratio-100", "impratio-1000", "pyramidal"),
     *("stiff", "noslip", "condim-6", "within-pads"),
 )
 PUBLISHED_MM_S = {"recipe": 0.15499, "impratio-1": 1.5, "pyramidal": 2.3, "stiff": 0.05, "noslip": 0.0014}
 """The first from google-deepmind/mujoco pull request 3526, which measured it again, the others from issue 3328."""
-MARKS = {
-    "c": {"marker": "x", "markersize": 6},
-    "warp": {"marker": "o", "markersize": 9, "markerfacecolor": "none"},
-    "newton": {"marker": "s", "markersize": 7, "markerfacecolor": "none"},
-}
 Rows = Mapping[str, Row]
 
 
@@ -40,16 +35,18 @@ def derive(results: Results) -> Section:
         for variant, rate in PUBLISHED_MM_S.items()
     }
     has_noslip = rows["noslip-newton"].creep_mm_s.value is not None  # older releases of MuJoCo Warp have none
+    as_published, follows_law = _rates_agree(results, rows, published)
     rates = Figure(
         draw=lambda: _draw(rows, published),
-        sources=[row.creep_mm_s for row in rows.values()],
-        numbers={"recipe": rows["recipe-c"].creep_mm_s, "noslip": rows["noslip-c"].creep_mm_s},
+        sources=[rows[f"{variant}-c"].creep_mm_s for variant in VARIANTS],
+        numbers={name: rows[f"{name}-c"].creep_mm_s for name in ("recipe", "noslip")}
+        | {"is_law": follows_law.outcome == HOLDS},
     )
     return Section(
-        tables={"runs": _table(rows, published)},
         figures={"rates": rates},
         claims=[
-            *_rates_agree(results, rows, published),
+            as_published,
+            follows_law,
             _rest_is_jolts(results, rows),
             _impratio_divides(results, rows),
             *_noslip_helps(results, rows, has_noslip),
@@ -80,8 +77,7 @@ def _rates_agree(results: Results, rows: Rows, published: Mapping[str, Value]) -
     ]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, found)
     count = cell_count(results, "law_count", "runs for which the law gives a rate", found)
-    within = rows["within-pads-c"]
-    numbers = {"count": count, "largest": largest, "rate": within.steady_creep_mm_s, "law": within.predicted_creep_mm_s}
+    numbers = {"count": count, "largest": largest}
     yield Claim("follows_law", at_most(largest, 1.0, why="the same rate"), numbers)
 
 
@@ -92,7 +88,7 @@ def _rest_is_jolts(results: Results, rows: Rows) -> Claim:
         departure(results, f"{name}_jolts", formula, row.creep_mm_s, row.steady_creep_mm_s)
         for name, row in (("long", rows["recipe-c"]), ("within-pads", rows["within-pads-c"]))
     )
-    bound = results.chosen("jolt_bound", "no jolts", 0.1, unit="%")
+    bound = results.chosen("jolt_bound", "no jolts", 0.2, unit="%")
     outcome = all_of(greater(long, short, noise=bound), at_most(short, bound))
     return Claim("rest_is_jolts", outcome, {"long": long, "short": short, "bound": bound})
 
@@ -126,24 +122,15 @@ def _newton_changes_a_mass(results: Results, rows: Rows) -> Claim:
     return Claim("newton_changes_a_mass", outcome, numbers)
 
 
-def _table(rows: Rows, published: Mapping[str, Value]) -> Table:
-    in_c = [rows[f"{variant}-c"] for variant in VARIANTS]
-    columns: dict[str, list] = {"published": [published.get(variant, "") for variant in VARIANTS]}
-    for engine, name in ENGINES.items():
-        columns[name] = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
-    of_c = {"steady, in C": "steady_creep_mm_s", "law, in C": "predicted_creep_mm_s"}
-    return table_of("run", map(case_html, VARIANTS), {**columns, **of_c, "pads press with": "normal_force_n"}, in_c)
-
-
 def _draw(rows: Rows, published: Mapping[str, Value]) -> Drawing:
     drawing, axes = new_figure(7.2, 1.1 + (0.4 if is_narrow() else 0.3) * len(VARIANTS))
     axes.set(xscale="log", xlabel="the capsule sinks with [mm/s]")
-    for colour, (engine, name) in zip(SERIES, ENGINES.items(), strict=False):
-        creeps = [rows[f"{variant}-{engine}"].creep_mm_s for variant in VARIANTS]
-        mark_cells(axes, creeps, colour, name, **MARKS[engine])
-    law = [rows[f"{variant}-c"].predicted_creep_mm_s for variant in VARIANTS]
-    mark_cells(axes, law, INK, "law", marker="|", markersize=15)
-    mark_cells(axes, list(map(published.get, VARIANTS)), SERIES[3], "published", marker="D", markersize=4)
+    for column, colour, label, style in (
+        ("creep_mm_s", SERIES[0], "measured", {"marker": "o", "markersize": 9, "markerfacecolor": "none"}),
+        ("predicted_creep_mm_s", INK, "law", {"marker": "|", "markersize": 15}),
+    ):
+        mark_cells(axes, [rows[f"{variant}-c"][column] for variant in VARIANTS], colour, label, **style)
+    mark_cells(axes, list(map(published.get, VARIANTS)), SERIES[4], "published", marker="D", markersize=4)
     name_lines(axes, map(name_of, VARIANTS))
-    drawing.legend(loc="outside upper center", ncols=2 if is_narrow() else 5)
+    drawing.legend(loc="outside upper center", ncols=3)
     return drawing

@@ -7,13 +7,6 @@ from report.shared.variants import variant_section, variants_of
 order = 30
 label = "contact points"
 
-LABELS = {
-    "collide_count": "collision passes a frame:",
-    "contacts": "contacts found by:",
-    "pad_shape": "pads collide as:",
-    "backend": "engine:",
-}
-
 
 def derive(results: Results) -> Section:
-    return variant_section(results, variants_of(results, "contacts-60hz"), LABELS)
+    return variant_section(results, variants_of(results, "contacts-60hz"))

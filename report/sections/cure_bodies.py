@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from measured_report.claims.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section, Table
+from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, extreme, share, size_difference, size_share, table_of
+from report.shared.arithmetic import cell_count, extreme, share, size_difference, size_share
 
 order = 148
 page = "cure"
@@ -15,17 +15,10 @@ label = "other bodies and the cure"
 
 ENGINES = ("warp", "c")
 WAYS = {"plain": "nothing done", "term": "the term", "full": "normal rows too"}
-BODIES = {"sphere": "ball", "cylinder": "cylinder", "mesh": "cube as a mesh"}
-MOTIONS = {
-    "impact": "dropped from above, thrown",
-    "roll": "rolling",
-    "slide": "sliding",
-    "pivot": "rolling and spinning",
-}
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
-FEET = {"sphere": "balls", "cylinder": "cylinders", "mesh": "meshes"}
-TABLE = {"carried": "turning with the table", "caught": "put down at rest"}
+TABLE = ("carried", "caught")
+"""Motions on the table: turning with it, and put down at rest."""
 Runs = Mapping[tuple[str, str], Mapping[tuple[str, str], Row]]
 """By motion and body, and by way and engine."""
 
@@ -36,12 +29,11 @@ def derive(results: Results) -> Section:
         runs.setdefault((row.motion, row.body), {})[row.way, row.backend] = row
     whole = {name: found for name, found in runs.items() if set(found) == set(product(WAYS, ENGINES))}
     return Section(
-        tables={"plane": _plane_table(whole), "table": _table_table(results, whole)},
         claims=[
             *_stays_as_it_is(results, whole),
             _spinning_ball_goes_aside(results, whole),
             _rolling_body_sinks(results, whole),
-        ],
+        ]
     )
 
 
@@ -112,23 +104,3 @@ def _rolling_body_sinks(results: Results, runs: Runs) -> Claim:
     same = results.chosen("stays_bound", "as deep as before", 0.01, unit="mm")
     outcome = all_of(at_least(least, 1.0, why="deeper than a contact of this weight is"), at_most(most, same))
     return Claim("rolling_body_sinks", outcome, {"least": least, "most": most, "same": same})
-
-
-def _plane_table(runs: Runs) -> Table:
-    names = [name for name in product(MOTIONS, BODIES) if name in runs]
-    columns = {words: [runs[name][way, "warp"].travel_mm for name in names] for way, words in WAYS.items()}
-    return table_of("body on a plane", [f"{BODIES[body]}, {MOTIONS[motion]}" for motion, body in names], columns)
-
-
-def _table_table(results: Results, runs: Runs) -> Table:
-    """Growths in percent, as section turntable has them."""
-    names = [name for name in product(TABLE, FEET) if name in runs]
-    formula = "growth of the distance from the axis, of that distance, in MuJoCo Warp"
-
-    def growth(name: tuple[str, str], way: str) -> Value:
-        rate = runs[name][way, "warp"].growth_per_s
-        return results.value("_".join((way, *name)), formula, lambda rate: 100 * rate, rate, unit="%/s")
-
-    columns = {words: [growth(name, way) for name in names] for way, words in WAYS.items()}
-    index = [f"feet are {FEET[feet]}, {TABLE[motion]}" for motion, feet in names]
-    return table_of("box on a turning table", index, columns)

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most
+from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.shared.arithmetic import cell_count, extreme, other_value, table_of
+from report.shared.arithmetic import other_value
 from report.shared.drawing import mark_points
 
 order = 184  # after all SCENES, which it reads
@@ -57,12 +57,13 @@ def derive(results: Results) -> Section:
     points = [point for scene in SCENES for point in _points(results, scene)]
     there = [point for point in points if point.factor.value is not None]
     claim = _predicted(results, there)
+    numbers = {name: claim.numbers[name] for name in ("count", "scenes", "bound")}
     figure = Figure(
         draw=lambda: _draw(there),
         sources=[point.measured for point in points],
-        numbers={name: claim.numbers[name] for name in ("count", "scenes", "bound")},
+        numbers=numbers | {"predicted": claim.outcome == HOLDS},
     )
-    return Section(tables={"scenes": _table(results, there)}, figures={"creep": figure}, claims=[claim])
+    return Section(figures={"creep": figure}, claims=[claim])
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
@@ -119,18 +120,6 @@ def _predicted(results: Results, points: list[Point]) -> Claim:
         outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}").having_read(largest, decades)
     numbers: dict[str, Any] = {"largest": largest, "bound": bound, "count": count, "scenes": scenes}
     return Claim("predicted", outcome, numbers | {"fast": fast, "slow": slow, "outside": outside})
-
-
-def _table(results: Results, points: list[Point]) -> Table:
-    scenes = [scene for scene in SCENES if any(point.scene == scene for point in points)]
-    columns: dict[str, list[Value]] = {"runs": [], "slowest": [], "fastest": [], "largest factor": []}
-    for scene in scenes:
-        creeps, factors = zip(*((it.measured, it.factor) for it in points if it.scene == scene), strict=True)
-        columns["runs"].append(cell_count(results, f"{scene}_count", "runs", factors))
-        columns["slowest"].append(extreme(results, f"{scene}_slowest", "slowest creep", min, creeps))
-        columns["fastest"].append(extreme(results, f"{scene}_fastest", "fastest creep", max, creeps))
-        columns["largest factor"].append(extreme(results, f"{scene}_largest", "largest factor", max, factors))
-    return table_of("scene", map(SCENES.get, scenes), columns)
 
 
 def _draw(points: list[Point]) -> Drawing:

@@ -9,13 +9,11 @@ from report.shared.variants import Variants, variant_section, variants_of
 order = 40
 label = "friction coefficient"
 
-LABELS = {"pad_mu": "pads' coefficient", "cube_mu": "cube's coefficient"}
-
 
 def derive(results: Results) -> Section:
     variants = variants_of(results, "pad-mu-1")
     pads = sorted((row for row in variants.rows if "pad_mu" in row), key=lambda row: row.pad_mu.value)
-    return variant_section(results, variants, LABELS, _not_sliding(results, variants, pads[0], pads[-1]))
+    return variant_section(results, variants, _not_sliding(results, variants, pads[0], pads[-1]))
 
 
 def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> Claim:

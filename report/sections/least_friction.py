@@ -4,12 +4,12 @@ from collections.abc import Mapping
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most, decided
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
-from report.names import case_html, name_of
-from report.shared.arithmetic import cell_count, departure, excess, extreme, ratio, table_of
+from report.names import name_of
+from report.shared.arithmetic import cell_count, departure, excess, extreme, ratio
 from report.shared.drawing import mark_cells, name_lines
 
 order = 181
@@ -27,28 +27,23 @@ TRIED = ("0.90", "0.98", "1.00", "1.02", "1.10")
 """Multiples of m g / N; with none of them either integrator held the cube, as was published."""
 STILL = tuple(setting for setting in SETTINGS if "euler" not in setting)
 """Settings with which the arm stands still."""
-COLUMNS = {
-    "least friction": "least_factor",
-    "by Coulomb's law": "coulomb_factor",
-    "fingers press with": "grip_force_n",
-    "cube's speed, held": "rms_speed_mm_s",
-}
 
 
 def derive(results: Results) -> Section:
     rows = {setting: results.row[setting] for setting in SETTINGS}
     shown = {"pyramidal": "published-implicitfast", "elliptic": "elliptic-impratio-10", "euler": "published-euler"}
     numbers = {name: rows[setting].least_factor for name, setting in shown.items()}
-    factors = Figure(lambda: _draw(rows), [row.least_factor for row in rows.values()], numbers)
+    coulomb, shakes = _by_coulomb(results, rows), _euler_shakes(results, rows)
+    flags = {"is_law": all_of(coulomb.outcome, shakes.outcome) == HOLDS}
+    factors = Figure(lambda: _draw(rows), [row.least_factor for row in rows.values()], numbers | flags)
     return Section(
-        tables={"settings": table_of("setting", map(case_html, SETTINGS), COLUMNS, rows.values())},
         figures={"factors": factors},
         claims=[
             _as_published(results),
-            _by_coulomb(results, rows),
+            coulomb,
             _pyramid_asks_for_more(results, rows),
             _impratio_changes_nothing(results, rows),
-            _euler_shakes(results, rows),
+            shakes,
         ],
     )
 

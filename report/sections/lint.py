@@ -21,15 +21,11 @@ MENDED = ("default-gap", "buffer")
 def derive(results: Results) -> Section:
     findings = [row for row in results.rows if "rule" in row]
     shipped, fixed = ([row for row in findings if row.scene == scene] for scene in SCENES)
-    as_shipped, as_fixed = (table_of("rule", [row.rule for row in rows], COLUMNS, rows) for rows in (shipped, fixed))
     return Section(
-        tables={"as_shipped": as_shipped, "fixed": as_fixed},
+        tables={"as_shipped": table_of("rule", [row.rule for row in shipped], COLUMNS, shipped)},
         claims=[
             _pads_decide(results, "names_the_material", shipped, AS_SHIPPED),
-            _names_the_gap(results, shipped),
-            _names_the_buffers(results, shipped),
             _gap_and_buffers_mended(results, shipped, fixed),
-            _pads_decide(results, "material_still_unused", fixed, STIFF_PADS),
             _names_the_clamp(results, fixed),
         ],
     )
@@ -48,31 +44,8 @@ def _pads_decide(results: Results, claim: str, findings: list[Row], case: Case) 
     return Claim(claim, all_of(*outcomes), numbers)
 
 
-def _names_the_gap(results: Results, findings: list[Row]) -> Claim:
-    found = _find(findings, "default-gap", "cube", "gap")
-    gap, total = _cell(found, "authored_m", "m"), _cell(found, "used_m", "m")
-    formula = "gap of the cube, and the larger one of those authored on fingers and ground"
-    other = max(AS_SHIPPED.robot_gap_m, AS_SHIPPED.ground_gap_m)
-    expected = results.value("gap_sum", formula, lambda cube: cube + other, gap, unit="m")
-    return Claim("names_the_gap", _same(total, expected) if found else FAILS, {"gap": gap, "sum": total})
-
-
 def _same(found: Quantity, expected: Quantity) -> Outcome:
     return equal_within([found, expected], noise=ROUNDING * (expected.value or 0.0), why=ROUNDED)
-
-
-def _names_the_buffers(results: Results, findings: list[Row]) -> Claim:
-    bound = results.chosen("room_bound", "many times what is needed", 4.0)
-    numbers: dict[str, Quantity] = {"bound": bound}
-    outcomes = []
-    for name in ("contacts", "constraints"):
-        finding = _find(findings, "buffer", name, name)
-        size, peak = _cell(finding, "authored_count"), _cell(finding, "used_count")
-        formula = f"how many times the most {name} that a world had there is room for"
-        room = results.value(f"{name}_room", formula, lambda room, most: room // most, size, peak)
-        outcomes.append(at_least(room, bound) if finding else FAILS)
-        numbers |= {f"{name}_size": size, f"{name}_peak": peak, f"{name}_room": room}
-    return Claim("names_the_buffers", all_of(*outcomes), numbers)
 
 
 def _gap_and_buffers_mended(results: Results, shipped: list[Row], fixed: list[Row]) -> Claim:
@@ -112,8 +85,6 @@ def _value(row: Row, name: str) -> Quantity:
 
 COLUMNS: dict[str, Column] = {
     "of": lambda row: "" if row.rule == "buffer" else row.subject,
-    "against": "against",
-    "pairs": lambda row: row.pair_count if row.against else None,
     "parameter": "parameter",
     "authored": lambda row: _value(row, "authored"),
     "used": lambda row: _value(row, "used"),

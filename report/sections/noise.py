@@ -7,8 +7,8 @@ from statistics import fmean
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import NEAR_NOISE, Claim, all_of, at_most, within
-from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.claims.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
@@ -16,7 +16,7 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
 from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
-from report.shared.drawing import mark_points
+from report.shared.drawing import SHIPPED, STIFF, mark_points
 
 order = 20
 page = "method"
@@ -53,8 +53,10 @@ def derive(results: Results) -> Section:
     means, spreads = (
         {metric: [find(results, group, metric) for group in groups] for metric in METRICS} for find in (_mean, _spread)
     )
-    labelled = {"groups": list(zip([group.label for group in groups], spreads["slip"], strict=True))}
-    runs = Figure(lambda: _draw_runs(groups), [slip for group in groups for slip in group.cells("slip")], labelled)
+    alike = _batch_or_alone(results, groups, means, spreads)
+    labelled = list(zip([group.label for group in groups], spreads["slip"], strict=True))
+    numbers = {"groups": labelled, "is_alike": alike.outcome == HOLDS}
+    runs = Figure(lambda: _draw_runs(groups), [slip for group in groups for slip in group.cells("slip")], numbers)
     results.chosen("pairs", "hundreds of differences are compared with it", 100 * PAIRS, unit="%")
     results.chosen("confidence", "as is usual", 100 * CONFIDENCE, unit="%")
     results.chosen("near_noise", "measured again, some other pair of runs may differ by that", NEAR_NOISE)
@@ -65,7 +67,7 @@ def derive(results: Results) -> Section:
     return Section(
         tables={"groups": table_of("case", [group.label for group in groups], columns)},
         figures={"runs": runs},
-        claims=[_noise_is_small(results, groups, floors), _batch_or_alone(results, groups, means, spreads)],
+        claims=[_noise_is_small(results, groups, floors), alike],
     )
 
 
@@ -135,7 +137,7 @@ def _draw_runs(groups: Sequence[Group]) -> Drawing:
         of_case = [cell.value for cell in _of_case(groups, group.case, "slip") if cell.value is not None]
         # Dots of one group take turns in height, so that equal slips are still seen as many.
         heights = place + 0.09 * (np.arange(len(slips)) % 5 - 2)
-        colour, marker = (SERIES[0], "o") if group.kind == "batch" else (SERIES[1], "^")
+        colour, marker = SHIPPED if group.case == "as-shipped" else STIFF, "o" if group.kind == "batch" else "^"
         style = {"markersize": 5, "markerfacecolor": "none", "color": colour, "marker": marker}
         mark_points(axes, zip(slips - np.mean(of_case), heights, strict=True), **style)
         axes.vlines(slips.mean() - np.mean(of_case), place - 0.3, place + 0.3, color=INK, linewidth=1.2)

@@ -6,8 +6,7 @@ from measured_report.claims.claim import Claim, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.names import case_html
-from report.shared.arithmetic import excess, largest_size, table_of, told
+from report.shared.arithmetic import excess, largest_size, told
 
 order = 75
 page = "cause"
@@ -24,17 +23,7 @@ def derive(results: Results) -> Section:
     for case, row, found in zip(cases, without, treated, strict=True):
         formula = f"drift of {case} with noslip less that without, of that without"
         changes[case] = excess(results, f"{case}_change", formula, found.drift_mm_s, row.drift_mm_s)
-    columns = {
-        "drift": "drift_mm_s",
-        "drift with noslip": [row.drift_mm_s for row in treated],
-        "change": list(changes.values()),
-        "slip": "slip_mm",
-        "slip with noslip": [row.slip_mm for row in treated],
-    }
-    return Section(
-        tables={"cases": table_of("case", map(case_html, cases), columns, without)},
-        claims=[_does_not_help(results, engine, changes) for engine in ENGINES],
-    )
+    return Section(claims=[_does_not_help(results, engine, changes) for engine in ENGINES])
 
 
 def _does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:

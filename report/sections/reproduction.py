@@ -9,15 +9,15 @@ from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.classes import cycle_increments
-from measured_report.claims.claim import HOLDS, Claim, Outcome, at_least, at_most
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
-from measured_report.parts.section import Figure, Section, Table
+from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
-from report.names import cases_html, name_of
+from report.names import name_of
 from report.shared import arithmetic
-from report.shared.arithmetic import DEVICES, Column, departure, needs_shaking, ratio
-from report.shared.overview import HARDLY, LITTLE
+from report.shared.arithmetic import DEVICES, departure, needs_shaking, ratio
+from report.shared.drawing import SHIPPED, STIFF
 
 order = 10
 label = "the shake test"
@@ -26,8 +26,6 @@ CALIBRATED = ("as-shipped", "stiff-pads")
 """Cases that are run on every engine and device."""
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
-AXES = {"x_mm": "x", "y_mm": "y", "z_mm": "z"}
-"""Columns of a trace that hold the displacement in the axes of the TCP frame."""
 SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
 SCENE += (("substeps", 16, "1"), ("impratio", 50, "1"))
 """Name, value and unit of what the scene sets; a test compares them with the scene."""
@@ -38,30 +36,23 @@ BATCH_COST_BOUND = {"cuda": 2.0, "cpu": 3.0}
 def derive(results: Results) -> Section:
     shipped, stiff, hold = results.row["as-shipped"], results.row["stiff-pads"], results.row["hold"]
     _scene(results, shipped, stiff)
-    traces = {name: results.trace(name) for name in ("as-shipped", "stiff-pads", "hold")}
-    shaken = {name: traces[name] for name in CALIBRATED}
-    slips = _slips(results, shipped)
-    launched = _batches(results, launched=True)
-    slipped = {"shipped": shipped.slip_mm, "stiff": stiff.slip_mm, "hold": hold.slip_mm}
-    displacement = Figure(lambda: _draw_displacement(traces), list(traces.values()), slipped)
+    traces = {name: results.trace(name) for name in CALIBRATED}
+    slips, steady = _slips(results, shipped), _steady(results, shipped, traces["as-shipped"])
     means = {"shipped": shipped.increment_mean_mm, "stiff": stiff.increment_mean_mm}
-    frequency = shipped.shake_frequency_hz.value
-    increments = Figure(lambda: _draw_increments(shaken, frequency), list(shaken.values()), means)
+    means |= {"is_steady": all_of(slips.outcome, steady.outcome) == HOLDS}
+    frequency, there = shipped.shake_frequency_hz.value, [row for row in results.rows if "slip_mm" in row]
     return Section(
-        tables={"cases": _table(results)},
-        figures={"displacement": displacement, "increments": increments},
+        tables={"cases": arithmetic.by_case(there, {"slip": "slip_mm", "drift": "drift_mm_s"})},
+        figures={"increments": Figure(lambda: _draw_increments(traces, frequency), list(traces.values()), means)},
         claims=[
             slips,
-            _steady(results, shipped, traces["as-shipped"]),
-            _alternates(results, shipped, traces["as-shipped"]),
+            steady,
             needs_shaking("needs_shaking", results, hold.drift_mm_s, shipped.drift_mm_s),
             _moves_little_when_held(results, shipped, hold),
             _same_on_both_engines(results, slips),
             _stiff_pads_hold(results, shipped, stiff),
             _batch_is_cheap(results),
-            *([_launching_costs(results, *launched)] if launched else []),
         ],
-        unmeasured=() if launched else ("launching_costs",),
     )
 
 
@@ -72,8 +63,6 @@ def _scene(results: Results, shipped: Row, stiff: Row) -> None:
     amplitude = shipped.shake_amplitude_m
     results.value("amplitude", "in whole mm", lambda metres: round(1e3 * metres), amplitude, unit="mm")
     results.value("frequency", "as a whole number", round, shipped.shake_frequency_hz, unit="Hz")
-    results.chosen("little_effect", "a change in slip, of it, that is little", 100 * LITTLE, unit="%")
-    results.chosen("hardly_any_effect", "a change in slip, of it, that is hardly any", 100 * HARDLY, unit="%")
     formula = "size of the change in slip with stiff pads, of the slip as shipped"
     departure(results, "stiff_share", formula, stiff.slip_mm, shipped.slip_mm)
 
@@ -113,17 +102,6 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
     return Claim("drift_is_steady", at_most(change, bound), numbers)
 
 
-def _alternates(results: Results, shipped: Row, trace: Series) -> Claim:
-    """Cycles are counted from 1."""
-    cells = (trace, shipped.shake_frequency_hz)
-    even = _increment(results, "even", "of the even", lambda later: later[::2], cells)
-    odd = _increment(results, "odd", "of the odd", lambda later: later[1::2], cells)
-    formula = "difference between the mean increments of odd and even cycles, of their mean"
-    part = results.value("alternation", formula, lambda a, b: 200 * abs(a - b) / abs(a + b), even, odd, unit="%")
-    outcome = at_least(part, 10.0, why="steps this unequal alternate")
-    return Claim("steps_alternate", outcome, {"even": even, "odd": odd})
-
-
 def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
     """In all directions, where the drift is that along the shake's main axis."""
     formula = "slip with the arm held still, of the slip with shipped pads"
@@ -136,29 +114,21 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     """On each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told to agree."""
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
-    rows = [results.row[f"{case}{suffix}"] for case in CALIBRATED for suffix in places]
-    lost = [row for row in rows if row.slip_mm.value is None]
 
-    def apart(pads: str, rows: list[Row]) -> Value:
-        slips = [row.slip_mm for row in rows if row not in lost]
-        formula = f"largest less smallest slip of any engine and device that has one, with {pads} pads"
-        return arithmetic.spread(results, f"engine_difference_{pads}", formula, slips, unit="mm")
+    def apart(case: str, pads: str) -> Value:
+        cells = [results.row[f"{case}{suffix}"].slip_mm for suffix in places]
+        formula = f"largest less smallest slip of all engines and devices, with {pads} pads"
+        return arithmetic.spread(results, f"engine_difference_{pads}", formula, cells, unit="mm")
 
-    shipped, stiff = apart("shipped", rows[: len(places)]), apart("stiff", rows[len(places) :])
+    shipped, stiff = apart("as-shipped", "shipped"), apart("stiff-pads", "stiff")
     formula = "the larger of the two differences between engines and devices, as shipped and with stiff pads"
     difference = results.value("engine_difference", formula, max, shipped, stiff, unit="mm")
     bound = results.chosen("engine_bound", "what is left is noise and rounding", 0.02, unit="mm")
-    reason = lost[0].slip_mm.reason if lost else ""
-    outcome = at_most(difference, bound)
-    if lost and outcome == HOLDS:
-        outcome = Outcome("unknown", reason)
-    agree_shipped, agree_stiff = (at_most(each, bound) == HOLDS for each in (shipped, stiff))
-    numbers = {"shipped": shipped, "stiff": stiff, "agree_shipped": agree_shipped, "agree_stiff": agree_stiff}
     *first, last = places.values()
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
-    numbers |= {"places": listed, "bound": bound, "slips": slips.outcome == HOLDS}
-    numbers |= {"lost": cases_html(row.case for row in lost) if lost else "", "reason": reason}
-    return Claim("same_on_both_engines", outcome, numbers)
+    numbers = {"shipped": shipped, "stiff": stiff, "places": listed, "bound": bound}
+    numbers |= {"agree_shipped": at_most(shipped, bound) == HOLDS, "agree_stiff": at_most(stiff, bound) == HOLDS}
+    return Claim("same_on_both_engines", at_most(difference, bound), numbers, effect=slips.outcome)
 
 
 def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
@@ -168,46 +138,16 @@ def _stiff_pads_hold(results: Results, shipped: Row, stiff: Row) -> Claim:
 
 
 def _batch_is_cheap(results: Results) -> Claim:
-    one, many = _batches(results, launched=False)
+    rows = sorted((row for row in results.rows if row.case.startswith("batch-")), key=lambda row: row.world_count.value)
+    one, many = [*rows, *[results.row["a batch"]] * (2 - len(rows))][:2]
     cost = ratio(results, "batch_cost", "wall time of a batch over that of one world", many.wall_s, one.wall_s)
     device = results.record.machine["device"]
     bound = results.chosen("batch_cost_bound", f"for {device}", BATCH_COST_BOUND[device])
     return Claim("batch_is_cheap", at_most(cost, bound), {"worlds": many.world_count, "cost": cost, "bound": bound})
 
 
-def _launching_costs(results: Results, one: Row, many: Row) -> Claim:
-    """Of the same worlds, each frame launched kernel by kernel instead of replayed as one graph."""
-    graph = _batches(results, launched=False)[0].wall_s
-    formula = "wall time of one world launched kernel by kernel less that as a graph, of the former"
-    part = results.value("launch_share", formula, lambda a, b: 100 * (a - b) / a, one.wall_s, graph, unit="%")
-    formula = "wall time of a batch over that of one world, both launched kernel by kernel"
-    ratio(results, "launched_batch_cost", formula, many.wall_s, one.wall_s)
-    outcome = at_least(part, 50.0, why="launching costs more than computing")
-    return Claim("launching_costs", outcome, {"launched": one.wall_s, "graph": graph, "share": part})
-
-
-def _batches(results: Results, *, launched: bool) -> list[Row]:
-    """The rows that were timed alone and as a batch, in this order."""
-    rows = [row for row in results.rows if row.case.startswith("batch-") and row.case.endswith("-launched") == launched]
-    rows = sorted(rows, key=lambda row: row.world_count.value or 0)
-    missing = [results.row["a batch"]] * (2 - len(rows))
-    return [*rows, *missing] if rows or not launched else []
-
-
 def _mean(increments: np.ndarray) -> float:
     return float(increments.mean()) if len(increments) else np.nan
-
-
-def _table(results: Results) -> Table:
-    def engine(row: Row) -> str:
-        """MuJoCo's C engine computes on the CPU wherever it is called from."""
-        device = row["device"] if "device" in row else results.record.machine["device"]
-        return "MuJoCo C, CPU" if row.backend == "mujoco" else f"MuJoCo Warp, {DEVICES[device]}"
-
-    columns: dict[str, Column] = {"engine": engine, "slip": "slip_mm", "drift": "drift_mm_s"}
-    columns |= {"per cycle": "increment_mean_mm", "oscillation": "oscillation_mm"}
-    columns |= {"wander": "wander_mm", "dropped": "dropped"}
-    return arithmetic.by_case([row for row in results.rows if "slip_mm" in row], columns)
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
@@ -215,28 +155,15 @@ def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
     return cycle_increments(frame["time_s"].to_numpy(), frame["along_mm"].to_numpy(), frequency_hz)
 
 
-def _draw_displacement(traces: dict[str, Series]) -> Drawing:
-    there = {name: trace.value for name, trace in traces.items() if trace.value is not None}
-    drawing, panels = new_figure(7.2, 3.2, ncols=len(there), sharey=True, squeeze=False)
-    for axes, (name, frame) in zip(panels[0], there.items(), strict=True):
-        for start, (column, axis) in enumerate(AXES.items()):
-            axes.plot(frame["time_s"], frame[column], label=axis, markevery=(30 * start, 90))
-        axes.set_title(name_of(name))
-    panels[0][0].set_ylabel("displacement [mm]")
-    drawing.supxlabel("time since the shake began [s]", fontsize=10)
-    drawing.legend(*panels[0][0].get_legend_handles_labels(), loc="outside upper right", ncols=len(AXES))
-    return drawing
-
-
 def _draw_increments(traces: dict[str, Series], frequency_hz: float) -> Drawing:
-    drawing, axes = new_figure(7.2, 3.0)
-    for name, trace in traces.items():
+    drawing, axes = new_figure(7.2, 2.6)
+    for (name, trace), colour in zip(traces.items(), (SHIPPED, STIFF), strict=True):
         if trace.value is not None:
             increments = _cycle_increments(trace.value, frequency_hz)
-            axes.plot(range(1, len(increments) + 1), increments, label=name_of(name), markevery=1)
+            axes.plot(range(1, len(increments) + 1), increments, color=colour, label=name_of(name), markevery=1)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlabel("shake cycle")
-    axes.set_ylabel("increment [mm]")
+    axes.set_ylabel("moved in the cycle [mm]")
     drawing.legend(loc="outside upper right", ncols=len(traces))
     return drawing

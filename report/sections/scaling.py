@@ -6,12 +6,12 @@ from itertools import takewhile
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import Claim, at_least, at_most
-from measured_report.parts.figures import INK, new_figure
+from measured_report.claims.claim import HOLDS, Claim, at_least, at_most
+from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, departure, difference, excess, ratio, share, table_of
+from report.shared.arithmetic import Column, departure, ratio, share, table_of
 from report.shared.timing import cell, decade_axis, draw_line, world_axis
 
 order = 170
@@ -31,18 +31,13 @@ def derive(results: Results) -> Section:
         for row in rows
     }
     floor_bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
-    ends = {"ends": [rows[0], rows[-1]]}
-    times = Figure(lambda: _draw_times(rows, over_floor, floor_bound), [row.frame_ms for row in rows], ends)
-    capacity = Figure(lambda: _draw_capacity(rows), [row.world_substeps_per_s for row in rows], ends)
+    cheap = _first_worlds_are_cheap(results, rows)
+    numbers = {**cheap.numbers, "is_cheap": cheap.outcome == HOLDS, "ends": [rows[0], rows[-1]]}
+    times = Figure(lambda: _draw_times(rows), [row.frame_ms for row in rows], numbers)
     return Section(
-        tables={"worlds": _table(results, rows, over_floor)},
-        figures={"times": times, "capacity": capacity},
-        claims=[
-            _near_floor(results, over_floor, floor_bound),
-            _rate(results),
-            _first_worlds_are_cheap(results, rows),
-            _memory_settles(results, rows),
-        ],
+        tables={"worlds": _table(rows, over_floor)},
+        figures={"times": times},
+        claims=[_near_floor(results, over_floor, floor_bound), _rate(results), cheap, _memory_settles(results, rows)],
     )
 
 
@@ -51,19 +46,8 @@ def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value)
     lost = {count: cell(results, None, "frame_ms", f"a batch of {count} worlds") for count in FLOOR_COUNTS}
     cells = {count: over_floor.get(count, lost[count]) for count in FLOOR_COUNTS}
     worst = results.value("over_floor_worst", "largest of those at 1, 4096 and 16384 worlds", max, *cells.values())
-    within, over = [], []
-    formula = "how far the time of a frame is over the bound, of the bound"
-    for row in results.rows:
-        count, times = row.worlds.value, cells.get(row.worlds.value)
-        if times is None or times.value is None:
-            continue
-        measured = {"times": times, "worlds": row.worlds, "is_one": count == 1}
-        if times.value <= bound.value:
-            within.append(measured)
-        else:
-            over.append({**measured, "excess": excess(results, f"over_bound_{count}", formula, times, bound)})
-    numbers = {"bound": bound, "within": within, "over": over, "measured": over + within}
-    return Claim("near_floor", at_most(worst, bound), numbers)
+    counts = [row.worlds for row in results.rows if row.worlds.value in FLOOR_COUNTS]
+    return Claim("near_floor", at_most(worst, bound), {"bound": bound, "worst": worst, "counts": counts})
 
 
 def _rate(results: Results) -> Claim:
@@ -114,42 +98,21 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim("memory_settles", at_most(change, bound), {**numbers, "change": change, "bound": bound})
 
 
-def _table(results: Results, rows: Sequence[Row], over_floor: Mapping[int, Value]) -> Table:
-    formula = "time of a whole frame less that of its substeps as bare engine steps"
+def _table(rows: Sequence[Row], over_floor: Mapping[int, Value]) -> Table:
     columns: dict[str, Column] = {
         **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": lambda row: over_floor[row.worlds.value]},
-        "rest": lambda row: difference(results, f"beside_{row.worlds.value}", formula, row.frame_ms, row.mjw_step_ms),
         **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
     }
     return table_of("worlds", [str(row.worlds) for row in rows], columns, rows)
 
 
-def _draw_times(rows: Sequence[Row], over_floor: Mapping[int, Value], bound: Value) -> Drawing:
+def _draw_times(rows: Sequence[Row]) -> Drawing:
     counts = [row.worlds.value for row in rows]
-    drawing, (times, ratios) = new_figure(7.2, 5.0, nrows=2, sharex=True, height_ratios=(2, 1))
-    draw_line(times, counts, [row.frame_ms for row in rows], 0, "whole frame")
-    draw_line(times, counts, [row.mjw_step_ms for row in rows], 1, "its engine steps alone")
-    decade_axis(times)
-    times.set_ylabel("time [ms]")
-    times.legend(loc="upper left")
-    draw_line(ratios, counts, list(over_floor.values()), 0, "")
-    ratios.axhline(bound.value, color=INK, linewidth=1, linestyle="--")
-    ratios.set_ylim(bottom=1.0)
-    ratios.set(ylabel="whole / alone", xlabel="worlds")
-    world_axis(ratios, counts)
-    return drawing
-
-
-def _draw_capacity(rows: Sequence[Row]) -> Drawing:
-    counts = [row.worlds.value for row in rows]
-    drawing, (rates, memory) = new_figure(7.2, 4.6, nrows=2, sharex=True)
-    draw_line(rates, counts, [row.world_substeps_per_s for row in rows], 0, "")
-    draw_line(memory, counts, [row.bytes_per_world for row in rows], 0, "all", scale=1e-3)
-    draw_line(memory, counts, [row.buffer_bytes_per_world for row in rows], 1, "contacts and constraints", scale=1e-3)
-    for axes in (rates, memory):
-        decade_axis(axes)
-    rates.set_ylabel("world-substeps/s")
-    memory.set(ylabel="per world [kB]", xlabel="worlds")
-    memory.legend()
-    world_axis(memory, counts)
+    drawing, axes = new_figure(7.2, 3.4)
+    draw_line(axes, counts, [row.frame_ms for row in rows], 0, "whole frame")
+    draw_line(axes, counts, [row.mjw_step_ms for row in rows], 1, "its engine steps alone")
+    decade_axis(axes)
+    axes.set(xlabel="worlds", ylabel="time [ms]")
+    axes.legend(loc="upper left")
+    world_axis(axes, counts)
     return drawing

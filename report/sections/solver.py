@@ -9,14 +9,6 @@ from report.shared.variants import Variants, variant_section, variants_of
 order = 50
 label = "solver and time step"
 
-LABELS = {
-    "iterations": "iterations",
-    "tolerance": "both tolerances",
-    "impratio": "impratio",
-    "cone": "friction cone",
-    "substeps": "substeps a frame",
-}
-
 
 def derive(results: Results) -> Section:
     variants = variants_of(results, "iterations-15")
@@ -25,7 +17,7 @@ def derive(results: Results) -> Section:
         _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
         _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
     ]
-    return variant_section(results, variants, LABELS, *claims)
+    return variant_section(results, variants, *claims)
 
 
 def _converged(results: Results, variants: Variants) -> Claim:
@@ -34,7 +26,9 @@ def _converged(results: Results, variants: Variants) -> Claim:
     differences = [variants.difference[row.case] for row in (more, tighter)]
     largest = largest_size(results, "convergence_difference", formula, differences, unit="mm")
     numbers = {"iterations": more.iterations, "tolerance": tighter.tolerance, "change": largest}
-    return Claim("solver_has_converged", within(largest, variants.floor), variants.numbers | numbers)
+    return Claim(
+        "solver_has_converged", within(largest, variants.floor), variants.numbers | numbers, effect=variants.slips
+    )
 
 
 def _does_not_help(results: Results, variants: Variants, claim: str, case: str, column: str) -> Claim:
@@ -42,4 +36,4 @@ def _does_not_help(results: Results, variants: Variants, claim: str, case: str, 
     row, formula = results.row[case], f"slip of the baseline less that of {case}"
     reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-    return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers)
+    return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers, effect=variants.slips)

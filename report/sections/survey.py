@@ -1,14 +1,13 @@
 """The survey: what the lint says of the examples that Newton ships, release by release."""
 
 from collections.abc import Mapping, Sequence
-from itertools import zip_longest
 
 from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import Column, cell_count, table_of
+from report.shared.arithmetic import cell_count, table_of
 
 order = 185
 page = "scenes"
@@ -30,22 +29,16 @@ def derive(results: Results, releases: Releases) -> Section:
     changed = _changed(*ends) if ends else []
     linted = _linted(results)
     solved = [row for row in linted if row.solver == MUJOCO]
-    lost = (row for row in results.rows if "unbuilt" in row and row.unbuilt)
-    unbuilt = sorted(lost, key=lambda row: (row.unbuilt, row.case))
+    undamped = [row for case in UNDAMPED if (row := results.row[case])]
+    has_all = len(undamped) == len(UNDAMPED)
     return Section(
-        tables={
-            "rules": _rule_table(results, surveys),
-            "scenes": _scene_table(results, [row for row in solved if row.finding_count.value]),
-            "others": _scene_table(results, [row for row in linted if row.solver != MUJOCO]),
-            "changed": _changed_table(ends, changed),
-            "unbuilt": table_of("example", [row.case for row in unbuilt], {"why": "unbuilt"}, unbuilt),
-        },
+        tables={"rules": _rule_table(results, surveys)},
         claims=[
-            _many_are_linted(results, linted),
-            _mujoco_scenes_say_what_is_not_done(results, solved),
-            _names_the_undamped(results),
+            _mujoco_scenes_say_what_is_not_done(results, linted, solved),
+            *([_names_the_undamped(undamped)] if has_all else []),
             _releases_differ(results, ends, changed),
         ],
+        unmeasured=() if has_all else ("names_the_undamped",),
     )
 
 
@@ -53,29 +46,24 @@ def _linted(results: Results) -> list[Row]:
     return [row for row in results.rows if "unbuilt" in row and not row.unbuilt]
 
 
-def _many_are_linted(results: Results, linted: Sequence[Row]) -> Claim:
-    shapes, formula = [row.shape_count for row in linted], "examples of which the shapes were counted"
-    count = results.value("linted", formula, lambda *found: sum(each >= 0 for each in found), *shapes)
-    bound = results.chosen("enough", "examples that a survey takes", 40)
-    return Claim("many_are_linted", at_least(count, bound), {"count": count, "bound": bound})
-
-
-def _mujoco_scenes_say_what_is_not_done(results: Results, solved: Sequence[Row]) -> Claim:
-    counts = [row.finding_count for row in solved]
+def _mujoco_scenes_say_what_is_not_done(results: Results, linted: Sequence[Row], solved: Sequence[Row]) -> Claim:
+    counts, shapes = [row.finding_count for row in solved], [row.shape_count for row in linted]
     every = cell_count(results, "solved", "examples that MuJoCo solves", counts)
     some = results.value("found", "of those, how many have a finding", _positive_count, *counts)
-    outcome = decided(bool(some.value), every, some)
-    return Claim("shipped_scenes_have_findings", outcome, {"count": some, "all": every})
+    formula = "examples of which the shapes were counted"
+    read = results.value("linted", formula, lambda *found: sum(each >= 0 for each in found), *shapes)
+    lost = sum("unbuilt" in row and bool(row.unbuilt) for row in results.rows)
+    results.value("unbuilt", "examples of the record without a model", lambda *_: lost, *shapes)
+    outcome = all_of(decided(bool(some.value), every, some), at_least(read, 40, why="a survey"))
+    return Claim("shipped_scenes_have_findings", outcome, {"count": some, "all": every, "linted": read})
 
 
 def _positive_count(*counts: float) -> int:
     return sum(count > 0 for count in counts)
 
 
-def _names_the_undamped(results: Results) -> Claim:
-    if any(case not in results.row for case in UNDAMPED):
-        return Claim("names_the_undamped", Outcome("unknown", "this release does not have all three, or not linted"))
-    counts = [results.row[case].ke_without_kd_count for case in UNDAMPED]
+def _names_the_undamped(undamped: Sequence[Row]) -> Claim:
+    counts = [row.ke_without_kd_count for row in undamped]
     return Claim("names_the_undamped", all_of(*(decided(bool(count.value), count) for count in counts)))
 
 
@@ -109,22 +97,6 @@ def _releases_differ(results: Results, ends: Sequence[Results], changed: Sequenc
     return Claim("releases_differ", outcome.having_read(count), {"count": count})
 
 
-def _changed_table(ends: Sequence[Results], changed: Sequence[str]) -> Table:
-    """Show what is authored in the examples that changed, or words where it is not found, release beside release."""
-    lines: list[tuple] = []
-    for case in changed:
-        found: list[dict[tuple[str, str], list[Quantity]]] = [{}, {}]
-        for side, at in zip(ends, found, strict=True):
-            for row in _findings(side, case):
-                at.setdefault((row.rule, row.parameter), []).append(_authored(row))
-        for said in found[0] | found[1]:
-            values = zip_longest(*(at.get(said, []) for at in found), fillvalue="nothing")
-            lines += [(case, *said, *cells) for cells in values]
-    names = ["rule", "parameter", *(side.edition for side in ends)]
-    columns = {name: [line[place] for line in lines] for place, name in enumerate(names, start=1)}
-    return table_of("example", [line[0] for line in lines], columns)
-
-
 def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
     """Count the examples in which each rule finds something, by release."""
 
@@ -134,13 +106,3 @@ def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
         return results.value(f"{rule}_in_{release}", formula, _positive_count, *cells, across=True)
 
     return table_of("rule", RULES, {release: [count(release, rule) for rule in RULES] for release in surveys})
-
-
-def _scene_table(results: Results, rows: Sequence[Row]) -> Table:
-    """Show a line for each thing that is found in these examples."""
-    found = [finding for row in rows for finding in _findings(results, row.case)]
-    columns: dict[str, Column] = {
-        "solver": lambda row: results.row[row.scene].solver.removeprefix("Solver"),
-        **{"rule": "rule", "parameter": "parameter", "authored": _authored, "places": "place_count"},
-    }
-    return table_of("example", [row.scene for row in found], columns, found)

@@ -6,7 +6,7 @@ from measured_report.claims.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, departure, extreme, ratio, table_of
+from report.shared.arithmetic import cell_count, extreme, ratio, table_of
 
 order = 142
 page = "cure"
@@ -38,7 +38,7 @@ def derive(results: Results) -> Section:
     }
     return Section(
         tables={"solvers": table_of("solver", SOLVERS.values(), columns)},
-        claims=[_only_here_it_stays(results, rows, growths), _kamino_walks_by_its_step(results, rows, growths)],
+        claims=[_only_here_it_stays(results, rows, growths)],
     )
 
 
@@ -60,16 +60,6 @@ def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], g
         numbers |= {name: rows["mujoco", step].step_ms, f"growth_{name}": growths.get(("mujoco", step)) or lost}
     outcome = all_of(at_least(mine, 0.9, why="about as much"), at_most(largest, 0.6, why="about half"))
     return Claim("only_here_it_stays", outcome, numbers)
-
-
-def _kamino_walks_by_its_step(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
-    """A contact at rest at one end of a step moves by its velocity there: it walks by half of what bends its path."""
-    found = growths.get(("kamino", LONG)) or absent("%/s", "Kamino does not hold the box, or was not run")
-    cells = rows["kamino", LONG].step_ms, results.chosen("turn", "given: how fast the table turns [rad/s]", 2.0)
-    formula = "ω² h / 2, in percent of the distance from the axis"
-    law = results.value("step_walk", formula, lambda ms, turn: 100 * turn**2 * 1e-3 * ms / 2, *cells, unit="%/s")
-    off = departure(results, "step_walk_off", "growth over that, less one", found, law)
-    return Claim("kamino_walks_by_its_step", at_most(off, 5.0, why="the same"), {"growth": found, "law": law})
 
 
 def _shown(rows: Mapping[tuple[str, str], Row], growths: Growths, key: tuple[str, str]) -> Quantity | str:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from measured_report.claims.claim import FAILS, Claim, Outcome, at_least, at_most
+from measured_report.claims.claim import FAILS, Bound, Claim, Outcome, at_most
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
@@ -106,9 +106,14 @@ def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity)
     return Claim(name, at_most(part, bound), numbers)
 
 
-def settles(gain: Quantity) -> Outcome:
-    """Tell whether a slip that is so many times less settles the matter."""
-    return at_least(gain, SETTLES[1], why=SETTLES[0])
+def settles(before: Quantity, after: Quantity) -> Outcome:
+    """Tell whether a slip is so many times less that this settles the matter.
+
+    The slips are compared and not their ratio, which noise can make any number where the smaller is hardly above it.
+    """
+    why, times = SETTLES
+    value, noise = (None if number is None else times * number for number in (after.value, after.noise))
+    return at_most(replace(after, value=value, noise=noise), before).having_read(Bound(times, "1", "", why=why))
 
 
 def resolved(noise: Quantity, bound: Quantity) -> Outcome:

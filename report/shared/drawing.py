@@ -4,7 +4,11 @@ from collections.abc import Iterable, Sequence
 
 from matplotlib.axes import Axes
 
+from measured_report.parts.figures import SERIES
 from measured_report.values.quantities import Quantity
+
+STIFF, SHIPPED, TERM, CURE = SERIES[:4]
+"""The colour of a condition, the same in every figure: stiff pads, as shipped, the left-out term, the whole cure."""
 
 
 def mark_cells(axes: Axes, cells: Sequence[Quantity | None], colour: str, label: str, **style) -> None:

@@ -1,6 +1,6 @@
-"""Figures of the front page and the story: the cube in the grasp, its way, the suspects and the mechanism."""
+"""Figures of the front page and the story: the cube in the grasp, the suspects and the mechanism."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
 from report.names import name_of
+from report.shared.drawing import SHIPPED, STIFF
 
 EDGE_MM = 40.0  # of the cube, for drawings to scale
 PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
@@ -24,7 +25,7 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
     drawing, panels = new_figure(7.2, 3.0, ncols=len(there), squeeze=False)
     for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
         end = frame["x_mm"].iloc[-1], -frame["z_mm"].iloc[-1]
-        _draw_grasp(axes, end, SERIES[1 - number])
+        _draw_grasp(axes, end, (SHIPPED, STIFF)[number])
         axes.set_title(f"{name_of(case)}: slips {write(slips[case])} mm")
         axes.plot(frame["x_mm"], -frame["z_mm"], color=INK, linewidth=1.0, linestyle="-", marker="")
     return drawing
@@ -53,35 +54,6 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
     axes.set_axis_off()
 
 
-def draw_walk(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
-    """How far the cube is from where it was, each line named where it ends: there it is the slip [mm]."""
-    there = {
-        case: trace.value for case, trace in traces.items() if trace.value is not None and slips[case].value is not None
-    }
-    drawing, axes = new_figure(7.2, 2.9)
-    colours, places = (SERIES[1], SERIES[0], SERIES[5]), _apart([slips[case].value for case in there])
-    for (case, frame), colour, place in zip(there.items(), colours, places, strict=False):
-        way = np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]], axis=1)
-        axes.plot(frame["time_s"], way, color=colour, linestyle="-", marker="")
-        text = f"{name_of(case)}: {write(slips[case])} mm"
-        axes.annotate(text, (frame["time_s"].iloc[-1], place), color=colour, fontsize=9, va="center", ha="right")
-    axes.axhline(0.0, color=INK, linewidth=0.8)
-    axes.margins(x=0.01)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, max(high, max(places) + 0.06 * (high - low)))
-    axes.set(xlabel="time since the shake began [s]", ylabel="displacement [mm]")
-    return drawing
-
-
-def _apart(ends: Sequence[float]) -> list[float]:
-    """Where the names of lines stand: above their ends, and so far apart that they can be read."""
-    step = 0.11 * max(ends, default=0.0)
-    places: dict[int, float] = {}
-    for index in sorted(range(len(ends)), key=lambda index: ends[index]):
-        places[index] = max(ends[index] + step, max(places.values(), default=-np.inf) + 1.3 * step)
-    return [places[index] for index in range(len(ends))]
-
-
 def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
     """The largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
     there = {name: share for name, share in shares.items() if share.value}
@@ -90,7 +62,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
     axes.set_xscale("log")
     low = 0.5 * min(values, default=1.0)
     for place, (name, value) in enumerate(zip(there, values, strict=True)):
-        colour = SERIES[1] if name == remedy else SERIES[0]
+        colour = STIFF if name == remedy else SERIES[5]
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
         axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
         beside: dict[str, Any] = {"xytext": (8, 0), "textcoords": "offset points", "fontsize": 9, "va": "center"}
@@ -106,7 +78,7 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
     axes.set_ylim(len(there) - 0.5, -0.6)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
-    axes.set_xlabel("largest change in slip, of the slip with shipped pads [%]")
+    axes.set_xlabel("largest change in slip [% of that with shipped pads]")
     return drawing
 
 
@@ -116,7 +88,7 @@ def _name_above(axes: Axes, x: float, text: str, side: str) -> None:
 
 def draw_mechanism() -> Drawing:
     """What a contact row leaves out, and what its friction does about it: a drawing of no data, not to scale."""
-    drawing, (left, right) = new_figure(7.2, 3.1, ncols=2)
+    drawing, (left, right) = new_figure(7.2, 2.5, ncols=2)
     _draw_arc(left)
     _draw_brake(right)
     for axes in (left, right):

@@ -1,19 +1,17 @@
-"""What the page of the history shows: the numbers that say most, and the claims that flip, over all editions."""
+"""What the page of the history shows: the numbers that say most, over all editions."""
 
 from collections.abc import Sequence
 
 import pandas as pd
 from markupsafe import Markup
 
-from measured_report.changes.flips import FlipList, decided_flips
 from measured_report.changes.history import Point, points
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
-from measured_report.values.noise import NOISE
-from measured_report.values.quantities import Quantity, absent
+from measured_report.values.quantities import alike
 from report.sections.upgrade.ends import with_mark
-from report.sections.upgrade.tables import FLOORS, HEADLINES
+from report.sections.upgrade.tables import HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
 DRAWING = Markup('<svg viewBox="0 0 {0:g} {1:g}" style="width: {0:g}px; height: {1:g}px" aria-hidden="true">{2}</svg>')
@@ -23,31 +21,24 @@ DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-
 
 
 def derive(releases: Releases, shown: str) -> Section:
-    """Derive the tables of the page of the edition ``shown``; ``releases`` are all that there are, oldest first."""
-    flips = FlipList(decided_flips(releases, shown), list(releases[shown]), level=3)
-    return Section(tables={"numbers": _numbers(releases), "flips": flips})
+    """Derive the table of the page, which is the same for each edition; ``releases`` are oldest first."""
+    return Section(tables={"numbers": _numbers(releases)})
 
 
 def _numbers(releases: Releases) -> Table:
     labels: list[Markup] = []
-    columns: dict[str, list[Markup]] = {name: [] for name in ("line", *releases, "noise")}
+    columns: dict[str, list[Markup]] = {name: [] for name in ("line", *releases)}
     for headline in HEADLINES:
         found = points(releases, headline)
         if found:
             labels.append(Markup("{} [{}]").format(headline.label, unit_label(headline.unit)))
             marks = {point.release: point.mark for point in found}
-            cells = (with_mark(headline.cell(each, name), marks.get(name, "")) for name, each in releases.items())
-            line = [_line(found, list(releases)), *cells, _floor(releases, headline.unit).bare]
+            numbers = alike([headline.cell(each, name) for name, each in releases.items()])
+            cells = (with_mark(number, marks.get(name, "")) for number, name in zip(numbers, releases, strict=True))
+            line = [_line(found, list(releases)), *cells]
             for column, content in zip(columns.values(), line, strict=True):
                 column.append(content)
     return Table(pd.DataFrame(columns, index=pd.Index(labels, name="number"), dtype=object))
-
-
-def _floor(releases: Releases, unit: str) -> Quantity:
-    """How far apart runs of one edition come out, of the noisiest."""
-    measured = [chapters[NOISE].results.derived[FLOORS[unit]] for chapters in releases.values() if NOISE in chapters]
-    there = [floor for floor in measured if floor.value is not None]
-    return max(there, key=lambda floor: floor.value, default=absent(unit, "section noise has no results here"))
 
 
 def _line(found: Sequence[Point], releases: Sequence[str]) -> Markup:

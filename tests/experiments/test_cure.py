@@ -13,7 +13,7 @@ from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.simulation import simulate
 from experiments.stability.limits import solref
-from newton_lint.compat import kf_is_read
+from newton_lint.of_newton.compat import kf_is_read
 
 SHORT = replace(AS_SHIPPED, frame_count=330)
 """The set-up and 2 s of shake."""

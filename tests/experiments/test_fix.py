@@ -1,11 +1,14 @@
 """The fix as it is offered: the very files, run in a process of their own, and against the scene of this report."""
 
 import ast
+import html
 import json
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from textwrap import indent
 
 import pytest
 from conftest import needs_boxes_in_c
@@ -15,7 +18,8 @@ from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.facts.fix_files import fix_files, without_patch
 from experiments.facts.trace import Trace
 from experiments.simulation.simulation import simulate
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
 CASES = {
@@ -23,6 +27,9 @@ CASES = {
     "scene_as_shipped.py": replace(AS_SHIPPED, backend="mujoco", state_sync=True, frame_count=420),
 }
 """What each script must repeat. As shipped it slips enough to fail its test in half the frames."""
+
+
+VALUES = "data/values.json"
 
 
 @pytest.fixture(scope="module")
@@ -94,3 +101,35 @@ def test_the_script_needs_newton_alone_and_holds_the_robot_of_this_report():
     assert outside == {"newton", "numpy", "warp"}
     strings = [ast.literal_eval(node.value) for node in tree.body if ast.unparse(node).startswith("URDF = ")]
     assert strings == [(ROOT / AS_SHIPPED.asset).read_text(encoding="utf-8")]
+
+
+FIX_BLOCK = re.compile(r'data-answer="fix".*?<pre[^>]*><code[^>]*>(.*?)</code></pre>', re.DOTALL)
+BEFORE = "    return robot\n"
+"""Where the robot of the scene is whole."""
+
+
+def fix_block(page: str) -> str:
+    """The lines to paste, as a page has them."""
+    return html.unescape(re.sub("<[^>]+>", "", FIX_BLOCK.search(page)[1]))
+
+
+@pytest.mark.slow
+@needs_boxes_in_c
+def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
+    scene = (site / "download/scene_as_shipped.py").read_text(encoding="utf-8")
+    block = fix_block((site / "index.html").read_text(encoding="utf-8"))
+    assert scene.count(BEFORE) == 1
+    pasted = scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}")
+    (tmp_path / "scene.py").write_text(pasted, encoding="utf-8")
+    command = [sys.executable, "scene.py", *OPTIONS, "--num-frames", "900"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    rows, noise = (json.loads((site / path).read_text()) for path in ("data/newton-1.4.0/reproduction.json", VALUES))
+    [said] = [row["slip_mm"] for row in rows["rows"] if row["case"] == "stiff-pads"]
+    slip = json.loads((tmp_path / "summary.json").read_text())["slip_mm"]
+    assert abs(slip - said) <= noise["noise"]["slip_floor"]["value"]
+
+
+def test_every_release_has_the_same_lines_to_paste(site):
+    pages = [site / "index.html", *site.glob("newton-*/index.html")]
+    assert len({fix_block(page.read_text(encoding="utf-8")) for page in pages}) == 1

@@ -15,7 +15,7 @@ from experiments.simulation.kernels import Module, modules_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from experiments.simulation.timing import in_the_shake, put_in_state_of
 from measured_report.measuring.pool import gather, processes, start
-from newton_lint import compat
+from newton_lint.of_newton import compat
 
 FRAME_COUNT = 20
 VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from experiments.shake import command as shake
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 
 CONTRACT = ("slip_mm", "drift_mm_s", "cube_height_m", "dropped")
 

@@ -1,91 +1,113 @@
-"""The lint as a program: ``newton-lint TARGET``, ``python -m newton_lint TARGET`` or, here, ``experiments.lint``.
+"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe`` and ``newton-lint page``.
 
 See docs/lint.md.
 """
 
 import argparse
 import contextlib
-import json
+import importlib
 import os
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
-import newton
-import numpy as np
-import warp as wp
-
-from newton_lint.contacts import CONES
-from newton_lint.findings import Finding, lines
-from newton_lint.prediction import Load, Prediction, predictions, said
-from newton_lint.rules import Engine, findings_of, read
-from newton_lint.target import Target, TargetError, read_target
-
-SCHEMA = 1
 CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
 """Exit status."""
-COLLIDES = int(newton.ShapeFlags.COLLIDE_SHAPES)
 PROGRAMS = {"newton-lint": "newton-lint", "__main__": "python -m newton_lint"}
 PROGRAM = PROGRAMS.get(Path(sys.argv[0]).stem, "python -m experiments.lint")
+OTHERS = ("prescribe", "page")
+"""Commands besides the lint itself, each a module."""
+SEVERITIES = ("note", "warning", "error")
 
 
-class _Parser(argparse.ArgumentParser):
+class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """What was asked for can't be: one line, as for a target that can't be read."""
         self.exit(UNFIT, f"{message}; {PROGRAM} --help says what there is\n")
 
 
-@dataclass(frozen=True)
-class Report:
-    """What is said of a target."""
-
-    target: str
-    dt_s: float
-    shape_count: int
-    """Shapes that can collide."""
-    pair_count: int
-    load: Load
-    findings: Sequence[Finding]
-    creep: Sequence[Prediction]
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
-    given = _parser().parse_args(arguments)
+    given = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        return _linted(given)
+        if not any(".py:" in each or given[:1] == ["page"] for each in given):
+            _import_mujoco_without_windows()
+        from newton_lint.target import TargetError
+
+        try:
+            if given and given[0] in OTHERS:
+                return importlib.import_module(f"newton_lint.{given[0]}").main(given[1:])
+            return _linted(parser().parse_args(given))
+        except TargetError as error:
+            print(error, file=sys.stderr)
+            return UNFIT
     except Exception:  # a fault of the lint itself, which Python would end with the status of a finding
         traceback.print_exc()
         return BROKEN
 
 
+def _import_mujoco_without_windows() -> None:
+    """Import MuJoCo without what opens windows, which takes a quarter of the time and which reading needs none of."""
+    if "mujoco" in sys.modules or "MUJOCO_GL" in os.environ:
+        return
+    os.environ["MUJOCO_GL"] = "disable"
+    importlib.import_module("mujoco")
+    del os.environ["MUJOCO_GL"]
+
+
 def _linted(given: argparse.Namespace) -> int:
-    wp.config.log_level = wp.LOG_WARNING
-    with _muted_standard_error():
-        wp.init()
-    try:
-        report = report_of(given, read_target(given.target))
-    except TargetError as error:
-        print(error, file=sys.stderr)
+    from newton_lint.output import written
+    from newton_lint.report import report_of
+    from newton_lint.settings import table_of
+    from newton_lint.target import TargetError, found_in, read_target
+
+    table = table_of(Path.cwd())
+    asked = asked_of(given, table)
+    reports, unread = [], 0
+    for target in found_in(given.target):
+        try:
+            reports.append(report_of(read_target(target), asked))
+        except TargetError as error:
+            print(error, file=sys.stderr)
+            unread += 1
+    if reports:
+        form = "json" if given.json else given.format or table.get("format", "text")
+        with _pipe_may_close():
+            print(written(reports, form, given.all))
+    if given.fix:
+        _fixed(reports)
+    if unread:
         return UNFIT
-    with _pipe_may_close():
-        print(json.dumps(as_json(report), indent=1, ensure_ascii=False) if given.json else "\n".join(as_text(report)))
-    return FOUND if report.findings else CLEAN
+    least = given.fail_on or table.get("fail-on", "warning")
+    failed = least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports)
+    return FOUND if failed else CLEAN
 
 
-@contextlib.contextmanager
-def _muted_standard_error() -> Iterator[None]:
-    """What Warp's library writes goes nowhere: of a machine without a GPU it warns, and the lint takes none."""
-    kept, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 2)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(kept)
-        os.close(nowhere)
+def _fixed(reports: Sequence[Any]) -> None:
+    """Write the changes of all findings that are no notes; what is written goes to the standard error."""
+    from newton_lint.fix import fix
+
+    for report in reports:
+        advised = (finding.advice for finding in report.findings if finding.advice and finding.severity != "note")
+        if report.source:
+            for line in fix((change for advice in advised for change in advice.changes), report.source):
+                print(line, file=sys.stderr)
+
+
+def asked_of(given: argparse.Namespace, table: dict[str, Any]):
+    """What is asked for, of the command before the project's table."""
+    from newton_lint.hold import SETTLE_S, Work
+    from newton_lint.prediction import Load
+    from newton_lint.report import Asked
+    from newton_lint.scene import Engine
+
+    engine = Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
+    settle = SETTLE_S if given.settle is None else given.settle
+    work = Work(given.hold, settle, given.turn, given.lift) if given.hold else None
+    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
+    below = table.get("below") if given.below is None else given.below
+    return Asked(engine, Load(given.acceleration, given.load), work, below, frozenset(ignore))
 
 
 @contextlib.contextmanager
@@ -98,26 +120,46 @@ def _pipe_may_close() -> Iterator[None]:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog=PROGRAM, description="Contact parameters of a scene that MuJoCo's engines take otherwise.")
-    parser.add_argument(
-        "target", metavar="TARGET", help="FILE.xml, FILE.urdf, FILE.usd, FILE.py:function, or module:function"
+def parser() -> Parser:
+    """The lint's own options."""
+    about = "Contact parameters of a scene that MuJoCo's engines take otherwise, and the creep to expect."
+    made = Parser(prog=PROGRAM, description=about, epilog="newton-lint prescribe --help, newton-lint page --help")
+    made.add_argument(
+        "target",
+        metavar="TARGET",
+        nargs="+",
+        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function",
     )
-    parser.add_argument(
-        "--dt", type=_positive, metavar="S", help="the solver's step; default: what MJCF says, or 0.002"
+    made.add_argument("--format", choices=("text", "json", "sarif", "github"), help="default: text")
+    made.add_argument("--json", action="store_true", help="the same as --format json")
+    made.add_argument("--fail-on", choices=(*SEVERITIES, "never"), help="status 1 from here on; default: warning")
+    made.add_argument("--ignore", metavar="RULES", help="rules that are not looked at, with commas between")
+    made.add_argument("--all", action="store_true", help="all creeps, and not only the worst")
+    made.add_argument("--fix", action="store_true", help="write the first change of each finding into the files")
+    add_work(made)
+    made.add_argument("--load", type=positive, default=0.0, metavar="N", help="tangential, on each contact point")
+    made.add_argument(
+        "--acceleration", type=positive, default=0.0, metavar="M/S²", help="of a contact that turns with its support"
     )
-    parser.add_argument("--contacts", choices=("mujoco", "newton"), default="mujoco", help="whose; default: mujoco")
-    parser.add_argument("--cone", choices=CONES, help="default: what the scene says")
-    parser.add_argument("--impratio", type=_positive, metavar="X", help="default: what the scene says")
-    parser.add_argument("--load", type=_positive, default=0.0, metavar="N", help="tangential, on each contact point")
-    parser.add_argument(
-        "--acceleration", type=_positive, default=0.0, metavar="M/S²", help="that contact rows leave out, as J̇·q̇"
-    )
-    parser.add_argument("--json", action="store_true", help="print one object, as docs/lint.md says")
-    return parser
+    return made
 
 
-def _positive(text: str) -> float:
+def add_work(made: argparse.ArgumentParser) -> None:
+    """Add options of the engine, and of a body that is held."""
+    made.add_argument("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
+    made.add_argument("--dt", type=positive, metavar="S", help="the solver's step; default: what the scene says")
+    made.add_argument("--cone", choices=("pyramidal", "elliptic"), help="default: what the scene says")
+    made.add_argument("--impratio", type=positive, metavar="X", help="default: what the scene says")
+    made.add_argument("--hold", metavar="BODY", help="a body that is held in the first keyframe, or at the start")
+    made.add_argument("--settle", type=positive, metavar="S", help="time that the hold gets to settle; default: 0.5")
+    made.add_argument(
+        "--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical"
+    )
+    made.add_argument("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
+    made.add_argument("--below", type=positive, metavar="MM/S", help="creep that is still good")
+
+
+def positive(text: str) -> float:
     try:
         value = float(text)
     except ValueError:
@@ -125,63 +167,3 @@ def _positive(text: str) -> float:
     if not 0.0 < value < float("inf"):
         raise argparse.ArgumentTypeError(f"{text} is no positive number")
     return value
-
-
-def report_of(given: argparse.Namespace, target: Target) -> Report:
-    model = target.model
-    engine = Engine(given.dt or target.timestep_s, contacts=given.contacts, cone=given.cone, impratio=given.impratio)
-    load = Load(given.acceleration, given.load)
-    scene = read(model, engine) if model.shape_count else None
-    return Report(
-        target=given.target,
-        dt_s=engine.substep_dt,
-        shape_count=int(np.count_nonzero(model.shape_flags.numpy() & COLLIDES)) if scene else 0,
-        pair_count=len(scene.contacts.first) if scene else 0,
-        load=load,
-        findings=findings_of(scene) if scene else [],
-        creep=predictions(model, engine, load),
-    )
-
-
-def as_json(report: Report) -> dict[str, Any]:
-    """What ``--json`` prints; docs/lint.md is its schema."""
-    return {
-        "schema": SCHEMA,
-        "target": report.target,
-        "newton": newton.__version__,
-        "dt_s": report.dt_s,
-        "shape_count": report.shape_count,
-        "pair_count": report.pair_count,
-        "findings": [asdict(finding) for finding in report.findings],
-        "creep": [_creep_of(prediction, report.load) for prediction in report.creep],
-    }
-
-
-def _creep_of(prediction: Prediction, load: Load) -> dict[str, Any]:
-    deep, shallow = prediction.deep, prediction.shallow
-    return {
-        "pairs": [list(pair) for pair in prediction.pairs],
-        "timeconst_s": prediction.timeconst_s,
-        "dmax": prediction.dmax,
-        "response_s": deep.response_s,
-        "acceleration_m_s2": load.acceleration_m_s2,
-        "acceleration_mm_s": deep.acceleration_mm_s,
-        "load_n": load.load_n,
-        "load_deep_mm_s": deep.load_mm_s,
-        "load_shallow_mm_s": shallow.load_mm_s,
-    }
-
-
-def as_text(report: Report) -> list[str]:
-    """What is printed otherwise: what was read, what was found in it, and the creep."""
-    found = lines(report.findings)
-    size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
-    text = [f"{report.target}: {size}: {_counted(len(found), 'finding') if found else 'nothing found'}"]
-    text += [f"  {line}" for line in found]
-    if report.creep:
-        text.append("predicted creep, which is no finding:")
-    return text + [f"  {said(prediction, report.load)}" for prediction in report.creep]
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

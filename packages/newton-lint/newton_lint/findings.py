@@ -1,10 +1,38 @@
-"""What a lint finds, put together and said."""
+"""What a lint finds, put together."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 
-SHOWN = 3
-"""Names that a line of text has before it counts the rest."""
+from newton_lint.source import Element
+
+SEVERITIES = ("note", "warning", "error")
+
+
+@dataclass(frozen=True)
+class Change:
+    """What to write into a file: attributes of one element, and the place."""
+
+    subject: str
+    """What has the attributes: a geom's name, or ``option``."""
+    attributes: tuple[tuple[str, str], ...]
+    element: Element | None = None
+    """Where it stands; None where no file is known to say it."""
+
+    def __str__(self) -> str:
+        said = " ".join(f'{name}="{value}"' for name, value in self.attributes)
+        place = f" ({self.element.place})" if self.element else ""
+        return f"{said} on {self.subject}{place}"
+
+
+@dataclass(frozen=True)
+class Advice:
+    """What to change, and what it gains and costs."""
+
+    changes: tuple[Change, ...]
+    gain: str
+
+    def __str__(self) -> str:
+        return f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
 
 
 @dataclass(frozen=True)
@@ -13,7 +41,7 @@ class Finding:
 
     rule: str
     shape: str
-    """Body and shape that it is about, as ``cube/box``; empty for a buffer."""
+    """Body and shape that it is about, as ``cube/box``; empty for a buffer, and for what is said of the whole scene."""
     against: tuple[str, ...]
     """The other shapes of the pairs that it is about; empty where it is about the shape alone."""
     parameter: str
@@ -23,6 +51,10 @@ class Finding:
     """What is used instead; None where nothing is. Of a buffer what was needed, of a dampratio the critical one."""
     unit: str
     message: str
+    severity: str = "warning"
+    element: Element | None = field(default=None, compare=False)
+    """Where it is written; None where no file is known to say it."""
+    advice: Advice | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)
@@ -86,40 +118,12 @@ def columns(group: Group) -> dict[str, object]:
     }
 
 
-def lines(findings: Iterable[Finding]) -> list[str]:
-    """The findings as text: a line for all that say the same, of whichever shapes."""
-    alike: dict[Finding, list[Finding]] = {}
+def alike(findings: Iterable[Finding]) -> list[list[Finding]]:
+    """The findings that say the same, of whichever shapes, in the order of the first of each."""
+    groups: dict[Finding, list[Finding]] = {}
     for finding in findings:
-        alike.setdefault(replace(finding, shape="", against=()), []).append(finding)
-    return [_line(members) for members in alike.values()]
-
-
-def _line(members: Sequence[Finding]) -> str:
-    finding = members[0]
-    unit = f" {finding.unit}" if finding.unit in ("m", "s") else ""
-    said = f"{finding.parameter} {finding.value:g}{unit} {finding.message}"
-    if finding.used is not None:
-        said += f" ({_word(finding.rule)}: {finding.used:g}{unit})"
-    if not finding.shape:
-        return f"{finding.rule:13} {said}"
-    place = named(member.shape for member in members)
-    if finding.against:
-        count = sum(len(member.against) for member in members)
-        place += f" against {named(other for member in members for other in member.against)}"
-        place += f" ({count} pairs)" if count > 1 else ""
-    return f"{finding.rule:13} {place}: {said}"
-
-
-def _word(rule: str) -> str:
-    return {"buffer": "peak", "dampratio": "critical"}.get(rule, "used")
-
-
-def named(names: Iterable[str]) -> str:
-    """The names, each once, and no more than a line has room for."""
-    different = list(dict.fromkeys(names))
-    if len(different) > SHOWN + 1:
-        return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"
-    return ", ".join(different)
+        groups.setdefault(replace(finding, shape="", against=()), []).append(finding)
+    return list(groups.values())
 
 
 def tally(findings: Iterable[Finding]) -> list[dict[str, object]]:

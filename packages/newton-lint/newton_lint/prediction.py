@@ -1,15 +1,15 @@
-"""Predicted creep of all pairs of a model: its contacts' parameters put into ``creep.predicted_creep``."""
+"""Predicted creep of all pairs of a scene: their contacts' parameters put into the law."""
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import newton
 import numpy as np
 
-from newton_lint.compat import make_solver
-from newton_lint.creep import Creep, clamped, predicted_creep
-from newton_lint.findings import named
-from newton_lint.rules import Engine, Scene, kf_unread, read
+from newton_lint.creep import M, clamped, response
+from newton_lint.hits import alike
+from newton_lint.law import Contact, Option, response_of, solref_taken
+from newton_lint.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -31,97 +31,75 @@ class Prediction:
     """Of the friction rows, as the engine takes it."""
     dmax: float
     """As the engine takes it."""
-    deep: Creep
-    """Of contacts as deep as solimp's width, or deeper."""
-    shallow: Creep
-    """Of contacts that hardly touch, which yield most."""
+    response_s: float
+    """1/b."""
+    acceleration_s: float
+    """Slide for each m/s² that the rows leave out: 1/b, and what the integrator's step adds or takes."""
+    load_mm_s: tuple[float, float]
+    """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
+    acceleration_mm_s: float
+    is_free: bool = False
+    """Whether one of the bodies moves freely."""
 
 
-def predictions(model: newton.Model, engine: Engine, load: Load) -> list[Prediction]:
-    """Of all pairs that have friction, those alike together, in the order of the model.
-
-    Left out are pairs whose solref depends on the bodies' masses, as that of shapes in force space, and those without
-    damping, which nothing brakes.
-    """
-    if not model.shape_count:
+def predictions(scene: Scene, load: Load) -> list[Prediction]:
+    """Of all pairs that have friction and damping, those alike together: free bodies first, then by their creep."""
+    contacts = scene.contacts
+    rows = np.flatnonzero(contacts.condim > 1)
+    if not len(rows):
         return []
-    scene = read(model, engine)
-    contacts, has_kf = scene.contacts, not kf_unread(scene.engine)
-    weight = np.zeros(len(contacts.first))
-    if load.load_n or has_kf:
-        shapes = inverse_weights(model)[scene.shapes.body]
-        weight = shapes[contacts.first] + shapes[contacts.second]
-    solref = _friction_solref(scene, weight) if has_kf else contacts.solref
-    told = np.column_stack([solref, contacts.solimp[:, :2], contacts.mu, weight])
-    held = np.flatnonzero(scene.has_friction & (solref[:, 1] != 0.0) & np.isfinite(told).all(axis=1))
-    if not len(held):
-        return []
-    _, first, which = np.unique(told[held], axis=0, return_index=True, return_inverse=True)
-    names = scene.shapes.names()
+    first, which = alike(_kinds(scene)[rows])
+    order = np.argsort(which, kind="stable")
+    members = np.split(rows[order], np.cumsum(np.bincount(which))[:-1])
+    loose = scene.free[scene.model.geom_bodyid]
+    names = scene.names
     found = []
-    for index in np.argsort(first).tolist():
-        pairs = held[which.reshape(-1) == index]
-        found.append(_prediction(scene.engine, load, told[pairs[0]].tolist(), list(_named(scene, pairs, names))))
-    return found
+    for index, pairs in zip(first, members, strict=True):
+        geoms = zip(contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True)
+        between = tuple((names[one], names[other]) for one, other in geoms)
+        pair = int(rows[index])
+        is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
+        if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
+            found.append(prediction)
+    return sorted(found, key=_order)
 
 
-def inverse_weights(model: newton.Model) -> np.ndarray:
-    """Translational body_invweight0 of each body [1/kg], and a last one of the world, as the engine compiles them."""
-    solver = make_solver(model, use_mujoco_cpu=True)
-    weights = np.zeros(model.body_count + 1)
-    of_newton = solver.mjc_body_to_newton.numpy()[0]
-    weights[of_newton] = solver.mj_model.body_invweight0[: len(of_newton), 0]
-    weights[-1] = 0.0
-    return weights
+def _kinds(scene: Scene) -> np.ndarray:
+    """A number for each pair, the same where geoms have the same parameters; a pair that is named has its own."""
+    contacts, model = scene.contacts, scene.model
+    columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
+    single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
+    weight = model.body_invweight0[model.geom_bodyid, 0]
+    _, kind = alike(*np.concatenate(columns), *single, weight)
+    one, other = kind[contacts.first], kind[contacts.second]
+    together = np.minimum(one, other) * model.ngeom + np.maximum(one, other)
+    return np.where(contacts.named < 0, together, -1 - contacts.named)
 
 
-def _friction_solref(scene: Scene, weight: np.ndarray) -> np.ndarray:
-    """Of friction rows that kf gives a timeconst of their own; see ``compat.KF_RELEASE``."""
-    dmax = scene.contacts.solimp[:, 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        own = 2.0 / (scene.kf * weight * ((1.0 - dmax) / scene.engine.impratio + dmax))
-    has_own = (scene.kf > 0.0) & np.isfinite(own)
-    return np.where(has_own[:, None], np.stack([own, np.ones(len(own))], axis=1), scene.contacts.solref)
-
-
-def _prediction(engine: Engine, load: Load, told: Sequence[float], pairs: Sequence[tuple[str, str]]) -> Prediction:
-    *solref, dmin, dmax, mu, weight = told
-    dmin, dmax = clamped(dmin), clamped(dmax)
-    step = engine.substep_dt if engine.refsafe else 0.0
-    deep, shallow = (
-        predicted_creep(
-            solref,
-            dmax,
-            timestep_s=step,
-            acceleration_m_s2=load.acceleration_m_s2,
-            load_n=load.load_n,
-            inverse_mass_1_kg=weight,
-            impedance=impedance,
-            impratio=engine.impratio,
-            cone=engine.cone,
-            mu=mu,
-        )
-        for impedance in (dmax, dmin)
+def predicted(
+    contact: Contact, option: Option, load: Load, pairs: Sequence[tuple[str, str]], is_free: bool = False
+) -> Prediction | None:
+    """The creep of one contact; None where nothing damps it."""
+    own = contact.solreffriction if any(contact.solreffriction) and option.cone == "elliptic" else contact.solref
+    dmax = clamped(contact.solimp[1])
+    deep = response_of(contact, option)
+    if not math.isfinite(deep.acceleration_s):
+        return None
+    shallow = response_of(contact, option, clamped(contact.solimp[0]))
+    inverse_b = response(solref_taken(own), dmax, option.timestep_s if option.refsafe and not option.discrete else 0.0)
+    loads = sorted(M * each.slide_m_s(load.load_n) for each in (deep, shallow))
+    return Prediction(
+        pairs=tuple(pairs),
+        timeconst_s=2.0 * inverse_b / dmax,
+        dmax=dmax,
+        response_s=inverse_b,
+        acceleration_s=deep.acceleration_s,
+        load_mm_s=(loads[0], loads[1]),
+        acceleration_mm_s=M * deep.acceleration_s * load.acceleration_m_s2,
+        is_free=is_free,
     )
-    return Prediction(tuple(pairs), 2.0 * deep.response_s / dmax, dmax, deep, shallow)
 
 
-def _named(scene: Scene, pairs: np.ndarray, names: Sequence[str]) -> Iterator[tuple[str, str]]:
-    for pair in pairs.tolist():
-        yield names[scene.contacts.first[pair]], names[scene.contacts.second[pair]]
-
-
-def said(prediction: Prediction, load: Load) -> str:
-    """A prediction as one line of text."""
-    count = len(prediction.pairs)
-    place = f"{named(one for one, _ in prediction.pairs)} on {named(other for _, other in prediction.pairs)}"
-    deep, shallow = prediction.deep, prediction.shallow
-    parts = [
-        f"timeconst {prediction.timeconst_s:.3g} s",
-        f"{1e3 * deep.response_s:.3g} mm/s for each m/s² that its rows leave out",
-    ]
-    if load.acceleration_m_s2:
-        parts.append(f"{deep.acceleration_mm_s:.3g} mm/s at {load.acceleration_m_s2:g} m/s²")
-    if load.load_n:
-        parts.append(f"{deep.load_mm_s:.3g} to {shallow.load_mm_s:.3g} mm/s under {load.load_n:g} N on a contact point")
-    return f"{place}{f' ({count} pairs)' if count > 1 else ''}: {'; '.join(parts)}"
+def _order(prediction: Prediction) -> tuple[bool, float, float]:
+    total = prediction.load_mm_s[1] + prediction.acceleration_mm_s
+    return not prediction.is_free, -total, -prediction.acceleration_s

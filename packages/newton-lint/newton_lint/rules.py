@@ -1,319 +1,220 @@
-"""The rules: what a scene says and ``SolverMuJoCo`` does not do. A function each, over arrays of shapes and pairs."""
+"""The rules: what a scene says and MuJoCo does not do. A function each, over arrays of geoms and pairs."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Iterator
 
-import newton
 import numpy as np
 
-from newton_lint.compat import kf_is_read
-from newton_lint.contacts import (
-    CONDIM,
-    CONES,
-    CONVERTED,
-    DEFAULT_SOLREF,
-    RAW,
-    SOLIMP,
-    Contacts,
-    Shapes,
-    contacts_of,
-    same,
+from newton_lint.advice import (
+    for_geom,
+    in_order,
+    longer_solref,
+    of_higher_priority,
+    resolved,
+    shorter_step,
+    whole_solref,
 )
-from newton_lint.findings import Buffer, Finding
+from newton_lint.findings import Finding
+from newton_lint.grip import gripped
+from newton_lint.hits import Hits, findings_of, hits
+from newton_lint.law import DEFAULT_SOLREF
+from newton_lint.scene import Scene
+from newton_lint.whole import engine, excluded, flags, lost, named_pairs, pyramid
 
-LARGE_RATIO = 4.0
-"""A buffer that holds more than this many times the measured peak is called too large."""
+SAME = 1e-5
+"""Relative difference up to which two parameters are the same."""
 FAR = 4.0
-"""A damping ratio that is more than this many times another one is far from it."""
-TORSIONAL_CONDIM, ROLLING_CONDIM = 4, 6
+"""A damping ratio, or a timeconst, that is more than this many times another one is far from it."""
+DEFAULTS = {
+    "solref": DEFAULT_SOLREF,
+    "solimp": (0.9, 0.95, 0.001, 0.5, 2.0),
+    "friction": (1.0, 0.005, 0.0001),
+    "condim": (3,),
+}
+SPINNING, ROLLING = 4, 6
 """Least condim with which a contact resists to spinning, and to rolling."""
-NOT_READ = "is not read by SolverMuJoCo"
-OVERRULED = "never reaches the solver: the other shape has the higher priority"
+OVERRULED = "never reaches the solver: the other geom has the higher priority"
 
 
-@dataclass(frozen=True)
-class Engine:
-    """What the solver is given that is not in the model."""
-
-    substep_dt: float
-    """Time step of the solver [s]."""
-    refsafe: bool = True
-    """Whether it keeps a contact's timeconst at 2 time steps or more, as it does by default."""
-    contacts: str = "mujoco"
-    """Whose contacts it solves: ``mujoco``, its own, or ``newton``, which read kf and no pair that MJCF names."""
-    cone: str | None = None
-    """``elliptic`` or ``pyramidal``; None: as the model says."""
-    impratio: float | None = None
-    """None: as the model says."""
+def lint(scene: Scene) -> list[Finding]:
+    """Everything that the rules find, in their order."""
+    rules = (solref_format, solimp, timeconst, dampratio, one_sided, priority, unused, untouched)
+    names = scene.names
+    found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
+    of_the_whole = (gripped, lost, excluded, pyramid, named_pairs, flags, engine)
+    return found + [finding for rule in of_the_whole for finding in rule(scene)]
 
 
-@dataclass(frozen=True)
-class Scene:
-    """What the rules read."""
-
-    shapes: Shapes
-    contacts: Contacts
-    engine: Engine
-
-    @cached_property
-    def settled(self) -> tuple[np.ndarray, np.ndarray]:
-        """Which shapes' parameters count in a pair, and in which: both of a pair unless one outranks the other."""
-        contacts, priority = self.contacts, self.shapes.priority
-        plain = ~contacts.explicit
-        level = plain & (priority[contacts.first] == priority[contacts.second])
-        shapes = np.concatenate([contacts.first[plain], contacts.second[level]])
-        return shapes, np.concatenate([np.flatnonzero(plain), np.flatnonzero(level)])
-
-    @cached_property
-    def kf(self) -> np.ndarray:
-        """Of each pair."""
-        contacts, kf = self.contacts, self.shapes.kf
-        return contacts.mix * kf[contacts.first] + (1.0 - contacts.mix) * kf[contacts.second]
-
-    @cached_property
-    def has_friction(self) -> np.ndarray:
-        """Whether a pair's contacts have friction rows: none with a condim of 1, nor with a kf of 0 that is read."""
-        rows = self.contacts.condim > 1
-        return rows if kf_unread(self.engine) else rows & (self.kf != 0.0)
+def solref_format(scene: Scene) -> Iterator[Hits]:
+    """Solrefs that are half timeconst and half damping."""
+    own = scene.model.geom_solref
+    shape = np.flatnonzero(scene.counts & ((own[:, 0] > 0.0) != (own[:, 1] > 0.0)))
+    message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
+    yield hits(
+        *("solref-format", "solref[1]", shape, None, own[shape, 1], DEFAULT_SOLREF[1], message),
+        severity="error",
+        element=lambda index: scene.source.authored(int(shape[index]), "solref"),
+        advise=lambda index: whole_solref(scene, int(shape[index])),
+    )
 
 
-@dataclass(frozen=True)
-class Hits:
-    """What a rule says of one parameter; arrays of one length."""
-
-    rule: str
-    parameter: str
-    unit: str
-    shape: np.ndarray
-    other: np.ndarray | None
-    """The other shape of a pair; None where it is about shapes alone."""
-    value: np.ndarray
-    used: np.ndarray
-    """NaN where nothing is used."""
-    say: Callable[[int], str]
-    """The message of the hit at an index."""
-
-
-def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = ()) -> list[Finding]:
-    """Everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
-
-    Args:
-        model: Any finalized model, with or without the solver's custom attributes, or without shapes.
-        engine: What the solver is given besides.
-        buffers: Buffers with what a run was measured to need of them.
-    """
-    missized = [finding for buffer in buffers for finding in _missized(buffer)]
-    return (findings_of(read(model, engine)) if model.shape_count else []) + missized
-
-
-def findings_of(scene: Scene) -> list[Finding]:
-    """What the rules say of a scene that has shapes."""
-    names = scene.shapes.names()
-    rules = (priority, default_gap, timeconst, ke_without_kd, dampratio, friction_gain, unused)
-    return [finding for rule in rules for hits in rule(scene) for finding in _findings(hits, names)]
-
-
-def read(model: newton.Model, engine: Engine) -> Scene:
-    """What the rules read of a model that has shapes."""
-    shapes = Shapes(model)
-    told = {
-        "cone": engine.cone or CONES[int(shapes.option("cone", 0))],
-        "impratio": shapes.option("impratio", 1.0) if engine.impratio is None else engine.impratio,
+def solimp(scene: Scene) -> Iterator[Hits]:
+    """Entries of solimp beyond 0 and 1, or in the wrong order."""
+    geoms = np.flatnonzero(scene.counts)
+    dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geoms].T
+    faults = {
+        "solimp[0]": ((dmin < 0.0) | (dmin > 1.0), dmin, np.clip(dmin, 0.0001, 0.9999), "is no share of 0 to 1"),
+        "solimp[1]": ((dmax < 0.0) | (dmax > 1.0), dmax, np.clip(dmax, 0.0001, 0.9999), "is no share of 0 to 1"),
+        "solimp[2]": (width < 0.0, width, np.maximum(width, 0.0), "is no width"),
+        "solimp[3]": ((midpoint < 0.0) | (midpoint > 1.0), midpoint, np.clip(midpoint, 0.0, 1.0), "is no share"),
+        "solimp[4]": (power < 1.0, power, np.maximum(power, 1.0), "is below 1, the least power"),
+        "solimp": (dmin > dmax, dmin, dmax, "is larger than dmax: the deeper, the softer, and creep grows with load"),
     }
-    return Scene(shapes, contacts_of(shapes, named=engine.contacts == "mujoco"), replace(engine, **told))
-
-
-def priority(scene: Scene) -> Iterator[Hits]:
-    """Authored parameters of the shape of lower priority: of such a pair only the other's values are used."""
-    shapes, contacts = scene.shapes, scene.contacts
-    there = ~contacts.explicit & (shapes.priority[contacts.first] > shapes.priority[contacts.second])
-    winner, loser = contacts.first[there], contacts.second[there]
-    config = newton.ModelBuilder.ShapeConfig()
-    parameters = {
-        "ke": (shapes.ke, config.ke),
-        "kd": (shapes.kd, config.kd),
-        **({"kf": (shapes.kf, config.kf)} if kf_is_read() else {}),
-        "mu": (shapes.mu, config.mu),
-        "mu_torsional": (shapes.mu_torsional, config.mu_torsional),
-        "mu_rolling": (shapes.mu_rolling, config.mu_rolling),
-        "condim": (shapes.condim, CONDIM),
-        **{f"solimp[{index}]": (shapes.solimp[:, index], default) for index, default in enumerate(SOLIMP)},
-    }
-    raw = (shapes.mode[winner] == RAW) | (shapes.mode[loser] == RAW)
-    for name, (values, default) in parameters.items():
-        lost = ~same(values[loser], default) & ~same(values[loser], values[winner])
-        if name in ("ke", "kd"):
-            lost &= ~raw  # they are not what the solver reads of a shape with a solref of its own
-        yield _hits("priority", name, loser[lost], winner[lost], values[loser[lost]], values[winner[lost]], OVERRULED)
-    for index, default in enumerate(DEFAULT_SOLREF):
-        # Compared with the pair's: of solrefs below 0 MuJoCo Warp takes the smaller, whatever their priority.
-        values, used = shapes.solref[loser, index], contacts.solref[there, index]
-        lost = raw & ~same(values, default) & ~same(values, used)
-        yield _hits("priority", f"solref[{index}]", loser[lost], winner[lost], values[lost], used[lost], OVERRULED)
-
-
-def default_gap(scene: Scene) -> Iterator[Hits]:
-    """Shapes that were left at the builder's gap although some that they can touch were not. Gaps of a pair add."""
-    shapes, contacts = scene.shapes, scene.contacts
-    default = newton.ModelBuilder().rigid_gap
-    plain = ~contacts.explicit
-    authored = np.where(same(shapes.gap, default), -np.inf, shapes.gap)
-    largest = np.full(len(shapes.gap), -np.inf)
-    for one, other in ((contacts.first, contacts.second), (contacts.second, contacts.first)):
-        np.maximum.at(largest, one[plain], authored[other[plain]])
-    left = np.flatnonzero(same(shapes.gap, default) & (largest > -np.inf))
-    message = "is the builder's default although its neighbours' gaps were set; gaps of a pair add"
-    yield _hits("default-gap", "gap", left, None, shapes.gap[left], shapes.gap[left] + largest[left], message, "m")
+    for name, (wrong, values, used, message) in faults.items():
+        shape = geoms[wrong]
+        yield hits(
+            *("solimp", name, shape, None, values[wrong], used[wrong], message),
+            element=lambda index, shape=shape: scene.source.authored(int(shape[index]), "solimp"),
+            advise=lambda index, shape=shape: in_order(scene, int(shape[index])),
+        )
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
-    """A timeconst below two substeps, which the engine does not take."""
-    if not scene.engine.refsafe:
+    """A timeconst below what the engine takes: two steps, or with ``discrete`` one over the dampratio."""
+    contacts, option = scene.contacts, scene.option
+    if not option.refsafe:
         return
-    contacts, limit = scene.contacts, 2.0 * scene.engine.substep_dt
-    with np.errstate(invalid="ignore"):
-        below = (contacts.timeconst > 0.0) & (contacts.timeconst < limit) & ~same(contacts.timeconst, limit)
-    found = contacts.timeconst[below]
-    message = "is below two substeps, which the engine clamps it to"
-    yield _hits(
-        "timeconst", "timeconst", contacts.first[below], contacts.second[below], found, limit, message, unit="s"
+    taken, ratio = contacts.solref.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        limit = option.timestep_s / ratio if option.discrete else np.full(len(taken), 2.0 * option.timestep_s)
+        below = np.flatnonzero((taken > 0.0) & (ratio > 0.0) & (taken < limit * (1.0 - SAME)))
+    shape, other = _stiffer_first(scene, below)
+    said = "one step over the dampratio" if option.discrete else "two steps"
+    yield hits(
+        *("timeconst", "timeconst", shape, other, taken[below], limit[below]),
+        f"is below {said}, which the engine clamps it to",
+        unit="s",
+        element=lambda index: _says(scene, int(below[index]), int(shape[index]), "solref"),
+        advise=lambda index: resolved(
+            shorter_step(scene, float(taken[below[index]])),
+            longer_solref(scene, int(shape[index]), limit[below[index]]),
+        ),
     )
-
-
-def ke_without_kd(scene: Scene) -> Iterator[Hits]:
-    """ke or kd of which the other is 0: neither is read, and the contact is as stiff and as damped as by default."""
-    shapes = scene.shapes
-    counts, _ = scene.settled
-    shape = _each(counts)
-    shape = shape[shapes.mode[shape] == CONVERTED]
-    timeconst_s, ratio = DEFAULT_SOLREF
-    defaults = {"ke": 1.0 / (timeconst_s * ratio) ** 2, "kd": 2.0 / timeconst_s}
-    for name, other in (("ke", "kd"), ("kd", "ke")):
-        values = getattr(shapes, name)
-        alone = shape[(values[shape] > 0.0) & (getattr(shapes, other)[shape] <= 0.0)]
-        message = f"is not read: {other} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is"
-        yield _hits("ke-without-kd", name, alone, None, values[alone], defaults[name], message)
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """A contact that rings, or that yields as the square of its damping ratio."""
+    """A contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
     contacts = scene.contacts
-    ratio, timeconst_s = contacts.dampratio, contacts.timeconst
-    with np.errstate(invalid="ignore"):
-        far = np.flatnonzero((ratio > FAR) | (ratio < 1.0 / FAR))
+    first, second = contacts.solref.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
+    sound = (first > 0.0) == (second > 0.0)
+    message = "is far above 1: the contact yields by its square"
+    for far, severity, said in (
+        (sound & (ratio > FAR) & np.isfinite(ratio), "warning", message),
+        (sound & (ratio < 1.0 / FAR), "note", "is far below 1: the contact bounces"),
+    ):
+        there = np.flatnonzero(far)
+        shape, other = _stiffer_first(scene, there)
+        yield hits(
+            *("dampratio", "dampratio", shape, other, ratio[there], 1.0, said),
+            severity=severity,
+            element=lambda index, there=there, shape=shape: _says(
+                scene, int(there[index]), int(shape[index]), "solref"
+            ),
+            advise=lambda index, shape=shape: whole_solref(scene, int(shape[index])),
+        )
 
-    def say(index: int) -> str:
-        pair = far[index]
-        own = f"its timeconst is {timeconst_s[pair]:.3g} s" if timeconst_s[pair] > 0.0 else "as its solref says"
-        if ratio[pair] < 1.0:
-            return f"is far below 1, so that the contact rings; {own}"
-        return f"is far above 1, and the contact yields by its square; {own}"
 
-    yield Hits(
-        "dampratio", "dampratio", "1", contacts.first[far], contacts.second[far], ratio[far], np.ones(len(far)), say
+def one_sided(scene: Scene) -> Iterator[Hits]:
+    """Geoms that were made stiff, and meet only geoms that were not: solmix makes their contacts about half as soft."""
+    contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
+    differ = ~np.isclose(own[contacts.first], own[contacts.second], rtol=SAME)
+    plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
+    stiffest = np.full(len(own), np.inf)
+    for side in (contacts.first, contacts.second):
+        np.minimum.at(stiffest, side[plain], contacts.solref[plain, 0])
+        stiffest[side[contacts.outranked]] = 0.0
+    alone = (own > 0.0) & (own * FAR <= DEFAULT_SOLREF[0]) & (stiffest > 2.0 * own) & np.isfinite(stiffest)
+    shape = np.flatnonzero(alone)
+    message = "is stiff on this side only: the other geom's soft solref is mixed in, in every pair"
+    yield hits(
+        *("one-sided", "solref", shape, None, own[shape], stiffest[shape], message),
+        unit="s",
+        element=lambda index: scene.source.authored(int(shape[index]), "solref"),
+        advise=lambda index: of_higher_priority(scene, int(shape[index]), stiffest[shape[index]]),
     )
 
 
-def friction_gain(scene: Scene) -> Iterator[Hits]:
-    """kf that was authored, and is not read, or takes the friction away, or asks for a timeconst below two substeps.
-
-    Clamped is said of pairs of which both bodies move freely or not at all: another one's weight is not in the model.
-    """
-    shapes, contacts = scene.shapes, scene.contacts
-    authored = ~same(shapes.kf, newton.ModelBuilder.ShapeConfig().kf)
-    shape, pair = scene.settled
-    engine = scene.engine
-    if reason := kf_unread(engine):
-        unread = _each(shape[authored[shape]])
-        yield _hits("kf", "kf", unread, None, shapes.kf[unread], np.nan, f"{NOT_READ} {reason}")
-        return
-    first, second, kf = contacts.first, contacts.second, scene.kf
-    lost = np.flatnonzero((contacts.condim > 1) & (contacts.mu > 0.0) & ~scene.has_friction)
-    message = "is not read: kf is 0, which takes the friction away"
-    yield _hits("kf", "mu", first[lost], second[lost], contacts.mu[lost], np.nan, message)
-    inverse = shapes.inverse_mass()
-    dmax = contacts.solimp[:, 1]
-    weight = (inverse[first] + inverse[second]) * ((1.0 - dmax) / engine.impratio + dmax)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        most = 1.0 / (engine.substep_dt * weight)
-        clamped = engine.refsafe & ~contacts.explicit & (kf > most) & ~same(kf, most)
-    own = np.zeros(len(kf), dtype=bool)
-    own[pair[authored[shape]]] = True
-    hit = np.flatnonzero(clamped & own)
-    message = "asks for a friction timeconst below two substeps, which the engine clamps it to"
-    yield _hits("kf", "kf", first[hit], second[hit], kf[hit], most[hit], message)
-
-
-def kf_unread(engine: Engine) -> str:
-    """Why kf is not read; empty where it is."""
-    if not kf_is_read():
-        return "of this release"
-    if engine.contacts != "newton":
-        return "in contacts of MuJoCo"
-    return "" if engine.cone == "elliptic" else "with a pyramidal cone"
+def priority(scene: Scene) -> Iterator[Hits]:
+    """Authored parameters of geoms that are outranked wherever they touch."""
+    contacts, model = scene.contacts, scene.model
+    there = np.flatnonzero(contacts.outranked & ~scene.counts[contacts.second])
+    winner, loser = contacts.first[there], contacts.second[there]
+    for name, defaults in DEFAULTS.items():
+        values = np.asarray(getattr(model, f"geom_{name}"), dtype=float).reshape(model.ngeom, len(defaults))
+        for column, default in enumerate(defaults):
+            mine, used = values[loser, column], values[winner, column]
+            lost = np.flatnonzero(~np.isclose(mine, default, rtol=SAME) & ~np.isclose(mine, used, rtol=SAME))
+            parameter = name if len(defaults) == 1 else f"{name}[{column}]"
+            shape = loser[lost]
+            yield hits(
+                *("priority", parameter, shape, winner[lost], mine[lost], used[lost], OVERRULED),
+                severity="note",
+                element=lambda index, shape=shape, name=name: scene.source.authored(int(shape[index]), name),
+            )
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
-    """What no contact of a shape reads: restitution, and friction of a kind for which its condim has no rows."""
-    shapes, contacts = scene.shapes, scene.contacts
-    config = newton.ModelBuilder.ShapeConfig()
-    shape, pair = scene.settled
-    condim = np.zeros(len(shapes.body), dtype=int)
-    np.maximum.at(condim, shape, contacts.condim[pair].astype(int))
-    bounces = _each(shape[shapes.restitution[shape] != 0.0])
-    yield _hits("unused", "restitution", bounces, None, shapes.restitution[bounces], np.nan, NOT_READ)
-    for name, least in (("mu_torsional", TORSIONAL_CONDIM), ("mu_rolling", ROLLING_CONDIM)):
-        values = getattr(shapes, name)
-        authored = np.flatnonzero((condim > 0) & (condim < least) & ~same(values, getattr(config, name)))
-        message = f"has no rows in its contacts: their condim is below {least}"
-        yield _hits("unused", name, authored, None, values[authored], np.nan, message)
-
-
-def _each(shapes: np.ndarray) -> np.ndarray:
-    """Each of the shapes once, in their order in the model."""
-    return np.flatnonzero(np.bincount(shapes))
-
-
-def _missized(buffer: Buffer) -> Iterator[Finding]:
-    message = None
-    if buffer.capacity < buffer.peak:
-        message = "is smaller than the measured peak: what does not fit is lost"
-    elif buffer.capacity > LARGE_RATIO * max(buffer.peak, 1):
-        message = "is much larger than the measured peak: every world pays for it"
-    if message:
-        yield Finding("buffer", "", (), buffer.name, buffer.capacity, buffer.peak, "count", message)
-
-
-def _hits(
-    rule: str,
-    parameter: str,
-    shape: np.ndarray,
-    other: np.ndarray | None,
-    value: np.ndarray,
-    used: np.ndarray | float,
-    message: str,
-    unit: str = "1",
-) -> Hits:
-    return Hits(rule, parameter, unit, shape, other, value, np.broadcast_to(used, len(shape)), lambda _: message)
-
-
-def _findings(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
-    """A finding for each shape and each value that it has and gets, in the order in which they were hit."""
-    if not len(hits.shape):
-        return
-    told = np.stack([hits.shape, hits.value, np.nan_to_num(hits.used, nan=np.inf)], axis=1)
-    _, first, which = np.unique(told, axis=0, return_index=True, return_inverse=True)
-    members = np.split(np.argsort(which.reshape(-1), kind="stable"), np.cumsum(np.bincount(which.reshape(-1)))[:-1])
-    for index, hit in sorted(zip(first.tolist(), members, strict=True), key=lambda each: each[0]):
-        used = float(hits.used[index])
-        yield Finding(
-            rule=hits.rule,
-            shape=names[hits.shape[index]],
-            against=() if hits.other is None else tuple(names[other] for other in hits.other[hit].tolist()),
-            parameter=hits.parameter,
-            value=float(hits.value[index]),
-            used=None if np.isnan(used) else used,
-            unit=hits.unit,
-            message=hits.say(index),
+    """Friction of a kind for which a geom's contacts have no rows."""
+    contacts, model = scene.contacts, scene.model
+    largest = np.zeros(model.ngeom, dtype=int)
+    plain = contacts.named < 0
+    np.maximum.at(largest, contacts.first[plain], contacts.condim[plain])
+    both = plain & ~contacts.outranked
+    np.maximum.at(largest, contacts.second[both], contacts.condim[both])
+    for column, least, kind in ((1, SPINNING, "spinning"), (2, ROLLING, "rolling")):
+        values = model.geom_friction[:, column]
+        authored = ~np.isclose(values, DEFAULTS["friction"][column], rtol=SAME) & (values != 0.0)
+        shape = np.flatnonzero((largest > 0) & (largest < least) & authored)
+        yield hits(
+            *("unused", f"friction[{column}]", shape, None, values[shape], np.nan),
+            f"against {kind} has no rows in its contacts: their condim is below {least}",
+            severity="note",
+            element=lambda index, shape=shape: scene.source.authored(int(shape[index]), "friction"),
+            advise=lambda index, shape=shape, least=least, kind=kind: for_geom(
+                scene, int(shape[index]), {"condim": str(least)}, f"its contacts resist {kind}"
+            ),
         )
+
+
+def untouched(scene: Scene) -> Iterator[Hits]:
+    """Geoms whose own tag has contact parameters, and that no pair has."""
+    contacts, model, source = scene.contacts, scene.model, scene.source
+    collides = (model.geom_contype | model.geom_conaffinity) != 0
+    met = np.zeros(model.ngeom, dtype=bool)
+    met[contacts.first] = met[contacts.second] = True
+    shape = np.flatnonzero(collides & ~met) if len(contacts) else np.zeros(0, dtype=int)
+    said = [(geom, source.geom(int(geom))) for geom in shape]
+    shape = np.array([geom for geom, tag in said if tag and {"solref", "solimp", "condim"} & set(tag.attributes)], int)
+    yield hits(
+        *("untouched", "contype", shape, None, model.geom_contype[shape].astype(float), np.nan),
+        "meets no geom: bits, bodies that hang together or an exclude keep it from all others",
+        severity="note",
+        element=lambda index: source.geom(int(shape[index])),
+    )
+
+
+def _stiffer_first(scene: Scene, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Geoms of pairs, the one with the smaller timeconst first, where neither outranks the other."""
+    contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
+    first, second = contacts.first[pairs], contacts.second[pairs]
+    swap = (own[second] < own[first]) & ~contacts.outranked[pairs]
+    return np.where(swap, second, first), np.where(swap, first, second)
+
+
+def _says(scene: Scene, pair: int, geom: int, attribute: str):
+    """Where a pair's parameter is written: the ``<pair>`` that names it, or the geom."""
+    contacts, model = scene.contacts, scene.model
+    if contacts.named[pair] >= 0:
+        return scene.source.pair(*(model.geom(int(each[pair])).name for each in (contacts.first, contacts.second)))
+    return scene.source.authored(geom, attribute)

@@ -1,8 +1,10 @@
-"""The solver's live contact rows in the middle of the shake: forces, residuals, and what their velocities add up to."""
+"""The solver's live contact rows: their residuals, what their velocities add up to, and what makes them slide."""
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from measured_report.claims.claim import (
+    HOLDS,
     OPPOSITE,
     Claim,
     Outcome,
@@ -16,56 +18,15 @@ from measured_report.claims.claim import (
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.names import case_html
-from report.sections.contacts.figures import draw_contacts
-from report.shared.arithmetic import (
-    Column,
-    by_case,
-    departure,
-    difference,
-    noise_floor,
-    ratio,
-    resolved,
-    size_share,
-    table_of,
-)
+from report.sections.contacts.figures import draw_slide
+from report.shared.arithmetic import departure, difference, noise_floor, ratio, resolved, size_share, table_of
 
 order = 70
 page = "cause"
 label = "contact rows"
 
 CASES = ("as-shipped", "stiff-pads")
-FORCES = {
-    "frame": "frame",
-    "contacts": "row_count",
-    "loaded": "loaded_row_count",
-    "normal": "normal_force_n",
-    "tangential": "tangential_force_n",
-    "friction used": "cone_use",
-    "penetration": "penetration_mm",
-    "sliding": "friction_velocity_mm_s",
-}
-PARAMETERS = {
-    "timeconst": "timeconst_s",
-    "dampratio": "dampratio",
-    "friction rows' own timeconst": "friction_timeconst_s",
-    "dmin": "dmin",
-    "dmax": "dmax",
-    "friction": "friction",
-    "dim": "dim",
-}
-ROWS = {
-    "row": "row",
-    "pair": "pair",
-    "position residual": "residual_mm",
-    "velocity": "velocity_mm_s",
-    "force": "force_n",
-}
-MISSING: dict[str, Column] = {
-    "from the left-out term": "predicted_slide_mm",
-    "from the friction rows": "slide_mm",
-    "measured displacement": "along_mm",
-}
+ROWS = {"position residual": "residual_mm", "velocity": "velocity_mm_s", "force": "force_n"}
 
 
 def derive(results: Results) -> Section:
@@ -75,31 +36,25 @@ def derive(results: Results) -> Section:
     left_out, restored = (
         [results.row[f"{case}-{kind}"] for case in CASES] for kind in ("missing-term", "term-restored")
     )
-    columns = MISSING | {"friction rows, term put back": [row.slide_mm for row in restored]}
-    columns |= {"displacement, term put back": [row.along_mm for row in restored]}
     runs = {case: results.row[case] for case in CASES} | {row.case: row for row in more_runs}
-    tables = {case: results.trace(case) for case in CASES}
-    shipped = runs["as-shipped"]
-    figure = Figure(
-        draw=lambda: draw_contacts(tables, runs),
-        sources=[*tables.values(), *(row.slide_mm for row in runs.values())],
-        numbers={"slide": shipped.slide_mm, "along": shipped.along_mm},
-    )
+    missing, back = _missing_term(results, left_out), _term_restored(results, left_out, restored)
+    numbers: dict[str, Any] = {"is_so": all_of(missing.outcome, back.outcome) == HOLDS}
+    numbers |= {name: missing.numbers[name] for name in ("predicted", "slide")} | {"restored": restored[0].slide_mm}
+    bars = [
+        (plain.predicted_slide_mm, plain.slide_mm, back.slide_mm)
+        for plain, back in zip(left_out, restored, strict=True)
+    ]
+    shown = [row for row in rows if row.case == "as-shipped"]
     return Section(
-        tables={
-            "forces": by_case(frames, FORCES),
-            "parameters": by_case([first[case] for case in CASES], PARAMETERS),
-            "rows": by_case(rows, ROWS),
-            "missing": table_of("case", map(case_html, CASES), columns, left_out),
-        },
-        figures={"rows": figure},
+        tables={"rows": table_of("row", [row.row for row in shown], ROWS, shown)},
+        figures={"slide": Figure(lambda: draw_slide(bars), [cell for cells in bars for cell in cells], numbers)},
         claims=[
             _far_inside_cone(results, runs),
             *_friction_rows(results, frames, first["as-shipped"].friction_timeconst_s),
             *_slide_claims(results, runs),
             _step_closes_account(results, runs["stiff-pads"], restored[1].drift_mm_s),
-            _missing_term(results, left_out),
-            _term_restored(results, left_out, restored),
+            missing,
+            back,
             _rest_is_creep(results, left_out, restored),
             _rest_goes_with_step(results, restored[0]),
             _slide_falls_with_timeconst(results, left_out, restored),

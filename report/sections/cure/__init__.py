@@ -1,23 +1,34 @@
 """The slip's causes taken out one by one and together: what is predicted, what is measured, and what to use."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise, product
-from typing import Any
 
+import numpy as np
 from markupsafe import Markup
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most, decreases, greater
-from measured_report.parts.figures import INK, SERIES, new_figure
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided, explains, greater
+from measured_report.parts.figures import FAINT, INK, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section, Table
-from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import some_html
-from report.sections.cure.ways import ADDS, BEST, GRASP_MM, STEPS, WAYS, Way, cost_table, use_table, what_to_use
-from report.shared.arithmetic import cell_count, departure, extreme, noise_floor, ratio, share, table_of
-from report.shared.drawing import mark_cells, name_lines
+from report.sections.cure.ways import (
+    BEST,
+    GRASP_MM,
+    SHIPPED,
+    STEPS,
+    STIFF,
+    STIFF_TERM,
+    TERM,
+    Way,
+    less_untested,
+    use_table,
+    what_to_use,
+)
+from report.shared import drawing as colours
+from report.shared.arithmetic import cell_count, extreme, noise_floor, share, table_of
+from report.shared.drawing import mark_points
 
 order = 149  # after all of its page, which it reads
 page = "cure"
@@ -26,173 +37,157 @@ leads = True
 
 PARTS = {"left_out": "the term", "step": "step", "damping": "damping", "creep": "load", "rounding": "rounding"}
 """Columns of the parts of the slip that are predicted from the arm's motion, and what they are called."""
-HATCHES = ("", "///", "...", "xxx", "\\\\\\")
+SHOWN = (SHIPPED, STIFF, TERM, BEST)
+"""Ways whose parts are shown."""
 PADS = {"shipped": "shipped pads", "stiff": "stiff pads"}
-SHAKES = {"held": "held still", "3cm": "30 mm", "10cm": "100 mm"}
 OTHER_CONTACTS = {
-    "mujoco": ("mujoco-euler-400-shipped-3cm-full-kept", "contacts that MuJoCo finds"),
-    "pyramid": ("pyramidal-euler-400-shipped-3cm-full-kept", "a pyramidal cone"),
+    "mujoco": "mujoco-euler-400-shipped-3cm-full-kept",
+    "pyramid": "pyramidal-euler-400-shipped-3cm-full-kept",
 }
-"""All remedies with other contacts than Newton's and with another cone."""
-Slips = Mapping[str, Quantity]
-"""At 3 cm, by the name of the way."""
-Parts = Mapping[str, Mapping[str, Value]]
-"""By the name of the way."""
+"""The whole cure with other contacts than Newton's and with another cone."""
+Bounds = tuple[Value, Value]
+"""Up to which remainder the budget closes: in mm, and in percent of the slip."""
 
 
 def derive(results: Results) -> Section:
     least = results.chosen("remainder_least", "what a grasp of this kind does not show", 0.02, unit="mm")
     most = results.chosen("remainder_share", "as good as the law", 5.0, unit="%")
-    grasp = results.chosen("grasp_bound", "farther from where it was, a cube is out of the grasp", GRASP_MM, unit="mm")
-    near, far = (
-        results.value(f"amplitude_{shake}", "in whole mm", lambda m: round(1e3 * m), row.shake_amplitude_m, unit="mm")
-        for shake, row in ((shake, BEST.row(results, shake)) for shake in ("3cm", "10cm"))
-    )
-    parts = {way.name: _parts_of(results, way) for way in WAYS}
-    slips = {way.name: way.row(results, "3cm").slip_mm for way in WAYS}
-    numbers = {"shipped": slips["shipped pads"], "term": slips["the term"], "best": slips[BEST.name], "amplitude": near}
-    numbers |= {name: parts["shipped pads"][name] for name in ("left_out", "sum")}
+    shaken = BEST.row(results, "10cm").shake_amplitude_m
+    far = results.value("amplitude_10cm", "in whole mm", lambda m: round(1e3 * m), shaken, unit="mm")
+    runs = [row for row in results.rows if row.kind == "run"]
+    kept = [row for row in runs if row.slip_mm.value is not None and row.slip_mm.value < GRASP_MM]
+    closes = _budget_closes(results, kept, (least, most))
+    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")}
     return Section(
-        tables={
-            "use": use_table(results),
-            "cost": cost_table(results),
-            "budget": _budget_table(results, parts, near),
-            "closing": _closing_table(results, least, most),
+        tables={"use": use_table(results), "budget": _budget_table(results)},
+        figures={
+            "budget": Figure(
+                draw=lambda: _draw_budget(kept, least.value, 0.01 * most.value),
+                sources=[cell for row in kept for cell in (row.slip_mm, row.predicted_slip_mm)],
+                numbers=numbers | {"closes": closes.outcome == HOLDS},
+            )
         },
-        figures={"budget": Figure(lambda: _draw_budget(results, parts), list(slips.values()), numbers)},
         claims=[
-            what_to_use(results, far, grasp),
-            _budget_closes(results, least, most),
-            *_remedies_hold(results, slips, far, grasp),
-            _term_uncovers_step(results, parts["the term"]),
-            *_stiff_pads(results, slips),
-            _with_other_contacts(results),
-            _pyramid_yields(results),
-            _lacks_the_sway(results, far),
+            what_to_use(results, far),
+            less_untested(results, runs),
+            _each_takes_its_part(results),
+            closes,
+            _term_uncovers_step(results),
+            _stiff_pads_with_term(results),
+            *_with_other_contacts(results),
+            _rest_is_far_shake(results, kept, (least, most), far),
         ],
     )
 
 
-def _way(name: str) -> Way:
-    return next(way for way in WAYS if way.name == name)
+def _each_takes_its_part(results: Results) -> Claim:
+    """Tell whether each part of the cure takes more of the slip, beyond the noise, and of which none is seen to."""
+    noise = noise_floor(results, "slip_floor")
+    slips = {name: way.row(results, "3cm").slip_mm for name, way in {"shipped": SHIPPED, **STEPS}.items()}
+    idle = [after for before, after in pairwise(slips) if greater(slips[before], slips[after], noise=noise) != HOLDS]
+    numbers = dict(zip(("shipped", "term", "centred", "impratio", "kept", "best"), slips.values(), strict=True))
+    outcome = decided(not idle, *slips.values(), noise)
+    return Claim("each_takes_its_part", outcome, {**numbers, "idle": Markup(", ").join(idle)})
 
 
-def _budget_closes(results: Results, least: Value, most: Value) -> Claim:
-    kept = _kept_runs(results)
-    closed = _closed_count(results, "closed_count", kept, least, most)
-    count = _run_count(results, "kept_count", kept)
+def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:
+    """Tell whether the parts add up to the slip, and in how many runs the absolute tolerance is what lets them."""
+    numbers = {"count": _run_count(results, "kept_count", kept)}
+    for name, formula, is_so in (
+        ("closed", "runs whose remainder is below either bound", _closes),
+        ("relative", "runs whose remainder is below its share of the slip", _closes_by_share),
+        ("little", "runs whose slip is no more than twice the absolute bound", _is_little),
+    ):
+        numbers[name] = _count_of(results, f"{name}_count", formula, is_so, kept, bounds)
+    closed, count = numbers["closed"], numbers["count"]
     part = share(results, "closed_share", "of the runs that keep the cube, those of them", closed, count)
+    numbers |= {"share": part, "least": bounds[0], "most": bounds[1]}
     outcome = all_of(at_least(closed, 8.0, why="not by chance"), at_least(part, 80.0, why="by far the most of them"))
-    numbers = {"closed": closed, "count": count, "share": part, "least": least, "most": most}
     return Claim("budget_closes", outcome, numbers)
 
 
-def _remedies_hold(results: Results, slips: Slips, far: Value, grasp: Value) -> Iterator[Claim]:
-    """Tell how little the cube slips with the term alone, with one remedy after the other, and with all of them."""
-    noise = noise_floor(results, "slip_floor")
-    shipped, term, best, stiff = (slips[name] for name in ("shipped pads", "the term", BEST.name, "stiff pads"))
-    gains = greater(shipped, term, noise=noise)
-    outcome = all_of(at_most(term, 0.6, why="a tenth of the slip as shipped"), gains)
-    yield Claim("term_alone", outcome, {"shipped": shipped, "term": term})
-
-    steps = {step: slips[name] for step, name in STEPS.items()}
-    idle = [
-        Markup.escape(name.removeprefix(ADDS))
-        for before, name in pairwise(STEPS.values())
-        if greater(slips[before], slips[name], noise=noise) != HOLDS
-    ]
-    falls = decreases(list(steps.values()), noise=noise)
-    yield Claim("each_takes_its_part", falls, {**steps, "idle": some_html(idle)})
-
-    is_little = at_most(best, 0.03, why="what a grasp of this kind does not show")
-    outcome = all_of(is_little, greater(shipped, best, noise=noise))
-    yield Claim("best_holds", outcome, {"best": best, "shipped": shipped})
-    yield Claim("stiff_pads_hold_better", greater(term, stiff, noise=noise), {"term": term, "stiff": stiff})
-
-    best, shipped = (way.row(results, "10cm").slip_mm for way in (BEST, _way("shipped pads")))
-    outcome = at_most(best, 0.1, why="a tenth of a millimetre at a shake three times as wide")
-    if at_least(shipped, grasp) != HOLDS:
-        outcome = Outcome("unknown", "the scene with shipped pads keeps the cube there").having_read(shipped)
-        best = absent("mm", outcome.reason)
-    yield Claim("best_holds_farther", outcome, {"best": best, "amplitude": far})
-
-
-def _term_uncovers_step(results: Results, parts: Mapping[str, Value]) -> Claim:
+def _term_uncovers_step(results: Results) -> Claim:
     """The error of the step goes against what the term would have added, so that it shows once that is gone."""
-    plain, term = (_way(name).row(results, "3cm") for name in ("shipped pads", "the term"))
+    plain, term = (way.row(results, "3cm") for way in (SHIPPED, TERM))
     turned = results.value(
         "turned",
         "cosine of the angle between the slip with the term put back and that as shipped, along the pads",
         lambda ax, az, bx, bz: (ax * bx + az * bz) / ((ax**2 + az**2) * (bx**2 + bz**2)) ** 0.5,
         *(cell for row in (plain, term) for cell in (row.slip_x_mm, row.slip_z_mm)),
     )
+    step = _parts_of(results, TERM)["step"]
     formula = "predicted error of the step, along the way that the cube went with the term put back, of the slip then"
-    part = share(results, "step_share", formula, parts["step"], term.slip_mm)
-    outcome = all_of(at_most(turned, -0.5, why="about the other way"), at_least(part, 50.0, why="most of it"))
-    return Claim("term_uncovers_step", outcome, {"term": term.slip_mm, "step": parts["step"], "share": part})
-
-
-def _stiff_pads(results: Results, slips: Slips) -> Iterator[Claim]:
-    """Tell whether stiff pads lose by the term, and why they can: the error of the step alone is more than what it and
-    the term come to."""
-    plain, term, noise = slips["stiff pads"], slips["stiff pads, the term"], noise_floor(results, "slip_floor")
-    yield Claim("stiff_pads_with_term", greater(term, plain, noise=noise), {"plain": plain, "term": term})
-
-    def size(*cells: float) -> float:
-        """Compute the length of the sum of vectors, each given as x and z."""
-        return math.hypot(sum(cells[::2]), sum(cells[1::2]))
-
-    row = _way("stiff pads").row(results, "3cm")
-    of_term, of_step = ((row[f"{name}_x_mm"], row[f"{name}_z_mm"]) for name in ("left_out", "step"))
-    sizes = {
-        name: results.value(f"stiff_{name}", f"size of {words} along the pads, predicted", size, *cells, unit="mm")
-        for name, words, cells in (
-            ("term", "the term", of_term),
-            ("step", "the error of the step", of_step),
-            ("both", "both together", of_term + of_step),
-        )
-    }
-    outcome = greater(sizes["step"], sizes["both"], noise=noise).having_read(sizes["term"])
-    yield Claim("step_alone_is_more", outcome, sizes)
-
-
-def _with_other_contacts(results: Results) -> Claim:
-    slips = {name: results.row[case].slip_mm for name, (case, _) in OTHER_CONTACTS.items()}
-    bound, why = 0.1, "as good as with Newton's contacts, or nearly"
-    named = zip(slips.values(), OTHER_CONTACTS.values(), strict=True)
-    worse = [Markup.escape(words) for slip, (_, words) in named if at_most(slip, bound, why) != HOLDS]
-    largest = results.value("other_slip", "larger of both", max, *slips.values(), unit="mm")
-    return Claim("with_other_contacts", at_most(largest, bound, why), slips | {"worse": some_html(worse)})
-
-
-def _pyramid_yields(results: Results) -> Claim:
-    """What the pyramidal cone leaves is load alone, on rows that are softer the less deep the contacts are."""
-    row = results.row[OTHER_CONTACTS["pyramid"][0]]
-    cells = row.creep_x_mm, row.creep_z_mm
-    load = results.value("pyramid_load", "size of the part of load", math.hypot, *cells, unit="mm")
-    off = departure(results, "pyramid_load_off", "slip less that part, in size, of the slip", load, row.slip_mm)
-    outcome = at_most(off, 15.0, why="that part and no other")
-    return Claim("pyramid_yields", outcome, {"slip": row.slip_mm, "load": load})
-
-
-def _kept_runs(results: Results) -> list[Row]:
-    """Select the combinations that have a slip to show and keep the cube."""
-    runs = [row for row in results.rows if row.kind == "run" and row.slip_mm.value is not None]
-    return [row for row in runs if row.slip_mm.value < GRASP_MM]
-
-
-def _closed_count(results: Results, name: str, runs: Sequence[Row], least: Value, most: Value) -> Value:
-    """Count the runs whose remainder is below ``least`` [mm], or below ``most`` of the slip [%]."""
-    return results.value(
-        name,
-        "runs whose remainder is below either bound",
-        lambda absolute, relative, *found: sum(
-            remainder <= max(absolute, 0.01 * relative * slip)
-            for remainder, slip in zip(found[::2], found[1::2], strict=True)
-        ),
-        *(least, most),
-        *(cell for row in runs for cell in (row.remainder_mm, row.slip_mm)),
+    part = share(results, "step_share", formula, step, term.slip_mm)
+    outcome = all_of(
+        explains(part, term.slip_mm, noise=noise_floor(results, "slip_floor")),
+        at_most(turned, -0.5, why="about the other way"),
     )
+    return Claim("term_uncovers_step", outcome, {"term": term.slip_mm, "step": step})
+
+
+def _stiff_pads_with_term(results: Results) -> Claim:
+    """Tell whether stiff pads lose by the term because the error of the step alone is more than both together."""
+    plain, term = (way.row(results, "3cm").slip_mm for way in (STIFF, STIFF_TERM))
+    row, noise = STIFF.row(results, "3cm"), noise_floor(results, "slip_floor")
+    step = row.step_x_mm, row.step_z_mm
+    formula = "size of the error of the step along the pads, predicted for stiff pads"
+    alone = results.value("stiff_step", formula, math.hypot, *step, unit="mm")
+    both = results.value(
+        "stiff_both",
+        "the same, with the term",
+        lambda ax, az, bx, bz: math.hypot(ax + bx, az + bz),
+        *(*step, row.left_out_x_mm, row.left_out_z_mm),
+        unit="mm",
+    )
+    outcome = all_of(greater(term, plain, noise=noise), greater(alone, both, noise=noise))
+    return Claim("stiff_pads_with_term", outcome, {"plain": plain, "term": term, "step": alone, "both": both})
+
+
+def _with_other_contacts(results: Results) -> Iterator[Claim]:
+    for name, case in OTHER_CONTACTS.items():
+        slip, why = results.row[case].slip_mm, "as good as with Newton's contacts, or nearly"
+        yield Claim(f"with_{name}", at_most(slip, 0.1, why=why), {"slip": slip})
+
+
+def _rest_is_far_shake(results: Results, kept: Sequence[Row], bounds: Bounds, amplitude: Value) -> Claim:
+    """Tell whether most runs of which the budget lacks something are those of soft pads in the widest shake."""
+    far = [row for row in kept if (row.pads, row.shake) == ("shipped", "10cm")]
+    formula = "runs whose remainder is above both bounds"
+    every = _count_of(results, "open_count", formula, _stays_open, kept, bounds)
+    soft = _count_of(
+        results, "open_soft_count", f"{formula}, shipped pads in the widest shake", _stays_open, far, bounds
+    )
+    part = share(results, "open_soft_share", "of all runs of which it does not close", soft, every)
+    largest = extreme(results, "remainder_most", "largest remainder", max, [row.remainder_mm for row in kept])
+    numbers = {"soft": soft, "every": every, "amplitude": amplitude, "largest": largest}
+    return Claim("rest_is_far_shake", at_least(part, 50.0, why="most of them"), numbers)
+
+
+def _closes(remainder: float, slip: float, least: float, most: float) -> bool:
+    return remainder <= max(least, most * slip)
+
+
+def _stays_open(remainder: float, slip: float, least: float, most: float) -> bool:
+    return not _closes(remainder, slip, least, most)
+
+
+def _closes_by_share(remainder: float, slip: float, least: float, most: float) -> bool:
+    return remainder <= most * slip
+
+
+def _is_little(remainder: float, slip: float, least: float, most: float) -> bool:
+    return slip <= 2.0 * least
+
+
+def _count_of(results: Results, name: str, formula: str, is_so: Callable, runs: Sequence[Row], bounds: Bounds) -> Value:
+    """Count the runs of which that is so, told of remainder, slip and both bounds [mm, mm, mm, share of the slip]."""
+
+    def count(least: float, most: float, *found: float) -> int:
+        pairs = zip(found[::2], found[1::2], strict=True)
+        return sum(is_so(remainder, slip, least, 0.01 * most) for remainder, slip in pairs)
+
+    cells = (cell for row in runs for cell in (row.remainder_mm, row.slip_mm))
+    return results.value(name, formula, count, *bounds, *cells)
 
 
 def _run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
@@ -207,74 +202,34 @@ def _parts_of(results: Results, way: Way) -> dict[str, Value]:
 
     row, parts = way.row(results, "3cm"), {}
     for name, column in {**{name: name for name in PARTS}, "sum": "predicted", "slip": "slip"}.items():
-        formula = f"{column} of {row.case} along the pads, in the direction in which the cube went there"
+        key, formula = f"{row.case}_{name}", f"{column} of {row.case} along the pads, in the direction of its slip"
         cells = row[f"{column}_x_mm"], row[f"{column}_z_mm"], row.slip_x_mm, row.slip_z_mm
-        parts[name] = results.value(f"{row.case}_{name}", formula, along, *cells, unit="mm")
+        parts[name] = results.derived.get(key) or results.value(key, formula, along, *cells, unit="mm")
     return parts
 
 
-def _budget_table(results: Results, parts: Parts, amplitude: Value) -> Table:
+def _budget_table(results: Results) -> Table:
+    parts = [_parts_of(results, way) for way in SHOWN]
     shown = {label: name for name, label in PARTS.items()} | {"sum": "sum", "measured": "slip"}
-    columns = {label: [parts[way.name][name] for way in WAYS] for label, name in shown.items()}
-    columns["remainder"] = [way.row(results, "3cm").remainder_mm for way in WAYS]
-    return table_of("what is done", [way.name for way in WAYS], columns, amplitude=amplitude)
+    columns = {label: [found[name] for found in parts] for label, name in shown.items()}
+    return table_of("what is done", [way.name for way in SHOWN], columns)
 
 
-def _closing_table(results: Results, least: Value, most: Value) -> Table:
-    """Count for each kind of run how many keep the cube, and of how many of these the budget closes."""
-    kept = _kept_runs(results)
-    columns: dict[str, list[Value]] = {}
-    for pads, shake in product(PADS, SHAKES):
-        runs, name = [row for row in kept if (row.pads, row.shake) == (pads, shake)], f"{pads}_{shake}"
-        remainders, slips = [row.remainder_mm for row in runs], [row.slip_mm for row in runs]
-        for above, value in {
-            "keep the cube": _run_count(results, f"kept_{name}", runs),
-            "budget closes": _closed_count(results, f"closed_{name}", runs, least, most),
-            "largest remainder": extreme(results, f"remainder_{name}", "largest remainder", max, remainders),
-            "largest slip": extreme(results, f"slip_{name}", "largest slip", max, slips),
-        }.items():
-            columns.setdefault(above, []).append(value)
-    return table_of("runs", [f"{pads}, {shake}" for pads, shake in product(PADS.values(), SHAKES.values())], columns)
-
-
-def _lacks_the_sway(results: Results, amplitude: Value) -> Claim:
-    """Tell whether what the budget leaves of the widest shake is a matter of soft pads, in which the cube sways."""
-    soft, stiff = (results.derived[f"remainder_{pads}_10cm"] for pads in PADS)
-    formula = "largest remainder with shipped pads over that with stiff ones"
-    more = ratio(results, "remainder_ratio", formula, soft, stiff)
-    numbers = {"soft": soft, "stiff": stiff, "amplitude": amplitude}
-    return Claim("lacks_the_sway", at_least(more, 3.0, why="clearly more"), numbers)
-
-
-def _draw_budget(results: Results, parts: Parts) -> Drawing:
-    """All ways on the left, and those with a remedy once more on a scale of their own on the right."""
-    drawing, (whole, close) = new_figure(7.2, 4.6, ncols=2, sharey=True)
-    for axes in (whole, close):
-        _stack(axes, parts)
-        axes.axvline(0.0, color=INK, linewidth=0.8, marker="")
-        axes.grid(visible=False, axis="y")
-        axes.set_xlabel("along the way of the cube [mm]")
-    values = [abs(value.value) for way in WAYS[1:] for value in parts[way.name].values() if value.value is not None]
-    reach = 1.1 * max(values, default=1.0)
-    close.set_xlim(-reach, reach)
-    name_lines(whole, [way.name for way in WAYS])
-    whole.set_title("whole")
-    close.set_title("close")
-    drawing.legend(*whole.get_legend_handles_labels(), loc="outside upper center", ncols=4)
+def _draw_budget(runs: Sequence[Row], least: float, most: float) -> Drawing:
+    """The slip of each run over what is predicted of it, and in a band what counts as the same."""
+    drawing, axes = new_figure(7.2, 4.4)
+    line = np.geomspace(0.002, GRASP_MM, 60)
+    margin = np.maximum(least, most * line)
+    axes.fill_between(line, np.maximum(line - margin, 1e-4), line + margin, color=FAINT, linewidth=0.0, alpha=0.6)
+    axes.plot(line, line, color=INK, linewidth=0.8, marker="")
+    looks = {"shipped": (colours.SHIPPED, "o"), "stiff": (colours.STIFF, "s")}
+    for (pads, (colour, marker)), is_far in product(looks.items(), (False, True)):
+        mine = [row for row in runs if row.pads == pads and (row.shake == "10cm") == is_far]
+        points = [(row.predicted_slip_mm.value, row.slip_mm.value) for row in mine]
+        look = {"markersize": 4, "markerfacecolor": colour if is_far else "none", "markeredgewidth": 0.8}
+        label = f"{PADS[pads]}, {'the widest shake' if is_far else 'other runs'}"
+        mark_points(axes, points, color=colour, marker=marker, label=label, **look)
+    axes.set(xscale="log", yscale="log", xlabel="slip predicted [mm]", ylabel="slip measured [mm]")
+    axes.set(xlim=(0.002, 20.0), ylim=(0.002, 20.0))
+    drawing.legend(loc="outside upper center", ncols=1 if is_narrow() else 2)
     return drawing
-
-
-def _stack(axes: Axes, parts: Parts) -> None:
-    """What goes along the cube's way is stacked to the right of zero, what goes against it to the left."""
-    ends = {(way.name, sign): 0.0 for way in WAYS for sign in (True, False)}
-    for number, (name, label) in enumerate(PARTS.items()):
-        sizes, starts = [], []
-        for way in WAYS:
-            size = parts[way.name][name].value or 0.0
-            sizes.append(size)
-            starts.append(ends[way.name, size > 0.0])
-            ends[way.name, size > 0.0] += size
-        fill: dict[str, Any] = {"color": SERIES[number], "hatch": HATCHES[number], "linewidth": 0}
-        axes.barh(range(len(WAYS)), sizes, 0.6, left=starts, label=label, **fill)
-    for name, label, marker, size in (("sum", "sum of the parts", "|", 15), ("slip", "measured", "o", 5)):
-        mark_cells(axes, [parts[way.name][name] for way in WAYS], INK, label, marker=marker, markersize=size)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided, greater, within
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from report.sections.error_runtime.runs import (
     ENGINES,
     ERROR,
@@ -17,21 +17,12 @@ from report.sections.error_runtime.runs import (
     Points,
     counts,
     hit_iteration_limit,
+    holds_cube,
     is_clamped,
     named,
     with_shipped_steps,
 )
-from report.shared.arithmetic import (
-    departure,
-    difference,
-    excess,
-    log_slope,
-    noise_floor,
-    other_cell,
-    ratio,
-    share,
-    size_difference,
-)
+from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share
 from report.shared.timing import widest
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
@@ -88,9 +79,12 @@ def _rk4(points: Points, name: str, method: str) -> Claim:
 def _rk4_with_stiff_pads(points: Points) -> Claim:
     coarse, with_steps = "stiff/c-rk4/substeps-4", with_shipped_steps("stiff", "c")
     few, shipped = points.cell(coarse, ERROR), points.cell(with_steps, ERROR)
-    row = points.results.row.get(coarse)
-    numbers = {"few": few, "shipped": shipped, "is_clamped": bool(row) and is_clamped(row)}
-    numbers |= {"count": points.cell(coarse, "substeps"), "many": points.cell(with_steps, "substeps")}
+    numbers = {
+        "few": few,
+        "shipped": shipped,
+        "count": points.cell(coarse, "substeps"),
+        "many": points.cell(with_steps, "substeps"),
+    }
     return Claim("rk4_with_stiff_pads", greater(few, shipped, noise=points.floors["stiff"]), numbers)
 
 
@@ -103,7 +97,7 @@ def _reference_converged(points: Points) -> Claim:
     least = results.value("least_error", formula, min, *plotted, unit="mm")
     margin = ratio(results, "reference_margin", "smallest error over the reference's own", least, worst)
     bound = results.chosen("reference_bound", "well below what is measured with it", 10.0)
-    numbers = {"worst": worst, "least": least, "margin": margin, "bound": bound}
+    numbers = {"worst": worst, "least": least, "margin": margin}
     return Claim("reference_converged", at_least(margin, bound), numbers)
 
 
@@ -141,58 +135,28 @@ def _least_substeps(points: Points, pads: str) -> Value:
 
 
 def knob_claims(points: Points) -> list[Claim]:
-    found = (_more_substeps, _solver_effort, _contact_source, _too_little, _pyramid)
-    return [claim(points) for claim in found]
-
-
-def model_claims(points: Points) -> list[Claim]:
-    return [*_pads_decide(points), _rest_is_step_error(points), *_impratio(points), _cone_not_left(points)]
-
-
-def _more_substeps(points: Points) -> Claim:
-    results, most, floor = points.results, points.ladder("as-shipped", "newton")[-1], points.floors["as-shipped"]
-    error, before = most[ERROR], points.cell(SHIPPED, ERROR)
-    formula = "numerical error as shipped over that with most substeps"
-    gain = ratio(results, "substeps_gain", formula, before, error)
-    cost = ratio(results, "substeps_cost", "run time over that as shipped", most[TIME], points.cell(SHIPPED, TIME))
-    formula = "how many times less the error is, over how many times longer it takes"
-    worth = ratio(results, "substeps_worth", formula, gain, cost)
-    outcome = all_of(greater(before, error, noise=floor), at_least(worth, 0.8, why="what they cost, nearly"))
-    numbers = {"count": most.substeps, "shipped": points.cell(SHIPPED, "substeps")}
-    numbers |= {"cost": cost, "gain": gain, "error": error, "before": before}
-    return Claim("more_substeps", outcome, numbers)
+    return [_solver_effort(points), _impratio(points), _too_little(points)]
 
 
 def _solver_effort(points: Points) -> Claim:
-    """Compare with more or other solver effort than shipped, with contacts as shipped or anew in each substep."""
-    floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
-    shipped = f"newton-each-substep/substeps-{AS_SHIPPED.substeps}"
-    knobs = ("iterations", "ls_iterations", "solver")
-    effort = [row for row in rows if row.case.endswith(shipped) or (row.method == "newton" and row.knob in knobs)]
-    errors = [row[ERROR] for row in effort if counts(row)]
-    change = points.results.value(
-        "effort_change",
-        "largest change of the numerical error by iterations, line search or contacts in each substep, either way",
-        lambda base, *error: max(abs(each - base) for each in error),
-        *(points.cell(SHIPPED, ERROR), *errors),
-        unit="mm",
-    )
-    return Claim("solver_effort", within(change, floor), {"change": change, "floor": floor})
+    """Compare solver, iterations and line search with those shipped, and contacts made anew in each substep.
 
-
-def _contact_source(points: Points) -> Claim:
-    """Tell whether Newton's contacts keep closer to C than those of MuJoCo Warp, from the shipped substeps on.
-
-    How far Warp is from C is what is compared, so that the noise is that of identical runs.
+    Every run that holds the cube is compared, also one whose solver used all of its iterations.
     """
-    worst = {}
-    for method in ("newton", "mujoco"):
-        rows = [row for row in points.ladder("as-shipped", method) if row.substeps.value >= AS_SHIPPED.substeps]
-        formula = "largest distance from C with the same steps, {} contacts, from the shipped number of substeps on"
-        formula, cells = formula.format(method), [row.c_difference_mm for row in rows]
-        worst[method] = points.results.value(f"c_difference_{method}", formula, max, *cells, unit="mm")
-    noise = noise_floor(points.results, "slip_floor")
-    return Claim("contact_source", greater(worst["mujoco"], worst["newton"], noise=noise), worst)
+    floor, rows = points.floors["as-shipped"], [row for row in points.settings if row["pads"] == "as-shipped"]
+    knobs = [row for row in rows if row.method == "newton" and row.knob in ("iterations", "ls_iterations", "solver")]
+    anew = [row for row in rows if row.case.endswith(f"newton-each-substep/substeps-{AS_SHIPPED.substeps}")]
+    errors = [row[ERROR] for row in (*knobs, *anew) if holds_cube(row)]
+    formula = "largest change of the numerical error by solver, iterations, line search or contacts in each substep"
+    base = points.cell(SHIPPED, ERROR)
+    change = points.results.value("effort_change", formula, _farthest, base, *errors, unit="mm")
+    count = cell_count(points.results, "effort_count", "runs with other solver effort that hold the cube", errors)
+    outcome = all_of(within(change, floor), resolved(floor, base))
+    return Claim("solver_effort", outcome, {"change": change, "floor": floor, "count": count})
+
+
+def _farthest(base: float, *found: float) -> float:
+    return max(abs(each - base) for each in found)
 
 
 def _too_little(points: Points) -> Claim:
@@ -205,15 +169,7 @@ def _too_little(points: Points) -> Claim:
     return Claim("too_little", decided(bool(lost), *measured), {"lost": named(lost), "warp_keeps": kept})
 
 
-def _pyramid(points: Points) -> Claim:
-    time, before = points.cell("as-shipped/newton/cone-pyramidal", TIME), points.cell(SHIPPED, TIME)
-    formula = "range from the 5th to the 95th percentile of the run time with the elliptic cone"
-    low, high = (points.cell(SHIPPED, f"{TIME}_{edge}") for edge in ("p5", "p95"))
-    spread = size_difference(points.results, "elliptic_spread", formula, low, high)
-    return Claim("pyramid", greater(before, time, noise=spread), {"time": time, "before": before})
-
-
-def _pads_decide(points: Points) -> Iterator[Claim]:
+def pads_claims(points: Points) -> Iterator[Claim]:
     """Tell whether the grasp error as shipped stays when the model is solved to the end and is far less with stiff
     pads, and whether coarse steps make it look less with these."""
     results, shipped = points.results, points.cell(SHIPPED, GRASP)
@@ -237,61 +193,18 @@ def _pads_decide(points: Points) -> Iterator[Claim]:
     yield Claim("coarse_steps_flatter", outcome, {"coarse": coarse, "converged": stiff})
 
 
-def _rest_is_step_error(points: Points) -> Claim:
-    """Tell whether what stays of the drift when nothing slides is what the step adds to the converged solution."""
-    results, departures = points.results, []
-    numbers: dict[str, Quantity] = {}
-    frequency = other_cell(results, "reproduction", "as-shipped", "shake_frequency_hz", unit="Hz")
-    for name, pads, case in (("shipped", "as-shipped", "as-shipped"), ("stiff", "stiff", "stiff-pads")):
-        drift = other_cell(results, "contacts", f"{case}-term-restored", "drift_mm_s", unit="mm/s")
-        formula, per_cycle = "drift with the left-out acceleration put back, in a cycle", (drift, frequency)
-        rest = results.value(f"rest_{name}", formula, lambda drift, hz: drift / hz, *per_cycle, unit="mm/cycle")
-        formula = "grasp error in C with the shipped step, less that of the converged solution"
-        shipped, converged = points.cell(with_shipped_steps(pads, "c"), GRASP), points.converged(pads)
-        step = difference(results, f"step_part_{name}", formula, shipped, converged)
-        formula = "size of the difference between the two, of the motion that stays"
-        departures.append(departure(results, f"rest_departure_{name}", formula, step, rest))
-        numbers |= {f"rest_{name}": rest, f"step_{name}": step}
-    largest = results.value("rest_departure", "larger of both departures", max, *departures, unit="%")
-    return Claim("rest_is_step_error", at_most(largest, 25.0, why="the same motion"), numbers)
-
-
-def _impratio(points: Points) -> Iterator[Claim]:
-    """Tell whether the grasp drifts more with a low impratio than as set.
-
-    First with the pads whose grasp is worth saving, or where these were not measured with those as shipped; then with
-    shipped pads in any case.
-    """
-    results, (soft, stiff) = points.results, PADS
-    pads = stiff if f"{stiff}/newton/impratio-1" in results.row else soft
-    grasp, before, low = _with_low_impratio(points, pads)
-    times = ratio(results, "impratio_gain", "grasp error with the low impratio over that as set", grasp, before)
-    numbers = {"pads": PADS[pads], "low": low, "grasp": grasp, "before": before, "times": times}
-    yield Claim("impratio", greater(grasp, before, noise=points.floors[pads]), numbers)
-
-    grasp, before, low = _with_low_impratio(points, soft)
-    formula = "grasp error with the low impratio over that as set, less one, shipped pads"
-    more = excess(results, "low_impratio_more", formula, grasp, before)
-    outcome = greater(grasp, before, noise=points.floors[soft]).having_read(more)
-    yield Claim("low_impratio", outcome, {"before": before, "grasp": grasp, "low": low, "more": more})
-
-
-def _with_low_impratio(points: Points, pads: str) -> tuple[Quantity, Quantity, Quantity]:
-    """Look up the grasp errors with a low impratio and as set, and how low it is."""
+def _impratio(points: Points) -> Claim:
+    """Tell whether the grasp moves more with a low impratio than as set, with the pads whose grasp is worth saving."""
+    soft, stiff = PADS
+    pads = stiff if f"{stiff}/newton/impratio-1" in points.results.row else soft
     low, shipped = f"{pads}/newton/impratio-1", with_shipped_steps(pads, "newton")
-    return points.cell(low, GRASP), points.cell(shipped, GRASP), points.cell(low, "impratio")
-
-
-def _cone_not_left(points: Points) -> Claim:
-    """Derive the margin of the friction cone with the shipped substeps and finer, and tell who came to its edge."""
-    counted = [row for row in points.settings if counts(row)]
-    at_edge = [row for row in counted if (row.cone_use_max.value or 0.0) >= 1.0]
-    margin = points.results.value(
-        "cone_margin",
-        "one less the largest share of the friction cone that a contact used, shipped substeps and finer, in percent",
-        lambda *use: 100 * (1 - max(use)),
-        *(row.cone_use_max for row in counted if row.substeps.value >= AS_SHIPPED.substeps),
-        unit="%",
-    )
-    outcome = at_least(margin, 10.0, why="a clear margin")
-    return Claim("cone_not_left", outcome, {"margin": margin, "edge": named(at_edge)})
+    grasp, before = points.cell(low, GRASP), points.cell(shipped, GRASP)
+    times = ratio(points.results, "impratio_gain", "grasp error with the low impratio over that as set", grasp, before)
+    numbers = {
+        "pads": PADS[pads],
+        "low": points.cell(low, "impratio"),
+        "grasp": grasp,
+        "before": before,
+        "times": times,
+    }
+    return Claim("impratio", greater(grasp, before, noise=points.floors[pads]), numbers)

@@ -71,21 +71,6 @@ class Points:
         row = self.results.row.get(with_shipped_steps(pads, method))
         return row if row and counts(row) and row.backend == backend else None
 
-    def recommended(self, pads: str, backend: str) -> Row | None:
-        """Find what to set in place of the shipped settings on a backend; None where these are best or do not count.
-
-        It is the fastest of the same model that is no farther from its solution. Where the contacts' timeconst is
-        raised, or cone or impratio are others, it is another model.
-        """
-        shipped = self.shipped(pads, backend)
-        if not shipped:
-            return None
-        rows = [row for row in self.settings if counts(row) and (row["pads"], row.backend) == (pads, backend)]
-        own = [row for row in rows if is_own_model(row) and not is_clamped(row)]
-        closer = [row for row in own if row[ERROR].value <= shipped[ERROR].value]
-        fastest = min(closer, key=lambda row: row[TIME].value, default=shipped)
-        return None if fastest.case == shipped.case else fastest
-
     def converged(self, pads: str) -> Quantity:
         """Look up the grasp error of the converged solution with the cone and impratio as shipped."""
         found = (row[GRASP] for row in self.references if row["pads"] == pads and is_own_model(row))

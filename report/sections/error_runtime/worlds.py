@@ -3,7 +3,7 @@
 import numpy as np
 from markupsafe import Markup
 
-from measured_report.claims.claim import Claim, all_of, contiguous, greater
+from measured_report.claims.claim import HOLDS, Claim, all_of, contiguous, greater
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
 from measured_report.values.results import Row
@@ -32,12 +32,14 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     )
     engine = ENGINES[rows[0].backend]
     said = (Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True))
+    claim = _crossover_claim(points, engine, one_core, rates, crossover)
+    numbers = {"rates": Markup("; ").join(said), "crossover": crossover, "engine": engine}
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
         sources=[*rates, one_core],
-        numbers={"rates": Markup("; ").join(said)},
+        numbers=numbers | {"is_overtaken": claim.outcome == HOLDS},
     )
-    return figure, _crossover_claim(points, engine, one_core, rates, crossover)
+    return figure, claim
 
 
 def _rate_range(points: Points, name: str, row: Row) -> Value:
@@ -75,5 +77,5 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
         contiguous(is_ahead, *rates, one_core),
     )
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}
-    numbers |= {"most": points.worlds[-1].worlds, "is_behind": not any(is_ahead), "is_ahead": all(is_ahead)}
+    numbers |= {"most": points.worlds[-1].worlds}
     return Claim("crossover", outcome, numbers)

@@ -1,41 +1,20 @@
 """The tables and the figure of what each thing left out costs and changes."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import INK, SERIES, new_figure, say_value, write
+from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
-from report.shared.arithmetic import DEVICES, Column, cells_of, table_of
-from report.shared.drawing import name_lines
-
-LEFT_OUT = {
-    REFERENCE: "nothing: exactly as shipped",
-    "without-buffers": "room for contacts and constraints beyond the peak",
-    "without-ik-iterations": "most iterations of the inverse kinematics",
-    "without-ik-in-turn": "waiting for the inverse kinematics",
-    "without-state-sync": "Newton's state and targets written before every substep",
-    "without-cube-gap": "the cube's default contact gap",
-    "without-hand-box": "collision of the hand",
-    "without-visuals": "shapes for looking at",
-    "without-fixed-joints": "bodies fixed to one another",
-    "without-broad-phase": "testing all pairs of shapes",
-    "without-sensors": "the engine's stage of sensors",
-    "without-limits": "the engine's stage of joint limits",
-    ALL: "all of these",
-    "as-shipped": "buffers, IK iterations, waiting for IK, state writes: this report's baseline",
-}
-
-
-def case_table(runs: Runs) -> Table:
-    names = list(dict.fromkeys(case for _, case in runs))
-    return table_of("case", map(case_html, names), {"left out": [LEFT_OUT.get(name, "") for name in names]})
+from report.sections.leave_out.variants import ALL, REFERENCE, Timed
+from report.shared.arithmetic import DEVICES, Column, cell_or_absent, table_of
+from report.shared.drawing import SHIPPED, name_lines
 
 
 def audit_table(results: Results) -> Table:
@@ -44,10 +23,9 @@ def audit_table(results: Results) -> Table:
     columns: dict[str, Column] = {
         "there": lambda row: _whole(results, row, "present"),
         "used": lambda row: _whole(results, row, "used"),
-        **{"counted as used": [", ".join(item[1:]) for item in items], "note": "note"},
+        "counted as used": [", ".join(item[1:]) for item in items],
     }
-    columns = {name: cells for name, cells in cells_of(rows, columns).items() if any(cells)}
-    return table_of("", [item[0] for item in items], columns)
+    return table_of("part", [item[0] for item in items], columns, rows)
 
 
 def _whole(results: Results, row: Row, column: str) -> Quantity:
@@ -58,54 +36,51 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_table(timed: Timed, runs: Runs) -> Table:
-    times = {
-        worlds_name(count): [timed[(*run, count)].frame_ms if (*run, count) in timed else "" for run in runs]
-        for count in sorted({worlds for *_, worlds in timed})
-    }
-    return _table(runs, {**times, "memory": "buffer_bytes_per_world"})
-
-
-def same_table(runs: Runs, differences: Mapping[tuple[str, str], Value]) -> Table:
-    references = [reference_of(runs, device) for device in DEVICES]
-
-    def bits(row: Row) -> bool | str:
-        if row in references:
-            return "reference"
-        return is_identical(row) if "differing_frame_count" in row else "not run"
-
-    columns = {"slip": "slip_mm", "change": list(differences.values()), "drift": "drift_mm_s"}
-    return _table(runs, {**columns, "same bits": bits, "apart": "pose_difference_mm"})
-
-
-def _table(runs: Runs, columns: Mapping[str, Column]) -> Table:
-    """Make a table with a line for each run, after the device that it was run on."""
-    columns = {"on": lambda row: DEVICES[row.device], **columns}
-    return table_of("case", [case_html(case) for _, case in runs], columns, runs.values())
+def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value]) -> Table:
+    """Make a line for each case, with its times and changes by device."""
+    names = list(dict.fromkeys(case for _, case, _ in timed))
+    places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
+    columns: dict[str, Column] = {}
+    for device, worlds in places:
+        rows = [timed.get((device, name, worlds)) for name in names]
+        columns[f"{DEVICES[device]}, {worlds_name(worlds)}"] = [row.frame_ms if row else "" for row in rows]
+    runs = {name: row for (device, name, _), row in reversed(list(timed.items())) if device == places[0][0]}
+    columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
+    for device in dict.fromkeys(device for device, _ in places):
+        columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
+    return table_of("case", map(case_html, names), columns)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
+    """Show each device with the most worlds that it was timed with."""
+    shown = list({device: (device, worlds) for device, worlds in sorted(panels, key=lambda panel: panel[1])}.values())
+    ends = {
+        (*panel, case): cell_or_absent(timed.get((panel[0], case, panel[1])), "frame_ms", "ms")
+        for panel in shown
+        for case in (REFERENCE, ALL)
+    }
     times = Markup("; ").join(
-        Markup("{} on the {}, {}: {}").format(name_of(case), DEVICES[device], worlds_name(worlds), row.frame_ms)
-        for panel in dict.fromkeys((*panels[:1], *panels[-1:]))
-        for (device, case, worlds), row in timed.items()
-        if (device, worlds) == panel and case in (REFERENCE, ALL)
+        Markup("{} on the {}, {}: {}").format(name_of(case), DEVICES[device], worlds_name(worlds), time)
+        for (device, worlds, case), time in ends.items()
     )
-    sources = [row.frame_ms for (device, _, worlds), row in timed.items() if (device, worlds) in panels]
-    return Figure(lambda: _draw_cost(timed, panels), sources, {"times": times})
+    device, worlds = max(shown, key=lambda panel: panel[1])
+    numbers: dict[str, Any] = {"times": times, "device": DEVICES[device], "worlds": worlds_name(worlds)}
+    numbers |= {"before": ends[device, worlds, REFERENCE], "after": ends[device, worlds, ALL]}
+    sources = [row.frame_ms for (device, _, worlds), row in timed.items() if (device, worlds) in shown]
+    return Figure(lambda: _draw_cost(timed, shown), sources, numbers)
 
 
 def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
     names = list(dict.fromkeys(case for _, case, _ in timed))
     drawing, grid = new_figure(7.2, 1.3 + 0.28 * len(names), ncols=len(panels), sharey=True, squeeze=False)
     for axes, (device, worlds) in zip(grid[0], panels, strict=True):
-        whole = timed[device, REFERENCE, worlds].frame_ms.value
+        whole = cell_or_absent(timed.get((device, REFERENCE, worlds)), "frame_ms", "ms").value
         for place, case in enumerate(names):
             row = timed.get((device, case, worlds))
-            if row and row.frame_ms.value is not None:
+            if whole and row and row.frame_ms.value is not None:
                 _draw_time(axes, place, row, whole)
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")
-        axes.set_xlim(left=0)
+        axes.set_xlim(0, 1.15 * axes.get_xlim()[1])
         axes.set_title(f"{DEVICES[device]}\n{worlds_name(worlds)}")
         axes.grid(axis="y", visible=False)
     name_lines(grid[0][0], map(name_of, names))
@@ -116,9 +91,7 @@ def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
 def _draw_time(axes: Axes, place: int, row: Row, whole: float) -> None:
     """Draw the time of a frame as a share of ``whole``, with the range of its frames and the time in words."""
     middle, low, high = (100 * row[name].value / whole for name in ("frame_ms", "frame_ms_p5", "frame_ms_p95"))
-    axes.barh(place, middle, height=0.62, color=SERIES[0], edgecolor=INK, linewidth=0.6)
-    if middle > 40:
-        axes.annotate(write(row.frame_ms), (4, place), fontsize=8, va="center", color="white")
-    else:
-        say_value(axes, high, place, write(row.frame_ms))
+    axes.barh(place, middle, height=0.62, color=SHIPPED, edgecolor=INK, linewidth=0.6)
+    # Beside the line, and not on it.
+    say_value(axes, max(high, 100) if high > 80 else high, place, write(row.frame_ms))
     axes.plot([low, high], [place, place], color=INK, linestyle="-", marker="|", markevery=1, linewidth=1.2)

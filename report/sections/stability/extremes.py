@@ -4,7 +4,6 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup
 
-from experiments.facts.case import AS_SHIPPED
 from measured_report.claims.claim import (
     HOLDS,
     Claim,
@@ -15,7 +14,6 @@ from measured_report.claims.claim import (
     contiguous,
     decided,
     greater,
-    increases,
     within,
 )
 from measured_report.values.quantities import Quantity, Value, absent
@@ -27,8 +25,6 @@ from report.shared.arithmetic import cell_or_absent, extreme, share, size_differ
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
-GRIP_LEAST_N = 0.1
-"""Grips that differ by no more than that are the same."""
 SINK_LEAST_MM, NO_SINKING = 0.1, "no sinking"
 """A hand that comes down by no more than that has not come down."""
 
@@ -56,7 +52,7 @@ def friction(results: Results) -> Claim:
 
 
 def masses(results: Results) -> Iterator[Claim]:
-    """Which masses are held, and how grip, drift and hand go with the mass."""
+    """Which masses are held, and whether the drift goes with the mass."""
     rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
     held = list(filter(is_stable, rows))
     light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
@@ -64,17 +60,7 @@ def masses(results: Results) -> Iterator[Claim]:
     also = contiguous([is_stable(row) for row in rows], light, heavy)
     yield family_claim(results, "masses", rows, also, light=light, heavy=heavy)
 
-    grips = [row.grip_force_n for row in rows] or [absent("N", "it was not measured")]
-    outcome = increases(grips, noise=GRIP_LEAST_N, why="the same grip")
-    yield Claim("mass_grip", outcome, {"least": grips[0], "most": grips[-1]})
-
     yield _mass_drift(results, [row.drift_mm_s for row in held])
-
-    sinks = _sinks(rows)
-    sink = extreme(results, "mass_sink", "largest sink of the hand", max, sinks)
-    heaviest = rows[-1].cube_mass_kg if rows else absent("kg", "it was not measured")
-    outcome = increases(sinks, noise=SINK_LEAST_MM, why=NO_SINKING)
-    yield Claim("mass_sink", outcome, {"sink": sink, "heavy": heaviest})
 
 
 def _mass_drift(results: Results, drifts: Sequence[Quantity]) -> Claim:
@@ -148,28 +134,18 @@ def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -
     return Claim("arm_gives_way", outcome, {"sink": sink, "load": load})
 
 
-def long(results: Results) -> Iterator[Claim]:
-    """Whether the long run speeds up, and whether it creeps all the time: as far as its first and last creep say."""
+def long(results: Results) -> Claim:
+    """Whether the long run speeds up, as far as its first and its last creep say."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
-    columns |= {"last": "increment_last_mm_per_cycle", "slip": "slip_mm"}
+    columns |= {"last": "increment_last_mm_per_cycle"}
     cells = {name: cell_or_absent(rows[0] if rows else None, column, "1") for name, column in columns.items()}
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)
     formula = "creep per cycle in the first tenth times that bound"
     allowed = results.value("long_creep_allowed", formula, lambda a, b: a * b, cells["first"], bound, unit="mm/cycle")
     is_lost, ends = not all(map(is_stable, rows)), rows[0]["class"] if rows else ""
     also = HOLDS if is_lost else at_most(cells["last"], allowed)
-    yield family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
-
-    def of_expected(slip: float, first: float, last: float, seconds: float) -> float:
-        return 100 * slip / (0.5 * (first + last) * seconds * AS_SHIPPED.shake_frequency_hz)
-
-    formula = "slip over the mean of the creep per cycle in the first and in the last tenth, times the cycles"
-    sources = (cells[name] for name in ("slip", "first", "last", "duration"))
-    found = results.value("long_slip_share", formula, of_expected, *sources, unit="%")
-    why = "about as far as that"
-    outcome = all_of(at_least(found, 90.0, why=why), at_most(found, 110.0, why=why))
-    yield Claim("long_adds_up", outcome, {"duration": cells["duration"], "slip": cells["slip"], "share": found})
+    return family_claim(results, "long_run", rows, also, **cells, ends=ends, is_lost=is_lost, bound=bound)
 
 
 def buffers(results: Results) -> Claim:

@@ -24,14 +24,15 @@ from measured_report.parts.figures import (
     write,
 )
 from measured_report.values.results import Row, Series
-from report.sections.stability.passing import CLASSES, NEAR_FACTOR, is_stable, near_limit
-from report.shared.drawing import mark_points
+from report.names import name_of
+from report.sections.stability.passing import CLASSES, is_stable, near_limit
+from report.shared.drawing import SHIPPED, STIFF, mark_points
 
+GRIPS = STIFF, SERIES[4]
+"""As shipped, and scaled with the mass."""
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
 """A creeping run is marked by its rate."""
-HATCH = "#a9b8c6"
-"""Colour of the lines over clamped cells."""
 
 
 def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:
@@ -44,16 +45,17 @@ def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], 
         ke = np.geomspace(low, high, 200)
         one.plot(ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, linestyle="-", marker="", scaley=False)
     axes[-1, 0].set_xlabel("pad ke")
-    handles = [Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4) for colour in COLOURS]
+    there = {row["class"] for _, rows, _, _ in panels for row in rows}
     rate, rates = ("", "creeping") if is_narrow() else ("$1.2$", "creeping [mm/s]")
+    handles: list[Any] = []
     with matplotlib.rc_context({"text.parse_math": True}):  # a mark that is text is a formula to Matplotlib
-        style: dict[str, Any] = {"linestyle": "", "color": MAP_INK}
-        marks = [Line2D([], [], marker=mark or rate, markersize=6 if mark else 11, **style) for mark in MARKS]
-    pairs: list[Any] = list(zip(handles, marks, strict=True))
-    clamped = Patch(facecolor="none", edgecolor=INK, hatch="////", linewidth=0.4)
-    names = [*(rates if name == "creeping" else name for name in CLASSES), "clamped"]
-    place = {"loc": "outside upper center", "ncols": 4, "fontsize": 9, "handlelength": 2.6}
-    drawing.legend([*pairs, clamped], names, **place)
+        for name, colour, mark in zip(CLASSES, COLOURS, MARKS, strict=True):
+            if name in there:
+                style: dict[str, Any] = {"linestyle": "", "color": MAP_INK, "markersize": 5 if mark else 11}
+                patch = Patch(facecolor=colour, edgecolor=MAP_INK, linewidth=0.4)
+                handles.append((patch, Line2D([], [], marker=mark or rate, **style)))
+    names = [rates if name == "creeping" else name for name in CLASSES if name in there]
+    drawing.legend(handles, names, loc="outside upper center", ncols=4, fontsize=9, handlelength=2.6, handleheight=1.5)
     return drawing
 
 
@@ -72,10 +74,6 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
         outlines = [Path([(edges_x[x], edges_y[y]) for x, y in cell], closed=False) for cell in corners]
         if outlines:  # the cells of a colour are one shape
             axes.add_patch(PathPatch(Path.make_compound_path(*outlines), color=colour, linewidth=0.2, zorder=0.5))
-    clamped = [(x, y) for (x, y), row in cells.items() if "clamped" in row and row.clamped]
-    lines = [point for line in _hatching(clamped, ke, steps, edges_x, edges_y) for point in (*line, (np.nan, np.nan))]
-    if lines:  # one line with gaps, which takes a tenth of the room that a line for each takes
-        axes.plot(*zip(*lines, strict=True), color=HATCH, linewidth=0.6, linestyle="-", marker="", zorder=0.6)
     for name, mark in zip(CLASSES, MARKS, strict=True):
         found = [place for place, row in cells.items() if row["class"] == name]
         if mark and found:
@@ -83,20 +81,15 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
         if row["class"] == "creeping" and not is_narrow():  # where there is no room for numbers
-            axes.text(x, y, write(row.creep_mm_s, is_short=True), ha="center", va="center", fontsize=7, color=MAP_INK)
+            behind = {
+                "facecolor": COLOURS[CLASSES.index("creeping")],
+                "linewidth": 0,
+                "pad": 0.6,
+            }  # the line stops there
+            text = write(row.creep_mm_s, is_short=True)
+            axes.text(x, y, text, ha="center", va="center", fontsize=7, color=MAP_INK, bbox=behind)
     tick_decades(axes.xaxis)
     tick_at(axes.yaxis, steps, digits=2)
-
-
-def _hatching(places, ke, steps, edges_x, edges_y) -> list[list[tuple[float, float]]]:
-    """Slanting lines over the cells at ``places``: from one corner to the other, and one on each side."""
-    lines = []
-    for x, y in places:
-        left, right = edges_x[ke.index(x) :][:2]
-        low, high = edges_y[steps.index(y) :][:2]
-        for start, end in (((0.0, 0.0), (1.0, 1.0)), ((0.0, 0.5), (0.5, 1.0)), ((0.5, 0.0), (1.0, 0.5))):
-            lines.append([(left * (right / left) ** a, low * (high / low) ** b) for a, b in (start, end)])
-    return lines
 
 
 def _edges(centres: Sequence[float]) -> np.ndarray:
@@ -108,42 +101,23 @@ def _edges(centres: Sequence[float]) -> np.ndarray:
 
 def draw_steps(rows: Sequence[Row]) -> Drawing:
     """Size of the drift over the step, one line for each kind of pads; marks are open where it goes the other way."""
-    drawing, axes = new_figure(7.2, 3.4)
-    for pads in dict.fromkeys(row.pads for row in rows):
+    drawing, axes = new_figure(7.2, 3.0)
+    for pads, colour, marker in (("as-shipped", SHIPPED, "o"), ("stiff", STIFF, "s")):
         mine = [row for row in rows if row.pads == pads and row.drift_mm_s.value is not None]
-        if not mine:
-            continue
-        last = abs(mine[-1].drift_mm_s.value)
-        axes.axhspan(last / NEAR_FACTOR, NEAR_FACTOR * last, color=FAINT, alpha=0.5, linewidth=0, zorder=0)
-        points = [(row.step_ms.value, abs(row.drift_mm_s.value)) for row in mine]
-        forward = [i for i, row in enumerate(mine) if row.drift_mm_s.value >= 0.0]
-        back = [point for i, point in enumerate(points) if i not in forward]
-        [line] = axes.plot(*zip(*points, strict=True), label=pads.replace("-", " "), markevery=forward)
-        mark_points(axes, back, marker=line.get_marker(), color=line.get_color(), markerfacecolor="none")
+        axes.plot(
+            [row.step_ms.value for row in mine],
+            [abs(row.drift_mm_s.value) for row in mine],
+            color=colour,
+            label=name_of(pads),
+            marker=marker,
+            markevery=[i for i, row in enumerate(mine) if row.drift_mm_s.value >= 0.0],
+        )
+        back = [(row.step_ms.value, -row.drift_mm_s.value) for row in mine if row.drift_mm_s.value < 0.0]
+        mark_points(axes, back, marker=marker, color=colour, markerfacecolor="none")
     axes.set(xscale="log", yscale="log", xlabel="step [ms]", ylabel="drift [mm/s]")
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)
     drawing.legend(loc="outside upper left", ncols=2)
-    return drawing
-
-
-def draw_plateau(rows: Sequence[Row]) -> Drawing:
-    """Depth in the pads over ke, a line for each step; marks are filled where the clamp is at work."""
-    drawing, axes = new_figure(7.2, 3.6)
-    steps = sorted({row.substeps.value for row in rows})
-    for number, substeps in enumerate(steps[:: max(1, len(steps) // 4)]):
-        mine = sorted((row for row in rows if row.substeps.value == substeps), key=lambda row: row.pad_ke.value)
-        label = f"{write(mine[0].step_ms)} ms"
-        points = {(row.pad_ke.value, row.penetration_mm.value): row.clamped for row in mine if is_stable(row)}
-        colour, style = SERIES[number % len(SERIES)], ("-", "--", "-.", ":", (0, (8, 3)))[number % 5]
-        axes.plot([x for x, _ in points], [y for _, y in points], color=colour, linestyle=style, marker="", label=label)
-        for is_clamped, mark, face in ((False, "o", "none"), (True, "s", colour)):
-            at = [point for point, clamped in points.items() if clamped is is_clamped]
-            mark_points(axes, at, marker=mark, color=colour, markerfacecolor=face)
-    axes.set(xscale="log", yscale="log", xlabel="pad ke", ylabel="depth in the pads [mm]")
-    tick_decades(axes.xaxis)
-    tick_125(axes.yaxis)
-    drawing.legend(loc="outside upper left", ncols=5, title="step")
     return drawing
 
 
@@ -175,7 +149,7 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
     for number, grip in enumerate(dict.fromkeys(row.grip for row in rows)):
         mine = [row for row in rows if row.grip == grip]
         kept = [row for row in mine if is_stable(row)]
-        colour = SERIES[number]
+        colour = GRIPS[number]
         label = {"as-shipped": "shipped grip", "scaled": "grip scaled with the mass"}.get(grip, grip)
         x = [row.cube_edge_mm.value for row in kept]
         axes.plot(x, [_share(row) for row in kept], color=colour, label=label, markevery=1)
@@ -187,9 +161,9 @@ def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
     axes.set_ylim(top=top)
     tick_125(axes.xaxis)
     tick_125(axes.yaxis)
-    handles, labels = axes.get_legend_handles_labels()
-    lost_mark = Line2D([], [], linestyle="", marker="v", color=INK, markersize=7)
-    drawing.legend([*handles, lost_mark], [*labels, "lost"], loc="outside upper left", ncols=3)
+    if not all(map(is_stable, rows)):
+        axes.plot([], [], linestyle="", marker="v", color=INK, markersize=7, markevery=1, label="lost")
+    drawing.legend(loc="outside upper left", ncols=3)
     return drawing
 
 
@@ -198,10 +172,8 @@ def _share(row: Row) -> float:
 
 
 def draw_long(trace: Series) -> Drawing:
-    drawing, axes = new_figure(7.2, 3.0)
-    minutes = trace.value["time_s"] / 60.0
-    for axis in ("x", "y", "z"):
-        axes.plot(minutes, trace.value[f"{axis}_mm"], label=axis)
-    axes.set(xlabel="time of the shake [min]", ylabel="displacement [mm]")
-    drawing.legend(loc="outside upper left", ncols=3, title="in the hand along")
+    drawing, axes = new_figure(7.2, 2.6)
+    way = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
+    axes.plot(trace.value["time_s"] / 60.0, way, color=STIFF, linestyle="-", marker="")
+    axes.set(xlabel="time of the shake [min]", ylabel="displacement [mm]", ylim=(0.0, None))
     return drawing

@@ -72,10 +72,9 @@ def drift_follows_timeconst(results: Results, runs: Runs, least: Value) -> Claim
     noise = results.value("rate_noise", formula, of_least, *cells, unit="%")
     outcome = all_of(at_most(spread, bound), resolved(noise, bound))
     is_wide = at_least(width, 3.0, why="enough to see a law")
-    is_narrow = is_wide == FAILS and spread.value is not None
-    if is_narrow:
+    if is_wide == FAILS and spread.value is not None:
         outcome = Outcome("unknown", "to see whether it is proportional would take a wider range")
-    numbers = {"is_narrow": is_narrow, "bound": bound, **told(spread, {"spread": spread, "ratio": width})}
+    numbers = {"bound": bound, **told(spread, {"spread": spread, "ratio": width})}
     return Claim("drift_follows_timeconst", outcome.having_read(spread, bound, width), numbers)
 
 

@@ -2,9 +2,7 @@
 
 from collections.abc import Mapping
 
-import numpy as np
-
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, within
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_least, at_most, within
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held
@@ -12,7 +10,7 @@ from report.shared.arithmetic import SETTLES, extreme, noise_floor, ratio, share
 
 NO_HELP = 80.0
 """Chosen: a slip of so much of that as shipped, in percent, is no help."""
-STIFFEST, ALONE = "pad-ke-2.5e6", ("pad-ke-2.5e6-kd-100", "pad-ke-2.5e5-kd-100")
+STIFFEST = "pad-ke-2.5e6"
 
 NO_SLIP = "with shipped pads there is no slip to bring down"
 NO_GAIN = Outcome("unknown", "raising both gains too little for its end to be seen")
@@ -48,34 +46,6 @@ def ke_alone_does_not_help(results: Results, runs: Runs) -> Claim:
     last = extreme(results, "ke_alone_last", "largest ke of these runs", max, stiffnesses)
     numbers = {"kd": results.row[SHIPPED].pad_kd, "share": of_shipped, "low": low, "first": first, "last": last}
     return _with_slip("ke_alone_does_not_help", results, at_least(of_shipped, NO_HELP, why="no help"), numbers)
-
-
-def stiff_contact_still_slips(results: Results) -> Claim:
-    kept = [results.row[case] for case in ALONE if is_held(results.row[case])]
-    alone = kept[0] if kept else results.row[ALONE[0]]
-    formula = (
-        "measured stiffness with the largest named ke at the default kd that keeps the cube, over that with the fix"
-    )
-    times = ratio(results, "alone_over_fix", formula, alone.stiffness_n_m, results.row[FIX].stiffness_n_m)
-    formula = "slip of that run, of the slip as shipped"
-    of_shipped = share(results, "alone_slip_share", formula, alone.slip_mm, results.row[SHIPPED].slip_mm)
-    is_as_stiff = at_least(times, 1.0, why="at least as stiff")
-    outcome = all_of(is_as_stiff, at_least(of_shipped, NO_HELP, why="no help"))
-    if not kept:
-        outcome = Outcome("unknown", "these runs lose the cube, so their loaded contacts are not those of the grasp")
-    numbers = {"ke": alone.pad_ke, "ratio": times, "slip": alone.slip_mm}
-    return _with_slip("stiff_contact_still_slips", results, outcome, numbers)
-
-
-def ke_alone_fails(results: Results, runs: Runs) -> Claim:
-    lost = [row for row in runs.ke_alone if not is_held(row)]
-    count = results.value("ke_alone_lost", "runs with kd at its default that fail or drop the cube", lambda: len(lost))
-    total = results.value("ke_alone_count", "runs with kd at its default", lambda: len(runs.ke_alone))
-    first, kd = lost[0].pad_ke if lost else count, results.row[SHIPPED].pad_kd
-    formula = "kd / (2 sqrt(ke)) of the first that is lost"
-    dampratio = results.value("lost_dampratio", formula, lambda ke, kd: kd / (2 * np.sqrt(ke)), first, kd)
-    numbers = {"count": count, "all": total, "first": first, "dampratio": dampratio}
-    return Claim("ke_alone_fails", at_least(count, 1, why="at least one"), numbers)
 
 
 def together_they_hold(results: Results) -> Claim:

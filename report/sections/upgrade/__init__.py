@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.changes.query import Query
-from measured_report.claims.claim import FAILS, Claim, Outcome, decided
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, decided
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section
 from measured_report.values.noise import EDGES
@@ -24,23 +24,23 @@ def derive(results: Results, releases: Releases) -> Section:
     floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
     shown = results.edition
     seen = up_to(releases, shown)
-    flipped = sorted(flips(seen, shown), key=lambda flip: not flip.is_decided)
+    flipped = list(flips(seen, shown))
     ends, newest = Ends(seen), Ends(releases)
     same_slip = _slip_is_the_same(results, ends, floors["mm"])
+    steps = _in_one_step(results, seen, floors["mm"], same_slip.outcome)
     between = shown not in (newest.old, newest.new)
     return Section(
         tables={
-            "headlines": tables.headline_table(results, releases, floors),
-            "turns": FlipList(flipped, list(results.others)),
+            "turns": FlipList([flip for flip in flipped if flip.is_decided], shown, list(results.others)),
             "live": tables.live_table(releases),
             "tried": tables.tried_table(releases),
             "speed": tables.speed_table(results, releases),
             "options": tables.option_table(releases),
         },
-        figures={"slips": tables.slip_figure(releases)},
+        figures={"slips": tables.slip_figure(releases, steps.numbers["steps"] if steps.outcome == HOLDS else [])},
         claims=[
             same_slip,
-            _in_one_step(results, seen, floors["mm"], same_slip.outcome),
+            steps,
             _claims_stand(results, flipped, list(seen)),
             *cause_claims(results, ends, same_slip.outcome),
             _same_speed(results, ends, "same_speed", "frame", tables.ONE_WORLD),

@@ -6,7 +6,7 @@ from measured_report.values.results import Results
 from report.sections.upgrade.ends import Ends
 from report.sections.upgrade.tables import GIVEN, MUJOCO_C, MUJOCO_CONTACTS, PYRAMID, SHIPPED, SWITCHED, TAKEN
 
-SAME = 2.0
+SAME = 5.0
 """Chosen: a slip that is no farther from another, in percent of that, is the same."""
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from measured_report.changes.costs import is_cost
+from measured_report.changes.costs import beside
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.claims.claim import HOLDS, Outcome, beyond
@@ -33,20 +33,8 @@ def change(results: Results, name: str, before: Quantity, after: Quantity) -> Va
     return results.value(name, formula, lambda a, b: b - a, before, after, unit=before.unit, across=True)
 
 
-def marked(difference: Value | None, noise: Quantity, column: str, before: Quantity, after: Quantity) -> Markup:
-    """Write a number without its unit, and whether it is better or worse than the earlier one.
-
-    Nothing is said of a cost that was not measured on the same processor.
-    """
-    told = difference is not None and None not in (difference.value, noise.value)
-    mark = Move(column, before, after, noise.value).mark if told else ""
-    if mark and is_cost(column) and len({origin.processor for origin in difference.origins}) > 1:
-        return Markup('{} <span class="moved">other machine</span>').format(after.bare)
-    return with_mark(after, mark)
-
-
-def with_mark(number: Quantity, mark: str) -> Markup:
-    return Markup('{} <span class="moved {}">{}</span>').format(number.bare, mark, mark) if mark else number.bare
+def with_mark(number: Markup, mark: str) -> Markup:
+    return Markup('{} <span class="moved {}">{}</span>').format(number, mark, mark) if mark else number
 
 
 @dataclass(frozen=True)
@@ -83,8 +71,13 @@ def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) 
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Unknown, when the oldest and the newest release were not measured on one and the same machine."""
-    records = [release[section].results.record for release in releases.values() if section in release]
+    """Unknown where times of the oldest and the newest release do not compare: machines differ, or were shared."""
+    there = {release: chapters[section].results.record for release, chapters in releases.items() if section in chapters}
+    records = list(there.values())
     if records and records[0].machine_for_speed != records[-1].machine_for_speed:
         return Outcome("unknown", f"measured on {records[0].machine_in_full} and on {records[-1].machine_in_full}")
-    return None
+    others = [chapter.results.record for chapters in releases.values() for chapter in chapters.values()]
+    ends = dict.fromkeys((*list(there)[:1], *list(there)[-1:]))
+    shared = [release for release in ends if beside(there[release], others)]
+    reason = f"other sections ran on the same host while it was timed in Newton {' and '.join(shared)}"
+    return Outcome("unknown", reason) if shared else None

@@ -6,16 +6,18 @@ from dataclasses import replace
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
+from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Releases
 from measured_report.files.config import config
-from measured_report.parts.figures import new_figure, say_value, write
+from measured_report.parts.figures import INK, is_narrow, new_figure, tick_125, write
 from measured_report.parts.section import Figure, Table
 from measured_report.values.format import unit_label
 from measured_report.values.noise import EDGES
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Quantity, alike
 from measured_report.values.results import Results
-from report.sections.upgrade.ends import change, machines_differ, marked
+from report.sections.upgrade.ends import machines_differ, with_mark
+from report.shared import drawing as colours
 from report.shared.arithmetic import table_of
 
 SHIPPED, SWITCHED = "as-shipped", "as-shipped-kf-off"
@@ -36,15 +38,8 @@ ONE_WORLD, ON_CPU = SPEEDS[0], SPEEDS[3]
 FLOORS = {"mm": "slip_floor", "mm/s": "drift_floor"}
 LIVE = {
     "timeconst_s": "time constant",
-    "dampratio": "damping ratio",
     "friction_timeconst_s": "friction rows' own time constant",
-    "friction_dampratio": "friction rows' own damping ratio",
     "friction_damping_per_s": "friction rows' damping, measured",
-    "friction": "friction",
-    "dmin": "dmin",
-    "dmax": "dmax",
-    "dim": "rows a contact",
-    "peak_contact_count": "most contacts",
 }
 """Columns that say what a live contact of the scene as shipped has."""
 TRIED = {
@@ -53,32 +48,23 @@ TRIED = {
     GIVEN: "two substeps written into it",
     SWITCHED: "switched off: kf below zero",
     "as-shipped-kf-100": "kf 100",
-    "as-shipped-kf-30": "kf 30",
     "as-shipped-kf-10": "kf 10",
     "as-shipped-kf-3": "kf 3",
     "as-shipped-mujoco-contacts": "contacts found by MuJoCo",
     "stiff-pads": "stiff pads",
-    "stiff-pads-kf-off": "stiff pads, kf below zero",
     "stiff-pads-mujoco-contacts": "stiff pads, contacts found by MuJoCo",
     "hold": "arm held still",
-    "hold-kf-off": "arm held still, kf below zero",
 }
-SETTINGS = {"option": "solver option", "default": "default", "sum": "sum of the engine's"}
+SETTINGS = config().changes.settings
 """Kinds of rows that are no runs: each has a name and a value."""
-DRAWN = (HEADLINES[0], *HEADLINES[2:6])
-
-
-def headline_table(results: Results, releases: Releases, floors: Mapping[str, Value]) -> Table:
-    columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
-    for headline in HEADLINES:
-        cells = {release: headline.cell(releases[release], release) for release in releases}
-        base = next((release for release in releases if cells[release].value is not None), None)
-        for release, found in cells.items():
-            is_moved = base not in (None, release)
-            moved = change(results, f"{_name(headline)}_{release}", cells[base], found) if is_moved else None
-            text = marked(moved, floors[headline.unit], headline.column, cells.get(base, found), found)
-            columns[f"Newton {release}"].append(text)
-    return _table(HEADLINES, columns | {"noise": [floors[headline.unit].bare for headline in HEADLINES]})
+SETTING_SECTIONS = ("upgrade", "defaults")
+DRAWN = {
+    SLIP: ("shipped pads", colours.SHIPPED, "-"),
+    MUJOCO_CONTACTS: ("MuJoCo's contacts", colours.SHIPPED, "--"),
+    Query("upgrade.hold.slip_mm"): ("arm held still", INK, "-"),
+    Query("upgrade.stiff-pads.slip_mm"): ("stiff pads", colours.STIFF, "-"),
+}
+"""What is drawn: its name, colour and dashes."""
 
 
 def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table:
@@ -87,23 +73,18 @@ def _table(headlines: Sequence[Query], columns: Mapping[str, Sequence]) -> Table
     return table_of("", labels, columns)
 
 
-def _name(headline: Query) -> str:
-    place = f"_{headline.device}_{headline.worlds}" if headline.device else ""
-    return f"{headline.section}_{headline.case}_{headline.column}{place}"
-
-
 def speed_table(results: Results, releases: Releases) -> Table:
     columns: dict[str, list[Markup]] = {f"Newton {release}": [] for release in releases}
     for headline in SPEEDS:
         differ = machines_differ(releases, headline.section)
-        cells = {release: headline.cell(chapters, release) for release, chapters in releases.items()}
-        base = next(iter(cells.values()))
-        for release, found in cells.items():
-            name = f"{_name(headline)}_{release}"
+        cells = [headline.cell(chapters, release) for release, chapters in releases.items()]
+        for release, found, number in zip(releases, cells, alike(cells), strict=True):
+            name = f"{headline.section}_{headline.case}_{headline.column}_{headline.device}_{headline.worlds}_{release}"
             edges = [edge(headline, end).cell(releases[release], release) for end in EDGES]
             spread = results.value(f"{name}_spread", "95th less 5th percentile", lambda a, b: b - a, *edges, unit="ms")
-            moved = None if differ else change(results, name, base, found)
-            columns[f"Newton {release}"].append(marked(moved, spread, headline.column, base, found))
+            is_told = None not in (cells[0].value, found.value, spread.value) and not differ
+            mark = Move(headline.column, cells[0], found, spread.value).mark if is_told else ""
+            columns[f"Newton {release}"].append(with_mark(number, mark))
     return _table(SPEEDS, columns)
 
 
@@ -117,8 +98,9 @@ def live_table(releases: Releases) -> Table:
 
 
 def tried_table(releases: Releases) -> Table:
-    tried = [Query(f"upgrade.{case}.slip_mm") for case in TRIED]
-    return table_of("", TRIED.values(), dict(_cells(releases, tried)))
+    cells = dict(_cells(releases, [Query(f"upgrade.{case}.slip_mm") for case in TRIED]))
+    lines = [alike(line) for line in zip(*cells.values(), strict=True)]
+    return table_of("slip [mm]", TRIED.values(), dict(zip(cells, zip(*lines, strict=True), strict=True)))
 
 
 def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, list[Quantity]]]:
@@ -130,9 +112,9 @@ def _cells(releases: Releases, asked: Sequence[Query]) -> Iterator[tuple[str, li
 def option_table(releases: Releases) -> Table:
     """Show solver options and defaults that the releases do not have alike."""
     found: dict[str, dict[str, Quantity | str]] = {}
-    measured = {release: sections["upgrade"].results for release, sections in releases.items() if "upgrade" in sections}
-    for release, results in measured.items():
-        for row in results.rows:
+    measured = {release: sections for release, sections in releases.items() if "upgrade" in sections}
+    for release, sections in measured.items():
+        for row in (row for name in SETTING_SECTIONS if name in sections for row in sections[name].results.rows):
             if row.kind in SETTINGS:
                 found.setdefault(f"{SETTINGS[row.kind]} {row.name}", {})[release] = row["value"]
     differing = {
@@ -147,15 +129,16 @@ def option_table(releases: Releases) -> Table:
     return table_of("", differing, columns)
 
 
-def slip_figure(releases: Releases) -> Figure:
+def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
+    slips = [(release, SLIP.cell(releases[release], release)) for release in releases]
     return Figure(
         draw=lambda: _draw_slips(releases),
         sources=[headline.cell(releases[release], release) for headline in DRAWN for release in releases],
-        numbers={"slips": [(release, SLIP.cell(releases[release], release)) for release in releases]},
+        numbers={"slips": slips, "steps": steps},
     )
 
 
-def _apart(values: Sequence[float], step: float = 1.22) -> list[float]:
+def _apart(values: Sequence[float], step: float = 1.3) -> list[float]:
     """The values, each at least ``step`` times as large as the one below it, so that they can be read."""
     heights: dict[int, float] = {}
     for index in sorted(range(len(values)), key=lambda index: values[index]):
@@ -164,19 +147,21 @@ def _apart(values: Sequence[float], step: float = 1.22) -> list[float]:
 
 
 def _draw_slips(releases: Releases) -> Drawing:
+    """Draw a line for each way, with its name and its last slip at its end."""
     drawing, axes = new_figure(7.2, 3.4)
-    ends: list[tuple[int, Quantity]] = []
-    for headline in DRAWN:
+    ends: list[tuple[int, Quantity, str, str]] = []
+    for headline, (name, colour, dashes) in DRAWN.items():
         cells = enumerate(headline.cell(chapters, release) for release, chapters in releases.items())
         if there := [(place, found) for place, found in cells if found.value is not None]:
             x, y = zip(*((place, found.value) for place, found in there), strict=True)
-            axes.plot(x, y, label=headline.label.removeprefix("slip "), markevery=1)
-            ends.append(there[-1])
-    heights = _apart([found.value for _, found in ends])
-    for (place, found), height in zip(ends, heights, strict=True):
-        say_value(axes, place, height, write(found))
+            axes.plot(x, y, color=colour, linestyle=dashes, marker="o", markevery=1)
+            ends.append((*there[-1], name, colour))
+    heights = _apart([found.value for _, found, *_ in ends])
+    for (place, found, name, colour), height in zip(ends, heights, strict=True):
+        text = f"{write(found)} {name}"
+        axes.annotate(text, (place, height), xytext=(7, 0), textcoords="offset points", va="center", color=colour)
     axes.set_yscale("log")
+    tick_125(axes.yaxis)
     axes.set_xticks(range(len(releases)), list(releases))
-    axes.set(xlim=(-0.3, len(releases) - 0.6), xlabel="Newton release", ylabel="slip [mm]")
-    drawing.legend(loc="outside upper left", ncols=3, fontsize=9)
+    axes.set(xlim=(-0.3, (1.5 if is_narrow() else 1.3) * len(releases)), xlabel="Newton release", ylabel="slip [mm]")
     return drawing

@@ -12,11 +12,11 @@ from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Cas
 from experiments.facts.trace import Failure
 from experiments.simulation import simulation
 from experiments.simulation.simulation import Simulation, simulate
-from measured_report import ROOT
 from measured_report.editions.project import own_release
+from measured_report.files.root import ROOT
 from measured_report.records.reading import load_record
 from measured_report.values.noise import noise_floors
-from newton_lint.compat import kf_is_read, warp_has_noslip
+from newton_lint.of_newton.compat import kf_is_read, warp_has_noslip
 
 SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
 """Slip of the calibration runs and how close a run must come."""

@@ -12,7 +12,6 @@ import pytest
 from conftest import MODULE, ROWS, SOURCES, compared, derived, link
 from damage import damage
 
-from measured_report import ROOT
 from measured_report.changes.alarm import check, check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.changes.costs import is_cost
@@ -21,6 +20,7 @@ from measured_report.commands import findings
 from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
+from measured_report.files.root import ROOT
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 

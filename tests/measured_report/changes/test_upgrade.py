@@ -2,14 +2,19 @@
 
 import subprocess
 import sys
+from argparse import Namespace
 
 import pytest
 
 from measured_report.changes.upgrade import base_of, unmeasured
+from measured_report.commands import editions as commands
 from measured_report.commands.editions import printing_to_stderr
+from measured_report.editions import environment
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
+from measured_report.editions.stack import stack_of
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.measuring.reasons import is_expected, reason_of
 
 
@@ -51,3 +56,22 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
         assert base_of(pinned) == "1.8.0", "one package is another, and nothing of it was measured"
     assert [fault.kind for fault in unmeasured(newer.project)] == ["missing"] * len(config().changes.deciding)
+
+
+def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):
+    def refuse(project, stack, *others):
+        raise UsageError(f"{stack.label} cannot run the scene")
+
+    monkeypatch.setattr(commands, "prepare", refuse)
+    monkeypatch.setattr(commands, "measure", lambda *arguments: pytest.fail("the base was measured"))
+    asked = Namespace(device="cpu", since=stack_of("1.8.0"), stack=stack_of("1.9.0"), format="text")
+    with pytest.raises(UsageError, match="cannot run the scene"):
+        commands.upgrade(toy.project.of("1.9.0"), asked)
+
+
+def test_an_environment_that_its_day_makes_impossible_says_how_to_take_another():
+    command = ["sh", "-c", "echo no such version; exit 1", "--exclude-newer", "2026-06-12"]
+    with pytest.raises(
+        UsageError, match=r"no such version; nothing .* 2026-06-12 on .* UV_EXCLUDE_NEWER=\S+ lifts that"
+    ):
+        environment._run(command, "NEWTON=1.7.9")

@@ -3,8 +3,8 @@
 import pytest
 from conftest import MODULE, TEMPLATE
 
-from measured_report import ReportError
 from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome
+from measured_report.files.errors import ReportError
 from measured_report.pages.prose import Templates
 
 pytestmark = pytest.mark.words

@@ -2,22 +2,25 @@
 
 import hashlib
 import os
+import pickle
 import shutil
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from conftest import MODULE, REPORT, ROWS, TEMPLATE, Toy, killed_at, link, program
 
-from measured_report import ReportError
 from measured_report.deriving import dependencies
 from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import editions_of
-from measured_report.files.cache import FOLDER, Cache
+from measured_report.files.cache import FOLDER, Cache, _key
+from measured_report.files.errors import ReportError
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.record import write_record
+from measured_report.site.sums import SUMS
 
 SECTION = """
 from report.shared.arithmetic import other_value
@@ -217,7 +220,7 @@ def test_only_files_that_changed_are_written(toy):
     CHANGES["a word of its template"](toy)
     toy.build()
     after = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
-    assert {path.name for path in after if after[path] != before[path]} == {"evidence.html"}
+    assert {path.name for path in after if after[path] != before[path]} == {"evidence.html", SUMS}
     assert set(before) == set(after)
 
 
@@ -245,6 +248,45 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
     "a link": lambda path: (path.unlink(), path.symlink_to("/dev/zero")),
     "of another kind": lambda path: Cache(path.parents[1]).put(path.name, "other", {"other": 1}),
 }
+
+
+@dataclass
+class Poison:
+    """Runs when it is read."""
+
+    place: Path
+
+    def __reduce__(self):
+        return Path.touch, (self.place,)
+
+
+def test_finding_7_what_somebody_else_put_into_the_cache_runs_nothing_and_shows_nothing(toy, tmp_path):
+    toy.build()
+    before = files(toy.project.site)
+    cache = toy.project.root / FOLDER
+    assert cache.stat().st_mode & 0o777 == 0o700
+    for path in cache.iterdir():
+        content = pickle.dumps(Poison(tmp_path / "ran"))
+        path.write_bytes(hashlib.sha256(content).digest() + content)
+    toy.build()
+    true = (cache / "full.1.4.0.toy").read_bytes()
+    for path in cache.iterdir():
+        path.write_bytes(true)
+    toy.build()
+    assert not (tmp_path / "ran").exists() and files(toy.project.site) == before
+
+
+@pytest.mark.parametrize("mode", [0o644, 0o600])
+def test_a_key_that_others_can_read_is_none(tmp_path, monkeypatch, mode):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "home"))
+    _key.cache_clear()
+    try:
+        Cache(tmp_path).put("entry", "key", "value")
+        (tmp_path / "home/measured-report/key").chmod(mode)
+        _key.cache_clear()
+        assert Cache(tmp_path).get("entry", "key") == ("value" if mode == 0o600 else None)
+    finally:
+        _key.cache_clear()
 
 
 @pytest.mark.parametrize("damage", DAMAGE)

@@ -9,7 +9,6 @@ from dataclasses import replace
 import pytest
 from conftest import Toy, git
 
-from measured_report import ROOT, ReportError, UsageError
 from measured_report.commands import building
 from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
@@ -18,6 +17,8 @@ from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, stack_of
 from measured_report.editions.status import expected_packages
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.root import ROOT
 from measured_report.measuring import measure
 from measured_report.records import provenance
 from measured_report.records.provenance import package_versions

@@ -16,11 +16,12 @@ from conftest import MODULE, ROWS, TEMPLATE, killed_at
 from damage import FIELDS, RECORD_WAYS, TRACE_WAYS, damage
 from markupsafe import Markup
 
-from measured_report import ROOT, ReportError
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.environment import requirements
 from measured_report.files.atomic import RecordError, locked, recover
 from measured_report.files.cache import FOLDER
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.drawing import draw_all
 from measured_report.records.reading import load_record
@@ -110,7 +111,7 @@ def test_a_kill_while_a_record_is_put_in_place_loses_nothing(toy, stop):
         return is_written or event in ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.replace")
 
     ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
-    recover(toy.record_path.parent.parent)
+    assert recover(toy.record_path.parent.parent, load_record) == []
     found = load_record(toy.record_path)
     assert [row["slip_mm"] for row in found.rows] in (before, [2.0, 2.0])
     assert ended or found.rows[0]["slip_mm"] == 2.0

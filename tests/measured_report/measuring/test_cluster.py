@@ -16,7 +16,8 @@ pytest.importorskip("distributed", reason="make test installs the extra that has
 
 from distributed import LocalCluster
 
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.measuring import cluster as clusters
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster import cluster_executor

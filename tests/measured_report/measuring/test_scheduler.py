@@ -11,7 +11,8 @@ import pytest
 import warp as wp
 from batches import begun, rows_of, run_of
 
-from measured_report import ROOT, UsageError
+from measured_report.files.errors import UsageError
+from measured_report.files.root import ROOT
 from measured_report.measuring import worker
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster_address import read_cluster

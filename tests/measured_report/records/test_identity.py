@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 from measured_report.records import provenance
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of, sections

@@ -10,12 +10,13 @@ from pathlib import Path
 import pytest
 from conftest import TEMPLATE
 
-from measured_report import ROOT, ReportError
 from measured_report.claims.citations import references
 from measured_report.claims.claim import HOLDS
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
-from measured_report.sensitivity.inert import surveys
+from measured_report.sensitivity.inert import inert_passages, surveys
 from measured_report.sensitivity.perturbed import CHANGES, Perturbation, of_tracked, perturbed
 from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
@@ -46,9 +47,11 @@ def test_no_words_name_what_their_test_has_not_read(perturbation):
 
 
 @pytest.mark.slow
-def test_no_number_in_a_claim_could_be_anything(perturbation):
+def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
-    assert set().union(*(survey.inert() for survey in surveys(perturbation))) == listed("inert.txt")
+    found = [survey.inert() for survey in surveys(perturbation)]
+    found += [inert_passages(perturbation, release) for release in perturbation.releases]
+    assert set().union(*found) == listed("inert.txt")
 
 
 def damaged(record: Record, chance: random.Random) -> Record:
@@ -110,7 +113,7 @@ def test_what_is_stated_is_still_in_the_package():
     for name, reference in references(ROOT / "templates").items():
         if reference.package and version(reference.package) == reference.version:
             file = Path(find_spec(reference.package).origin).parent / reference.file
-            assert reference.excerpt in file.read_text(encoding="utf-8"), name
+            assert reference.excerpt in file.read_text(encoding="utf-8").splitlines()[reference.line - 1], name
 
 
 def test_a_statement_says_that_it_is_not_measured_here(toy):
@@ -119,7 +122,8 @@ def test_a_statement_says_that_it_is_not_measured_here(toy):
     toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
     toy.build()
     assert '<span class="stated">Twice <em>as</em> large as <data' in toy.page
-    assert '[not measured here: <a href="https://example.org/law">' in toy.page
+    assert '.<sup class="cited"><a href="#source-1" aria-label="Source 1">1</a></sup></span>' in toy.page
+    assert '<li id="source-1"><a href="https://example.org/law">example.org/law</a></li>' in toy.page
     assert check_site(toy.project.site) == []
     toy.write("templates/sources.toml", '[lore]\npackage = "newton"\n')
     with pytest.raises(ReportError, match=r"sources\.toml: lore needs url"):

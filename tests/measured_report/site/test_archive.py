@@ -5,9 +5,15 @@ import io
 import json
 from zipfile import ZipFile
 
+from measured_report.site.archive import rows_csv
 from measured_report.site.check import check_site
 
 FOLDER = "shake-report-data/"
+
+
+def test_finding_8_no_text_of_a_table_is_a_formula():
+    rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
+    assert rows_csv(rows).decode().splitlines()[1:] == ["'=1+1,'-x,-1.5", "'@a,-1.5,"]
 
 
 def test_the_archive_holds_records_values_and_what_figures_draw_and_is_the_same_again(toy):

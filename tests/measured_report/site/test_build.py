@@ -6,7 +6,8 @@ from dataclasses import replace
 import pytest
 from conftest import MODULE, ROWS, TEMPLATE, program
 
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.parts.figures import SERIES, draw_svg, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site

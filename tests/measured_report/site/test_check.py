@@ -22,7 +22,10 @@ WRONG = [
     ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),
     ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
     ('href="#toy"', 'href="#other"', "leads nowhere"),
-    ("</main>", '<script src="x.js"></script></main>', "runs a script"),
+    ("</main>", '<script src="x.js"></script></main>', "leads nowhere"),
+    ("</main>", '<script src="https://example.org/x.js"></script></main>', "fetched from elsewhere"),
+    ("</main>", '<script src="data/values.json"></script></main>', "runs a script"),
+    ("</main>", '<script src="page.js" onload="x"></script></main>', "runs a script"),
     ("</main>", "<script>alert(1)</script></main>", "not the project's own"),
     ("</main>", "<script></script></main>", "not the project's own"),
     ("</main>", '<img src="https://example.org/x.png" alt=""></main>', "fetched from elsewhere"),
@@ -36,7 +39,7 @@ WRONG = [
     ("</main>", "<form></main>", "runs a script"),
     ("</main>", '<base href="."></main>', "runs a script"),
     ("</main>", '<meta http-equiv="Refresh"></main>', "runs a script"),
-    (LABEL, 'aria-label="It moves 0.32 mm."', "is not said by"),
+    (LABEL, 'aria-label="It moves 0.32 mm."', "errs"),
     (LABEL, 'aria-label="It moves 0.3 mm."', "is not said by"),
     (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
     ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
@@ -47,6 +50,16 @@ WRONG = [
     ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
     ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
 ]
+SLIP = f'<data value="0.3124" data-src="{SOURCE}/1/slip_mm"%s>%s</data>'
+NEAREST, MOST, LEAST = SLIP % ("", "0.31"), SLIP % (' data-as="most"', "0.32"), SLIP % (' data-as="least"', "0.31")
+BOUNDS = [(f"{words} {NEAREST}", True) for words in ("At most", "within", "no more than", "less than")]
+BOUNDS += [(f"within <b>a factor of {NEAREST}</b>", True), (f"{NEAREST}&nbsp;mm at most", True)]
+BOUNDS += [
+    (f"{words} {MOST}", False) for words in ("at most", "within", "no more than", "less than", "none is more than")
+]
+BOUNDS += [(f"{words} {LEAST}", False) for words in ("at least", "more than", "no run of 1.5 has less than")]
+BOUNDS += [(f"{words} {MOST}", True) for words in ("at least", "more than")]
+BOUNDS += [(f"It is no slip. More than {NEAREST}", False), (f"it never slips more than {NEAREST}", True)]
 
 
 def test_what_is_wrong_is_found(toy):
@@ -58,6 +71,18 @@ def test_what_is_wrong_is_found(toy):
         toy.page_path.write_text(page.replace(old, new), encoding="utf-8")
         found = check_site(toy.project.site)
         assert any(problem in line for line in found) if problem else found == [], new
+
+
+def test_no_bound_errs_against_its_own_value(toy):
+    toy.build()
+    page = toy.page
+    for words, errs in BOUNDS:
+        toy.page_path.write_text(page.replace("</main>", f"<p>{words}</p></main>"), encoding="utf-8")
+        assert [line for line in check_site(toy.project.site) if "errs: it is 0.3124" in line] or not errs, words
+        assert errs or check_site(toy.project.site) == [], words
+    for words, errs in (("at most 0.31 mm", True), ("at most 0.32 mm", False), ("at least 0.32 mm", True)):
+        toy.page_path.write_text(page.replace(LABEL, f'aria-label="It moves {words}."'), encoding="utf-8")
+        assert bool(check_site(toy.project.site)) == errs, words
 
 
 @pytest.mark.parametrize("label", ["1.8.0", "1.9.0.dev0+g1a2b3c4.edited", "1.8.0+warp-1.19.0@nvidia-h100", "1.8.0@cpu"])

@@ -10,9 +10,11 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
-from measured_report import ReportError, UsageError
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.staging import digests_below
 from measured_report.site.check import check_site
 from measured_report.site.publish import publish
+from measured_report.site.sums import SUMS, sums_text
 from measured_report.site.targets import MARK
 
 
@@ -51,7 +53,7 @@ def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")
     targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 62)]
-    for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:", "ftp:x", ""):
+    for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:/", "dir:", "ftp:x", ""):
         with pytest.raises(UsageError) as error:
             publish(toy.project.site, target)
         assert "\n" not in str(error.value)
@@ -106,10 +108,50 @@ def test_what_was_damaged_after_it_was_published_is_repaired_and_a_build_with_a_
         publish(toy.project.site, f"dir:{place}")
         assert (place / "index.html").read_bytes() == whole
     before = place.resolve()
-    (toy.project.site / "data/values.json").unlink()
+    index = toy.project.site / "index.html"
+    index.write_text(index.read_text() + "<script>alert(1)</script>")
+    sums = {path: digest for path, digest in digests_below(toy.project.site).items() if path != SUMS}
+    (toy.project.site / SUMS).write_text(sums_text(sums))
     with pytest.raises(ReportError, match="not published"):
         publish(toy.project.site, f"dir:{place}")
     assert place.resolve() == before
+
+
+DAMAGES = {
+    "emptied": lambda site: (site / "data.zip").write_bytes(b""),
+    "replaced": lambda site: (site / "license.txt").write_text("<script>alert(1)</script>"),
+    "missing": lambda site: (site / "data/values.json").unlink(),
+    "stranger": lambda site: (site / "more.html").write_text("more"),
+    "link": lambda site: (site / "passwd").symlink_to("/etc/passwd"),
+    "link instead": lambda site: ((site / "data.zip").unlink(), (site / "data.zip").symlink_to("/etc/passwd")),
+    "link to a folder": lambda site: (site / "etc").symlink_to("/etc"),
+    "pipe": lambda site: ((site / "data.zip").unlink(), os.mkfifo(site / "data.zip")),
+    "sums": lambda site: (site / SUMS).write_text("nothing"),
+    "no sums": lambda site: (site / SUMS).unlink(),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
+def test_finding_3_only_what_the_build_made_is_published(toy, place, damage):
+    before = place.resolve()
+    damage(toy.project.site)
+    with pytest.raises(ReportError, match=r"^not published: \S[^\n]*$"):
+        publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == before
+
+
+def test_the_sums_of_a_site_are_those_of_its_files(toy, place):
+    done = subprocess.run(["sha256sum", "--check", "--quiet", SUMS], cwd=place, check=False)
+    assert done.returncode == 0
+    named = {line.split(maxsplit=1)[1] for line in (place / SUMS).read_text().splitlines()}
+    assert digests_below(place.resolve()).keys() - named == {SUMS, MARK}
+
+
+def test_finding_1_the_next_build_leaves_what_was_published_beside_the_site(toy):
+    place = toy.project.site.with_name("site-public")
+    publish(toy.project.site, f"dir:{place}")
+    change(toy)
+    assert check_site(place) == []
 
 
 def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
@@ -164,6 +206,31 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remo
     assert (there / "evidence.html").read_text() == toy.page and check_site(there) == []
 
 
+def test_finding_3_the_filters_of_whoever_publishes_and_reads_change_no_byte(toy, remote, tmp_path, monkeypatch):
+    (tmp_path / "attributes").write_text("* text eol=crlf\n")
+    monkeypatch.setenv("GIT_CONFIG_COUNT", "1")
+    monkeypatch.setenv("GIT_CONFIG_KEY_0", "core.attributesFile")
+    monkeypatch.setenv("GIT_CONFIG_VALUE_0", str(tmp_path / "attributes"))
+    publish(toy.project.site, "")
+    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), "there")
+    for name in ("page.js", "data.zip", "index.html"):
+        assert (tmp_path / "there" / name).read_bytes() == (toy.project.site / name).read_bytes()
+
+
+def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):
+    inner = toy.project.root / "inner"
+    shutil.copytree(toy.project.site, inner / "site")
+    with pytest.raises(UsageError, match="no git repository of its own"):
+        publish(inner / "site", "")
+    assert git(remote, "for-each-ref") == ""
+
+
+def test_finding_8_a_token_is_not_printed(toy, remote):
+    with pytest.raises(UsageError) as error:
+        publish(toy.project.site, "git:http://someone:secret@127.0.0.1:9/x.git")
+    assert "secret" not in str(error.value)
+
+
 def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
     git(toy.project.root, "push", "--quiet", "origin", "HEAD:refs/heads/gh-pages", "HEAD:refs/heads/main")
     before = git(remote, "for-each-ref")
@@ -174,7 +241,16 @@ def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
 
 
 @pytest.mark.parametrize(
-    "target", ["nowhere", "--upload-pack=touch x", "ext::sh -c id", "origin#a..b", "origin#-x", "/nowhere"]
+    "target",
+    [
+        "nowhere",
+        "--upload-pack=touch x",
+        "ext::sh -c id",
+        "origin#a..b",
+        "origin#-x",
+        "origin#refs/heads/x",
+        "/nowhere",
+    ],
 )
 def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
     with pytest.raises(UsageError) as error:

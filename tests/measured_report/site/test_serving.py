@@ -1,8 +1,11 @@
 """Serving: what changes is built again, and only pages that are served know of it."""
 
 import re
+import socket
+import struct
 import threading
 import time
+from http.client import HTTPConnection
 from urllib.request import urlopen
 
 from conftest import TEMPLATE
@@ -61,3 +64,50 @@ def test_a_change_is_one_of_any_file_but_compiled_ones(toy):
         before = stamp(toy.project.inputs)
         change()
         assert stamp(toy.project.inputs) != before
+
+
+def ask(server: Server, path: str, **headers: str) -> tuple[int, dict[str, str], bytes]:
+    """Ask for a path as it is, with nothing made of it on the way."""
+    connection = HTTPConnection("127.0.0.1", server.server_port)
+    connection.request("GET", path, headers={name.replace("_", "-"): value for name, value in headers.items()})
+    answer = connection.getresponse()
+    return answer.status, dict(answer.getheaders()), answer.read()
+
+
+def test_finding_7_serving_answers_whatever_is_asked_and_leads_nowhere_else(toy, capfd, tmp_path):
+    toy.build()
+    site = toy.project.site
+    (site / "out").symlink_to("/etc")
+    (site / "passwd").symlink_to("/etc/passwd")
+    (tmp_path / "secret").write_text("secret")
+    whole = (site / "data.zip").read_bytes()
+    with Server(site, 0) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        for path in (
+            "/%00",
+            "/nothing",
+            "/%ff",
+            "/out/passwd",
+            "/passwd",
+            "/../secret",
+            "/%2e%2e/secret",
+            "//etc/passwd",
+        ):
+            status, _, said = ask(server, path)
+            assert status == 404 and b"There is no such page" in said, path
+        assert ask(server, "/data")[:2][1]["Location"] == "/data/"
+        assert ask(server, "/data/")[0] == 404
+        assert ask(server, "/index.html", Host="elsewhere.example")[0] == 421
+        assert ask(server, "/index.html", Host=f"localhost:{server.server_port}")[0] == 200
+        status, headers, part = ask(server, "/data.zip", Range="bytes=2-5")
+        assert (status, part) == (206, whole[2:6]) and headers["Content-Range"] == f"bytes 2-5/{len(whole)}"
+        assert ask(server, "/data.zip", Range="bytes=-4")[2] == whole[-4:]
+        assert ask(server, "/data.zip", Range="bytes=4-")[2] == whole[4:]
+        assert ask(server, "/data.zip", Range=f"bytes={len(whole)}-")[0] == 416
+        assert ask(server, "/data.zip", Range="lines=1-2")[2] == whole
+        with socket.create_connection(("127.0.0.1", server.server_port)) as gone:
+            gone.sendall(b"GET /data.zip HTTP/1.0\r\nHost: localhost\r\n\r\n")
+            gone.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        time.sleep(0.2)
+        server.shutdown()
+    assert capfd.readouterr().err == ""

@@ -9,21 +9,20 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from measured_report.parts.figures import draw_svg, fold, new_figure, write
-from measured_report.values.format import MINUS, THIN_SPACE, format_number, format_short, spellings
-from measured_report.values.quantities import Quantity
+from measured_report.values.format import (
+    MINUS,
+    THIN_SPACE,
+    format_least,
+    format_most,
+    format_number,
+    format_short,
+    spellings,
+)
+from measured_report.values.format import read_number as read
+from measured_report.values.quantities import Quantity, alike
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
-POWER = {sign: str(digit) for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"⁻": "-"}
-
-
-def read(text: str) -> Decimal:
-    """The number that a text says."""
-    mantissa, _, power = text.replace(MINUS, "-").replace(f"{THIN_SPACE}×{THIN_SPACE}10", "e").partition("e")
-    exponent = "".join(POWER.get(sign, sign) for sign in power) or "0"
-    if mantissa.startswith("10") and any(sign in POWER for sign in mantissa):
-        mantissa, exponent = "1", "".join(POWER.get(sign, sign) for sign in mantissa[2:])
-    return Decimal(f"{mantissa.replace(THIN_SPACE, '')}e{exponent}")
 
 
 def last_place(text: str) -> Decimal:
@@ -126,3 +125,20 @@ def test_a_drawing_says_where_its_numbers_are_from():
 
 def test_a_folded_text_keeps_a_number_with_the_word_before_it():
     assert fold("implicitfast, impratio 50, shipped pads", 23) == "implicitfast,\nimpratio 50, shipped\npads"
+
+
+@given(VALUES, st.one_of(st.none(), st.just(0.0), SIZES))
+@example(1.181, 0.5)
+@example(0.0, 0.0059)
+@example(0.020000000000000462, None)
+def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
+    most, least = read(format_most(value, noise=noise)), read(format_least(value, noise=noise))
+    assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
+    assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
+    assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
+
+
+def test_numbers_of_one_line_have_the_digits_of_the_one_that_has_the_fewest():
+    numbers = [Quantity(value, "mm", "a.json#/x", noise=0.0059) for value in (6.3612, 0.3168, 0.0012, None)]
+    assert [number.striptags() for number in alike(numbers)] == ["6.4", "0.32", "< 0.006", "n/a"]
+    assert [number.striptags() for number in alike([numbers[0], *numbers[2:]])] == ["6.36", "< 0.006", "n/a"]

@@ -61,6 +61,10 @@ def test_the_noise_of_a_cell_a_time_and_of_what_is_computed_from_an_unknown_one(
         "row_count": 0.0,
     }
     assert cell_noise("slip_mm", {"slip_mm": 64.0}, floors) == pytest.approx(0.05), "larger values are noisier"
+    floors["slip_mm"] = Floor(0.005, 6.4, length=12.0)
+    long = {"slip_mm": 3.58, "shake_duration_s": 60.0}
+    assert cell_noise("slip_mm", long, floors) == pytest.approx(0.025), "runs part as they go on"
+    assert cell_noise("slip_mm", {**long, "shake_duration_s": None}, floors) == 0.005
     in_c = row | {"backend": "c", "build_s": 2.0}
     assert cell_noise("creep_mm_s", in_c, floors) == pytest.approx(1e-4), "it repeats to the last bit"
     assert cell_noise("slip_mm", in_c, floors) == 0.005

@@ -3,12 +3,10 @@
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import pandas as pd
 import pytest
 
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.fronts import front, pareto_front
-from report.sections.hold import is_monotonic, seconds_back
 from report.sections.stability.passing import explicit_margin, passed, passing
 
 Made = Callable[[Sequence[dict]], list[Row]]
@@ -142,19 +140,3 @@ def test_fronts_are_what_nothing_beats_of_what_is_alike_and_counts(made):
     assert front(rows, "error_mm") == {"good"}
     assert front(rows, "error_mm", ("backend",)) == {"good", "other backend"}
     assert front([], "error_mm") == frozenset()
-
-
-def frame(x_mm: np.ndarray, z_mm: np.ndarray) -> pd.DataFrame:
-    return pd.DataFrame({"time_s": np.arange(len(x_mm)) / 60, "x_mm": x_mm, "y_mm": 0.0 * x_mm, "z_mm": z_mm})
-
-
-def test_a_creep_is_monotonic_that_goes_one_way_in_every_second():
-    seconds = np.arange(241) / 60
-    down = -2.0 * seconds
-    shaken = 0.5 * np.sin(2 * np.pi * seconds)  # back where it was after every second
-    assert is_monotonic(frame(shaken, down))
-    back = np.interp(seconds, [0, 3, 4], [0, -6, -4])
-    assert not is_monotonic(frame(shaken, back))
-    paused = np.interp(seconds, [0, 1, 2, 3, 4], [0, 1, 1, 2, 3])
-    assert not is_monotonic(frame(0.0 * seconds, paused))
-    assert [seconds_back(frame(0.0 * seconds, down), least) for least in (0.0, 1.9, 2.1)] == [0, 0, 4]

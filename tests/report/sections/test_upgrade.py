@@ -6,9 +6,9 @@ import shutil
 import pytest
 from conftest import ROWS, TEMPLATE, Toy
 
-from measured_report import ROOT
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
@@ -90,26 +90,39 @@ def test_the_cause_is_what_brings_the_old_number_back(upgraded):
     assert outcomes(upgraded.project)["cause"] == "fails"
 
 
-def test_claims_that_turned_are_said_in_both_ways(upgraded):
+def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
     measure_upgrade(upgraded, ENDS)
     upgraded.write("templates/sections/toy.md.j2", TEMPLATE.replace("It does not.", "It does not, {{ gain }} times."))
-    upgraded.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
+    for release, slip in (("1.6.0", 0.4), ("1.7.0", 0.4), ("1.8.0", 0.5)):
+        upgraded.of(release).measure([{**SOFT, "slip_mm": slip}, STIFF])
     upgraded.build()
     said = turned(upgraded)
-    assert "toy</a>: whether it helps" in said
-    assert "In 1.4.0:</b> It helps" in said and "In 1.8.0:</b> It does not" in said
-    assert 'data-src="values.json#/toy/gain"' in said
+    assert ">toy</a></dt>" in said and "It helps" not in said
+    assert "<b>1.8.0:</b> It does not" in said and "So too, with other numbers: 1.6.0, 1.7.0." in said
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
 
 
-def test_what_one_release_cannot_tell_is_listed_and_counted_by_itself(upgraded):
+def test_releases_with_the_same_numbers_stand_together_and_other_words_apart(upgraded):
+    measure_upgrade(upgraded, ENDS)
+    words = TEMPLATE.replace(
+        "It does not.", "It does not{% if gain.value < 1.5 %}, by far{% endif %}, {{ gain }} times."
+    )
+    upgraded.write("templates/sections/toy.md.j2", words)
+    for release, slip in (("1.6.0", 0.4), ("1.7.0", 0.5), ("1.8.0", 0.5)):
+        upgraded.of(release).measure([{**SOFT, "slip_mm": slip}, STIFF])
+    upgraded.build()
+    said = turned(upgraded)
+    assert "<b>1.6.0:</b> It does not, by far" in said and "<b>1.7.0, 1.8.0:</b> It does not, " in said
+    assert "So too" not in said
+
+
+def test_what_one_release_cannot_tell_is_counted_by_itself(upgraded):
     measure_upgrade(upgraded, ENDS)
     newer = upgraded.of("1.8.0")
     newer.measure([SOFT, {**STIFF, "slip_mm": None, "slip_mm_reason": "as a test"}])
     measure_noise(newer)  # without it a section is missing
     upgraded.build()
-    said = turned(upgraded)
-    assert "toy</a>: whether it helps" in said and "Cannot be told in 1.8.0:</b> as a test" in said
+    assert "<p>None.</p>" in turned(upgraded)
     values = json.loads((upgraded.project.site / "data/values.json").read_text())["upgrade"]
     assert (values["turned_count"]["value"], values["undecided_count"]["value"]) == (0, 1)
 

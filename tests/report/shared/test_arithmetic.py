@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import pytest
-from markupsafe import Markup
 
 from measured_report.claims.claim import Outcome
 from measured_report.editions.project import Project
@@ -13,7 +12,6 @@ from measured_report.values.results import Results
 from report.sections import fix
 from report.sections.stiffness.runs import is_held
 from report.shared import arithmetic
-from report.shared.variants import beyond_noise
 
 
 def quantity(value, reason="") -> Quantity:
@@ -54,12 +52,6 @@ def test_a_cell_that_is_not_there_says_why(results):
     assert arithmetic.other_cell(later, "toy", "soft", "slip_mm", unit="mm") == soft.slip_mm
     for section, case, reason in (("toy", "firm", "does not say"), ("noise", "soft", "has no results here")):
         assert arithmetic.other_cell(later, section, case, "slip_mm", unit="mm").reason == f"section {section} {reason}"
-
-
-def test_only_what_is_clearly_beyond_the_noise_is_named():
-    found = {"a": quantity(0.21), "b": quantity(-0.3), "c": quantity(0.2), "d": quantity(None, "it fell")}
-    assert beyond_noise(found, quantity(0.1)).striptags() == "a by 0.21\xa0mm, b by −0.30\xa0mm"
-    assert beyond_noise(found, quantity(None, "it fell")) == Markup()
 
 
 def test_a_script_is_not_compared_with_what_was_not_measured():

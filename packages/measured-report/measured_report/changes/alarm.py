@@ -11,6 +11,7 @@ from typing import Any
 
 from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault, faults_of
+from measured_report.changes.largest import largest, settings_text
 from measured_report.changes.moves import Move
 from measured_report.claims.claim import Claim
 from measured_report.deriving.editions import Edition
@@ -72,7 +73,7 @@ def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     if form == "markdown":
         return _markdown(*_diff_in_markdown(found))
     lines = [" → ".join(f"{config().package} {release}" for release in found.releases), _summary(found)]
-    lines += [fault.text for fault in found.faults] + [flip.text for flip in found.flips]
+    lines += [fault.text for fault in found.faults] + _leading(found) + [flip.text for flip in found.flips]
     lines += ["", *(_sum_line(section, sums) for section, sums in _sums(found.moves).items())]
     if all_values:
         for section in _sums(found.moves):
@@ -92,11 +93,16 @@ def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
     return "\n".join(verdict)
 
 
+def _leading(found: Comparison) -> list[str]:
+    """Say which settings changed, and the largest moves."""
+    return [f"settings: {settings_text(found.settings)}", *(group.text for group in largest(found))]
+
+
 def _summary(found: Comparison) -> str:
     """Count what differs, in one line."""
     near = sum(move.is_near for move in found.moves)
     return (
-        f"can't be trusted: {len(found.faults)}; claims that flipped: {len(found.flips)}; "
+        f"can't be trusted: {len(found.faults)}; alarms: {len(found.alarms)}; claims that flipped: {len(found.flips)}; "
         f"values that moved beyond the noise: {len(found.moves)}, of these near it: {near}"
     )
 
@@ -105,7 +111,7 @@ def _diff_in_markdown(found: Comparison) -> list[str]:
     lines = [f"### {config().edition_name} {' → '.join(found.releases)}", "", _summary(found).capitalize() + "."]
     flipped = [(flip.claim, flip.outcomes, flip.after.text) for flip in found.flips]
     sums = [(section, *sums.values()) for section, sums in _sums(found.moves).items()]
-    lines += _fault_table(found.faults)
+    lines += [*_fault_table(found.faults), "", *(f"- {_escaped(line)}" for line in _leading(found))]
     lines += _table(("claim that flipped", "outcome", "now"), flipped)
     lines += _table(("section", "moved", "better", "worse", "near the noise"), sums)
     if found.notes:
@@ -170,6 +176,9 @@ def _diff_data(found: Comparison) -> dict[str, Any]:
         "b": found.releases[1],
         "faults": list(map(vars, found.faults)),
         "flips": flips,
+        "settings": [_move_data(move) for move in found.settings],
+        "alarms": [move.name for move in found.alarms],
+        "largest": [group.text for group in largest(found)],
         "moved": _sums(found.moves),
         "moves": [_move_data(move) for move in found.moves],
         "notes": found.notes,

@@ -3,12 +3,11 @@
 import re
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from measured_report import ReportError, UsageError
 from measured_report.changes.query import Answer, Query
 from measured_report.deriving.editions import Edition, derive_edition
 from measured_report.editions.project import Project
@@ -16,6 +15,7 @@ from measured_report.editions.stack import Stack, releases_between, stack_of
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
 from measured_report.pages.prose import Templates
 from measured_report.records.provenance import MISSING
@@ -23,6 +23,10 @@ from measured_report.values.noise import NOISE
 
 Point = TypeVar("Point")
 FIRST = re.compile(r"^([0-9a-f]{40}) is the first bad commit", re.MULTILINE)
+ASIDE = "bisect"
+"""The folder below ``results`` of what a search measured."""
+CLONE = ".venv-bisect"
+"""The clone that git bisects in."""
 ONLY_SKIPPED = "only 'skip'ped commits left"
 """What git says where no more can be told."""
 
@@ -39,28 +43,32 @@ class Bisection:
     query: Query
     device: str
     templates: Templates
+    answers: dict[tuple[str, ...], Answer | None] = field(default_factory=dict)
+    """What was found before, by what was asked of which edition."""
 
     def _answer(self, stack: Stack) -> Answer | None:
         """Return what a stack answers, measured unless that was done before."""
-        edition = self._edition(stack, [self.query.section])
-        answer = self.query.answer(edition.chapters)
-        if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
-            answer = self.query.answer(self._edition(stack, [self.query.section, NOISE]).chapters)
-        print(f"{stack.label}: {self.query.text} {_said(answer)}", flush=True)
-        return answer
+        label = str(stack.label)
+        asked = (self.query.text, self.project.profile, label)
+        if asked not in self.answers:
+            edition = self._edition(stack, [self.query.section])
+            answer = self.query.answer(edition.chapters)
+            if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
+                answer = self.query.answer(self._edition(stack, [self.query.section, NOISE]).chapters)
+            self.answers[asked] = answer
+            print(f"step {len(self.answers)}: {label}: {self.query.text} {said(answer)}", flush=True)
+        return self.answers[asked]
 
     def _edition(self, stack: Stack, sections: Sequence[str]) -> Edition:
-        """Derive these sections, measured unless there is a record of what would be; one of older code will do."""
-        project = self.project.of(str(stack.label))
-        states = [state_of(project, section) for section in sections]
-        lacking = [
-            state.section
-            for state in states
-            if not state.record or any(note.startswith("packages") for note in state.notes)
-        ]
-        if lacking:
-            project = measure(project, stack, lacking, self.device)
-        return derive_edition(project, self.templates)
+        """Derive these sections; what has no record is measured, and kept apart from those of the editions."""
+        side = self.side(stack, sections)
+        lacking = _lacking(side, sections)
+        return derive_edition(measure(side, stack, lacking, self.device) if lacking else side, self.templates)
+
+    def side(self, stack: Stack, sections: Sequence[str] = ()) -> Project:
+        """Where a stack's records of these sections, by default the one that is asked for, are or will be."""
+        own = self.project.of(str(stack.label))
+        return replace(own, aside=ASIDE) if _lacking(own, sections or [self.query.section]) else own
 
     def is_first(self, ends: tuple[Answer, Answer], stack: Stack) -> bool | None:
         """Whether a stack answers as the first end does; None, and say why, where it can't tell."""
@@ -75,11 +83,19 @@ class Bisection:
         """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
         answers = self._answer(first), self._answer(last)
         if None in answers or answers[0] == answers[1]:
-            raise Alike(f"{self.query.text} is {_said(answers[0])} at A and {_said(answers[1])} at B")
+            raise Alike(f"{self.query.text} is {said(answers[0])} at A and {said(answers[1])} at B")
         return answers
 
 
-def _said(answer: Answer | None) -> str:
+def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
+    """Name those without a record of what would be measured; one of older code will do."""
+    states = [state_of(project, section) for section in sections]
+    return [
+        each.section for each in states if not each.record or any(note.startswith("packages") for note in each.notes)
+    ]
+
+
+def said(answer: Answer | None) -> str:
     return "cannot tell" if answer is None else answer if isinstance(answer, str) else f"{answer:.4g}"
 
 
@@ -122,6 +138,8 @@ def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Cal
         return f"{package} {after.label.version} did it: it is the only package"
     if any(old[name] == MISSING for name in others):
         return "which package did it cannot be told: one of them is not there in all"
+    if all(old[name] == new[name] for name in others):
+        return f"{package} {after.label} did it: the other packages are the same"
     alone = is_first(_pinned(after, old, others))
     if alone is False:
         kept = ", ".join(f"{name} {old[name]}" for name in others)
@@ -170,6 +188,11 @@ def _git(folder: Path, *command: str) -> str:
     if done.returncode and ONLY_SKIPPED not in done.stdout:
         raise UsageError(f"git {' '.join(command[:2])} failed in {folder}")
     return done.stdout
+
+
+def commit_count(repository: Path, first: str, last: str) -> int:
+    """How many commits a search between two may have to look at."""
+    return int(_git(repository, "rev-list", "--count", f"{first}..{last}"))
 
 
 def common_repository(first: Stack, last: Stack) -> tuple[Path, str, str] | None:

@@ -2,15 +2,16 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 from measured_report.changes.costs import is_cost
 from measured_report.changes.faults import Fault, faults_between, faults_of
 from measured_report.changes.flips import Flip, flips_between
-from measured_report.changes.moves import Move, moves_between
+from measured_report.changes.moves import Move, cells_between, rows_by_key, unlike
 from measured_report.deriving.chapters import Chapters
 from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
-from measured_report.values.noise import NOISE, noise_floors
+from measured_report.values.noise import NOISE, Repeats, repeats_of
 
 
 @dataclass(frozen=True)
@@ -21,27 +22,44 @@ class Comparison:
     faults: list[Fault]
     """What can't be trusted, so that no more can be said of it."""
     flips: list[Flip]
-    moves: list[Move]
+    cells: list[Move]
+    """All values that compare, moved or not."""
     notes: list[str]
     """What could not be compared, and why."""
+
+    @cached_property
+    def moves(self) -> list[Move]:
+        """Those that moved beyond the noise."""
+        return [cell for cell in self.cells if cell.is_real]
+
+    @cached_property
+    def settings(self) -> list[Move]:
+        """Defaults and options that are not the same."""
+        return [move for move in self.moves if move.is_setting]
+
+    @cached_property
+    def alarms(self) -> list[Move]:
+        """Settings and named numbers that moved by more than their threshold."""
+        return [move for move in self.moves if move.rings]
 
     @property
     def is_alarm(self) -> bool:
         """Whether somebody has to look at it."""
-        return bool(self.faults or self.flips)
+        return bool(self.faults or self.flips or self.alarms)
 
 
 def compare(before: Edition, after: Edition) -> Comparison:
     """Compare the results of two editions."""
     sides = before.chapters, after.chapters
-    floors = noise_floors(side[NOISE].results.record for side in sides if NOISE in side)
+    known = [repeats_of(side[NOISE].results.record) if NOISE in side else None for side in sides]
+    repeats = [each or next(filter(None, known), Repeats({})) for each in known]
     shared = [name for name in before.chapters if name in after.chapters and name != NOISE]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),
         flips=flips_between(*sides),
-        moves=[each for name in shared for each in moves_between(before.chapters[name], after.chapters[name], floors)],
-        notes=[*_unshared(before, after), *_costs_apart(*sides), *_near_claims(*sides)],
+        cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], repeats)],
+        notes=[*_unshared(before, after), *_costs_apart(*sides), *_unlike_runs(*sides), *_near_claims(*sides)],
     )
 
 
@@ -69,6 +87,16 @@ def _costs_apart(before: Chapters, after: Chapters) -> list[str]:
         f"speed and cost in {', '.join(names)}: measured on {' and on '.join(machines)}"
         for machines, names in sections.items()
     ]
+
+
+def _unlike_runs(before: Chapters, after: Chapters) -> Iterable[str]:
+    """Say of which runs rates alone are compared, or nothing, for what was not alike."""
+    for section in (name for name in before if name in after):
+        old, new = rows_by_key(before[section]), rows_by_key(after[section])
+        found = {key: unlike(old[key].plain, new[key].plain) for key in old if key in new}
+        if names := list(dict.fromkeys(name for names in found.values() for name in names)):
+            count = sum(map(bool, found.values()))
+            yield f"{section}: all but rates of {count} runs, for another {' or '.join(names)}"
 
 
 def _near_claims(*sides: Chapters) -> Iterable[str]:

@@ -1,6 +1,7 @@
 """Costs: what says how long something takes or how much room, and what must be the same for two of them to compare."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
+from datetime import timedelta
 from typing import Any
 
 from measured_report.claims.claim import Claim
@@ -18,6 +19,33 @@ def is_cost(column: str) -> bool:
 def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
     """Return what two costs must share to be compared: the machine, and how many frames and worlds."""
     return record.machine_for_speed, *(row.get(column) for column in config().cost_terms)
+
+
+def is_timed(record: Record) -> bool:
+    """Whether it says how long something takes, in numbers that are compared."""
+    kinds = (column_of(name).kinds for name in record.units)
+    return any("cost" in each and "chance" not in each for each in kinds)
+
+
+def beside(record: Record, others: Iterable[Record]) -> list[Record]:
+    """Return those that were measured on the same host while this one was; none where no host is known.
+
+    Where both paused they may have taken turns, so that they count when they overlap for longer than that.
+    """
+    host = record.machine.get("host")
+    there = [other for other in others if other is not record and host and other.machine.get("host") == host]
+    return [other for other in there if _overlap(record, other) > _pause(record) + _pause(other)]
+
+
+def _overlap(record: Record, other: Record) -> timedelta:
+    (started, ended), (other_started, other_ended) = record.span, other.span
+    return min(ended, other_ended) - max(started, other_started)
+
+
+def _pause(record: Record) -> timedelta:
+    """How long nothing of it was measured between its beginning and its end, which are told to the second."""
+    started, ended = record.span
+    return max(timedelta(seconds=1), ended - started - timedelta(seconds=record.measured["seconds"]))
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:

@@ -1,6 +1,7 @@
 """Flips: claims that editions answer differently, and what each of them says."""
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -10,6 +11,9 @@ from measured_report.changes.costs import terms_of
 from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.pages.outline import PAGES, Page
+
+NUMBER = re.compile(r"<data[^>]*>[^<]*</data>(&nbsp;[^\s,.;:)]+)?")
+"""A number in a sentence, with its unit."""
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,8 @@ class Flip:
     page: Page
     said: Sequence[tuple[Sequence[str], Claim]]
     """Neighbouring editions that agree, and the claim as one of them words it; oldest first."""
+    answers: Mapping[str, Claim]
+    """The claim of each of them."""
 
     @property
     def claim(self) -> str:
@@ -78,7 +84,7 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
         if len(groups) > 1:
             said = [(group, answers[shown if shown in group else group[-1]]) for group in groups]
             chapter = next(chapters[section] for chapters in releases.values() if section in chapters)
-            yield Flip(section, name, chapter.results.label, chapter.page, said)
+            yield Flip(section, name, chapter.results.label, chapter.page, said, answers)
 
 
 def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
@@ -103,12 +109,13 @@ def decided_flips(releases: Releases, shown: str) -> list[Flip]:
 
 @dataclass(frozen=True)
 class FlipList:
-    """Flips in words, by the pages that their sections are on; printed, each is a question with all answers."""
+    """Flips by the pages that their sections are on; printed, each has what others say than the page's own edition."""
 
     flips: Sequence[Flip]
-    shown: Sequence[str]
-    """Sections of the page's edition, to link to."""
-    level: int = 4
+    shown: str
+    """The edition of the page, whose own sentences stand where they belong."""
+    sections: Collection[str]
+    """Those of that edition, to link to."""
 
     def __html__(self) -> Markup:
         by_page = {page: [flip for flip in self.flips if flip.page == page] for page in PAGES}
@@ -116,20 +123,29 @@ class FlipList:
         return Markup('<figure class="turns">\n{}\n</figure>').format(groups or Markup("<p>None.</p>"))
 
     def _group(self, page: Page, flips: Sequence[Flip]) -> Markup:
-        lines = [Markup("<h{0}>{1}</h{0}>\n<dl>").format(self.level, page.label)]
-        # One link to a section is enough for whoever goes from link to link.
-        first: Mapping[str, Flip] = {flip.section: flip for flip in reversed(self.flips)}
-        for flip in flips:
-            is_linked = flip is first[flip.section] and flip.section in self.shown
-            place = Markup('<a href="#{}">{}</a>' if is_linked else "{1}").format(flip.section, flip.label)
-            lines.append(Markup("<dt>{}: {}</dt>").format(place, flip.before.said("asks").rstrip(",")))
-            lines += [_answer(names, claim) for names, claim in flip.said]
+        lines = [Markup("<h3>{}</h3>\n<dl>").format(page.label)]
+        for section, found in groupby(flips, lambda flip: flip.section):
+            own = list(found)
+            place = Markup('<a href="#{}">{}</a>' if section in self.sections else "{1}").format(section, own[0].label)
+            lines.append(Markup("<dt>{}</dt>").format(place))
+            others = [(flip, names) for flip in own for names, _ in flip.said if self.shown not in names]
+            lines += [_answer(*answer) for other in others for answer in _worded(*other)]
         return Markup("\n").join([*lines, Markup("</dl>")])
 
 
-def _answer(names: Sequence[str], claim: Claim) -> Markup:
-    """Return what editions say to the question; the sentence says whether that is a yes or a no."""
-    if claim.outcome.name != "unknown":
-        return Markup("<dd><b>In {}:</b> {}</dd>").format(", ".join(names), claim.sentence)
-    reason = claim.outcome.reason or "no reason"
-    return Markup("<dd><b>Cannot be told in {}:</b> {}</dd>").format(", ".join(names), reason)
+def _worded(flip: Flip, names: Sequence[str]) -> Iterator[tuple[list[str], list[str], Claim]]:
+    """Yield the newest sentence of each wording of editions that agree: who says it so, and who with other numbers."""
+    wordings: dict[str, list[str]] = {}
+    for name in names:
+        wordings.setdefault(NUMBER.sub("#", flip.answers[name].sentence), []).append(name)
+    for alike in wordings.values():
+        said = flip.answers[alike[-1]]
+        exactly = [name for name in alike if flip.answers[name].text == said.text]
+        yield exactly, [name for name in alike if name not in exactly], said
+
+
+def _answer(names: Sequence[str], others: Sequence[str], claim: Claim) -> Markup:
+    """Write what editions say."""
+    so_too = Markup(' <span class="moved">So too, with other numbers: {}.</span>').format(", ".join(others))
+    answer = Markup("<dd><b>{}:</b> {}{}</dd>")
+    return answer.format(", ".join(names), claim.sentence, so_too if others else "")

@@ -1,22 +1,22 @@
 """Moves: values that editions have differently, and whether by more than runs of one edition differ."""
 
+import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from measured_report.changes.costs import cost_terms
 from measured_report.claims.claim import NEAR_NOISE
 from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
-from measured_report.records.columns import REASON, column_of
-from measured_report.records.record import Record
-from measured_report.values.noise import EDGES, Floor, is_beyond
+from measured_report.records.columns import REASON, column_of, is_number, parameters
+from measured_report.values.noise import EDGES, Repeats, is_beyond, is_lost
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
-CHOSEN_SHARE, CHOSEN_RANGE = 0.1, 0.01
-"""What counts as noise where none was measured: this share of a value, and this one of the column's largest."""
+CHOSEN_SHARE = 0.1
+"""What counts as noise where none was measured: this share of the value."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Move:
     column: str
     before: Any
     after: Any
-    """Each a number, a Quantity, a text, or yes and no."""
+    """Each a number, a Quantity, a text, or yes and no; None where an edition lacks a setting."""
     noise: float | None = None
     """None for what is no number."""
     is_chosen: bool = False
@@ -40,17 +40,59 @@ class Move:
         return _plain(self.before), _plain(self.after)
 
     @property
+    def name(self) -> str:
+        """As VALUE= says it."""
+        return ".".join(filter(None, (self.section, self.place.get("case", ""), self.column)))
+
+    @property
+    def is_setting(self) -> bool:
+        """Whether it is a default or an option, which is compared exactly."""
+        return self.place.get("kind") in config().changes.settings
+
+    @property
+    def least(self) -> float:
+        """What a difference has to exceed to be one: the noise, or what the column resolves."""
+        return max(self.noise or 0.0, column_of(self.column).resolution)
+
+    def is_beyond(self, times: float) -> bool:
+        """Whether the values differ, by more than so many times that where they are numbers, and than rounding."""
+        before, after = self.values
+        if self.is_setting or None in (self.noise, before, after):
+            return before != after
+        return is_beyond(times * self.least, before, after)
+
+    @property
     def is_real(self) -> bool:
         """Whether the values differ by more than the noise."""
-        before, after = self.values
-        return before != after if None in (self.noise, before, after) else is_beyond(self.noise, before, after)
+        return self.is_beyond(1.0)
 
     @property
     def is_near(self) -> bool:
         """Whether by less than NEAR_NOISE times a measured noise, which another measurement of the same may do too."""
-        if self.is_chosen or self.noise is None or not self.is_real:
-            return False
-        return not is_beyond(NEAR_NOISE * self.noise, *self.values)
+        return self.is_real and not self.is_chosen and not self.is_beyond(NEAR_NOISE)
+
+    @property
+    def share(self) -> float | None:
+        """The change as a share of the older value; None for what is no number."""
+        before, after = self.values
+        if None in (self.noise, before, after):
+            return None
+        return (after - before) / abs(before) if before else math.copysign(math.inf, after) if after else 0.0
+
+    @property
+    def sure_share(self) -> float:
+        """What of the change is beyond the noise, as a share of the larger value: by how much it surely moved."""
+        before, after = self.values
+        larger = 0.0 if self.share is None else max(abs(before), abs(after))
+        return max(0.0, abs(after - before) - self.least) / larger if larger else 0.0
+
+    @property
+    def rings(self) -> bool:
+        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold."""
+        rules = config().changes
+        threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
+        told = threshold is not None and self.share is not None
+        return told and abs(self.share) > threshold and self.is_beyond(NEAR_NOISE)
 
     @property
     def direction(self) -> str:
@@ -71,76 +113,95 @@ class Move:
         name = " ".join(str(part) for column, part in self.place.items() if column not in untold)
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
         words = ["near the noise"] if self.is_near else [self.direction] if self.direction else []
-        return "  ".join([f"{name}  {self.column}: {_said(self.before)} → {_said(self.after)}{noise}", *words])
+        return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
+
+    @property
+    def ends(self) -> str:
+        """Before and after, the unit once; of a setting as many digits as tell them apart."""
+        if self.is_setting:
+            return " → ".join("none" if value is None else f"{value:.7g}" for value in self.values)
+        if isinstance(self.before, Quantity) and None not in self.values:
+            return f"{self.before.written} → {self.after}"
+        return f"{_said(self.before)} → {_said(self.after)}"
+
+    @property
+    def setting(self) -> str:
+        """What is said of a setting: what it is called, before and after."""
+        kind = config().changes.settings[self.place["kind"]]
+        name = self.place["case"].removeprefix(f"{self.place['kind']}-")
+        return f"{kind} {name} {self.ends}"
 
 
-def moves_between(before: Chapter, after: Chapter, floors: Mapping[str, Floor]) -> Iterator[Move]:
-    """Yield the values of a section that two editions have differently, by more than the noise of their columns."""
-    old, new = _rows_by_key(before), _rows_by_key(after)
-    records = before.results.record, after.results.record
-    ranges = _ranges(records)
-    classes = config().changes.classes
-    for key in (key for key in old if key in new):
-        rows = old[key], new[key]
+def cells_between(before: Chapter, after: Chapter, repeats: Sequence[Repeats]) -> Iterator[Move]:
+    """Yield the values of a section that compare between two editions, moved or not, and settings that one lacks.
+
+    ``repeats`` say how far apart runs of each come out.
+    """
+    rules, records = config().changes, (before.results.record, after.results.record)
+    old, new = rows_by_key(before), rows_by_key(after)
+    for key in dict.fromkeys((*old, *new)):
+        place, a, b = dict(key), old.get(key), new.get(key)
+        if a is None or b is None:
+            if place.get("kind") in rules.settings:
+                yield Move("value", a and a["value"], b and b["value"], section=before.name, place=place)
         # Where repeats of a run end in different classes it is chance which one the row is about.
-        if not any(len(set(row[classes].split(", "))) > 1 for row in rows if classes in row):
-            cells = ({column: _plain(row[column]) for column in row.columns} for row in rows)
-            found = _moves_of_rows(rows, floors, ranges, has_same_terms=len(set(map(cost_terms, records, cells))) == 1)
-            yield from (replace(move, section=before.name, place=dict(key)) for move in found)
+        elif not any(len(set(row[rules.classes].split(", "))) > 1 for row in (a, b) if rules.classes in row):
+            cells = a.plain, b.plain
+            has_same_terms = len(set(map(cost_terms, records, cells))) == 1
+            for column in cells[0]:
+                if column in cells[1] and _compares(column, *cells, has_same_terms=has_same_terms):
+                    are_numbers = all(is_number(cell[column]) for cell in cells)
+                    noise, is_chosen = _noise(column, before.name, cells, repeats) if are_numbers else (None, False)
+                    yield Move(column, a[column], b[column], noise, is_chosen, before.name, place)
 
 
-def _moves_of_rows(
-    rows: tuple[Row, Row], floors: Mapping[str, Floor], ranges: Mapping[str, float], *, has_same_terms: bool
-) -> Iterator[Move]:
-    """Yield what moved in a row; ``has_same_terms`` says whether costs in it compare."""
-    rules = config().changes
-    # The run of a row may be lost, which makes its numbers chance.
-    lost = [any("loss" in column_of(name).kinds and bool(row[name]) for name in row.columns) for row in rows]
-    for column in rows[0].columns:
-        kinds = column_of(column).kinds
-        is_key = column in (*rules.keys, *rules.untold_keys)
-        if column not in rows[1] or is_key or "chance" in kinds or column.endswith((REASON, *EDGES)):
-            continue
-        cells = rows[0][column], rows[1][column]
-        noise: tuple[float | None, bool] = None, False
-        if all(isinstance(cell, Quantity) for cell in cells):
-            if any(lost) or ("cost" in kinds and not has_same_terms):
-                continue
-            values = [cell.value for cell in cells]
-            noise = noise if None in values else _noise(column, rows, values, floors, ranges)
-        elif all(lost) and "loss" in kinds:
-            continue
-        move = Move(column, *cells, *noise)
-        if move.is_real:
-            yield move
+def unlike(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
+    """Name what two runs were not set to alike, or how much was not run alike."""
+    return [
+        name
+        for name, cell in before.items()
+        if ("setting" in column_of(name).kinds or name in parameters())
+        and None not in (cell, after.get(name))
+        and cell != after[name]
+    ]
+
+
+def is_like(column: str, before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
+    """Whether a number of two runs compares: they were set alike, or it is a rate and only not as much was run."""
+    kinds = [column_of(name).kinds for name in unlike(before, after)]
+    return (
+        not kinds or column_of(column).is_setting or (column_of(column).is_rate and all("setting" in k for k in kinds))
+    )
+
+
+def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> bool:
+    """Whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
+    rules, kinds, lost = config().changes, column_of(column).kinds, list(map(is_lost, cells))
+    if column in (*rules.keys, *rules.untold_keys) or "chance" in kinds or column.endswith((REASON, *EDGES)):
+        return False
+    if any(isinstance(cell[column], str | bool) for cell in cells):
+        return not (all(lost) and "loss" in kinds)
+    return not any(lost) and is_like(column, *cells) and (has_same_terms or "cost" not in kinds)
 
 
 def _noise(
-    column: str, rows: tuple[Row, Row], values: list[float], floors: Mapping[str, Floor], ranges: Mapping[str, float]
+    column: str, section: str, cells: Sequence[Mapping[str, Any]], repeats: Sequence[Repeats]
 ) -> tuple[float, bool]:
-    """Return the noise of a value, and whether it is a chosen one."""
-    chosen = max(CHOSEN_SHARE * max(map(abs, values)), CHOSEN_RANGE * ranges[column])
-    edges = [column + edge for edge in EDGES]
-    if all(edge in row and row[edge].value is not None for row in rows for edge in edges):
-        measured = max(row[edges[1]].value - row[edges[0]].value for row in rows)
+    """Return the noise of a number, and whether it is a chosen one."""
+    values, edges = [cell[column] for cell in cells], [column + edge for edge in EDGES]
+    chosen = CHOSEN_SHARE * max(map(abs, values))
+    if all(column_of(column).is_exact(cell) for cell in cells):
+        return 0.0, False
+    if all(cell.get(edge) is not None for edge in edges for cell in cells):
+        measured = max(cell[edges[1]] - cell[edges[0]] for cell in cells)
         # Of two machines of one kind one may be faster, and nothing in a record tells one from the other.
         return (chosen, True) if chosen > NEAR_NOISE * measured else (measured, False)
-    if column.endswith("_count"):
-        return max(1.0, chosen), True
-    return (floors[column].at(*values), False) if column in floors else (chosen, True)
+    case = cells[0]["case"] if section in config().changes.same_runs else ""
+    found = [each.noise(case, column, value) for each, value in zip(repeats, values, strict=True)]
+    return (chosen, True) if None in found or "cost" in column_of(column).kinds else (max(found), False)
 
 
-def _ranges(records: Iterable[Record]) -> dict[str, float]:
-    """Return the largest size of each column's numbers."""
-    ranges: dict[str, float] = {}
-    cells = ((column, row.get(column)) for record in records for row in record.rows for column in record.units)
-    for column, cell in cells:
-        if isinstance(cell, int | float):
-            ranges[column] = max(ranges.get(column, 0.0), abs(cell))
-    return ranges
-
-
-def _rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
+def rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
     """Return rows by what tells them apart; those that nothing tells apart are left out."""
     rules = config().changes
     names = (*rules.keys, *rules.untold_keys)
@@ -160,3 +221,10 @@ def _said(cell: Any) -> str:
     if isinstance(cell, Quantity):
         return f"{cell} ({cell.reason})" if cell.value is None else str(cell)
     return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))
+
+
+def percent(share: float) -> str:
+    """A change in percent, with its sign; of what was nothing before there is none."""
+    if not math.isfinite(share):
+        return "from nothing"
+    return f"{100 * share:+.{0 if abs(share) >= 0.1 else 1}f} %".replace("-", "−")

@@ -1,12 +1,13 @@
-"""Upgrade: what a few sections say of a new edition, in five lines: what flipped, what moved, why, and what to do."""
+"""Upgrade: what a few sections say of a new edition, in a dozen lines: what changed, largest first, and what to do."""
 
 import shlex
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from measured_report.changes.compare import Comparison
 from measured_report.changes.faults import Fault
-from measured_report.changes.moves import Move
+from measured_report.changes.largest import few, largest, power, settings_text
 from measured_report.changes.query import Query
 from measured_report.claims.claim import HOLDS
 from measured_report.deriving.editions import Edition
@@ -15,9 +16,6 @@ from measured_report.files.config import config
 from measured_report.measuring.measure import seconds_known
 from measured_report.records.provenance import package_changes
 from measured_report.records.record import Record
-
-NAMED = 4
-"""Claims that are named in a line."""
 
 
 def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> float:
@@ -28,14 +26,16 @@ def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> 
 
 
 def base_of(project: Project) -> str | None:
-    """Return the edition before this one that has the deciding sections, in this profile or in full runs."""
-    found = {
-        release
-        for side in (project, replace(project, profile="full"))
-        for release in side.releases
-        if side.of(release).order < project.order and not _lacking(side.of(release))
-    }
-    return max(found, key=lambda release: project.of(release).order, default=None)
+    """Return what an edition is held against: the same release as it came out, or else the newest one before it.
+
+    It has the deciding sections, in this profile or in full runs.
+    """
+    sides = [side.of(name) for side in (project, replace(project, profile="full")) for name in side.releases]
+    plain = [side for side in sides if side.release == side.label.version and not _lacking(side)]
+    found = {side.release: side.label.order for side in plain if side.release != project.release}
+    if project.label.version in found:
+        return project.label.version
+    return max((name for name in found if found[name] < project.label.order), key=found.__getitem__, default=None)
 
 
 def _lacking(project: Project) -> list[str]:
@@ -48,19 +48,22 @@ def unmeasured(project: Project) -> list[Fault]:
 
 
 def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
-    """Return the lines, worst first."""
+    """Return at most a dozen lines, worst first."""
     a, b = found.releases
     lines = [f"{config().edition_name} {b} against {a}{_other_packages(before, after)}: {_measured(after)}"]
     if found.faults:
-        lines.append(f"can't be trusted: {_few([fault.text for fault in found.faults])}")
+        lines.append(f"can't be trusted: {few([fault.text for fault in found.faults])}")
     flips = [f"{flip.claim} {flip.outcomes}" for flip in found.flips]
     cause = Query(config().changes.cause, is_claim=True).claim(after.chapters)
     why = cause.text if cause and cause.outcome == HOLDS else "the sections that were measured do not say"
+    asks_why = flips or any(not move.is_setting for move in found.alarms)
     return [
         *lines,
-        f"flipped: {_few(flips) if flips else 'no claim'}",
-        f"moved: {_moved(found.moves, before, after)}",
-        f"why: {why if flips else 'nothing to explain'}",
+        f"settings: {settings_text(found.settings)}",
+        f"flipped: {few(flips) if flips else 'no claim'}",
+        *([group.text for group in largest(found)] or ["moved: nothing beyond the noise"]),
+        f"would have shown: {power(found) or 'nothing, for want of numbers'}",
+        *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(found, before, after)}",
     ]
 
@@ -90,28 +93,27 @@ def _measured(edition: Edition) -> str:
     return f"{', '.join(record.section for record in records)} on {' and '.join(machines)}, {seconds:.0f} s{profile}"
 
 
-def _few(names: Sequence[str]) -> str:
-    more = f"; and {len(names) - NAMED} more" if len(names) > NAMED else ""
-    return "; ".join(names[:NAMED]) + more
-
-
-def _moved(moves: Sequence[Move], before: Edition, after: Edition) -> str:
-    rules = config().changes
-    old, new = (Query(rules.headline).quantity(edition.chapters) for edition in (before, after))
-    better, worse = (sum(move.mark == mark for move in moves) for mark in ("better", "worse"))
-    headline = f"{rules.headline_label} {old} → {new}; " if rules.headline else ""
-    return f"{headline}{len(moves)} values beyond the noise, {better} better, {worse} worse"
-
-
 def _advice(found: Comparison, before: Edition, after: Edition) -> str:
-    a, b = before.project.asked, after.project.asked
     if found.faults:
         return "look at what can't be trusted first; nothing else can be said"
-    if found.flips:
-        ends = f"{shlex.quote(f'A={a}')} {shlex.quote(f'B={b}')}"
-        return f"make bisect CLAIM={found.flips[0].claim} {ends} finds which change did it"
+    profile = "" if after.project.profile == "full" else f" PROFILE={after.project.profile}"
+    lists = f"make diff A={before.project.release} B={after.project.release} VALUES=all{profile} lists it"
+    if found.flips or found.alarms:
+        asked = f"CLAIM={found.flips[0].claim}" if found.flips else f"VALUE={found.alarms[0].name}"
+        query = Query(asked.partition("=")[2])
+        device = after.chapters[query.section].results.record.machine["device"]
+        minutes = max(1, round(seconds_expected(after.project, device, [query.section]) / 60))
+        ends = " ".join(map(shlex.quote, _bisect_ends(before.project, after.project)))
+        return f"make bisect {asked} {ends} finds which change did it, in about {minutes} min a step; {lists}"
     if any(not move.is_near for move in found.moves):
-        profile = "" if after.project.profile == "full" else f" PROFILE={after.project.profile}"
-        ends = f"A={before.project.release} B={after.project.release}"
-        return f"see whether what moved was meant to: make diff {ends} VALUES=all{profile} lists it"
+        return f"see whether what moved was meant to: {lists}"
     return "nothing; make report measures the rest"
+
+
+def _bisect_ends(before: Project, after: Project) -> tuple[str, str]:
+    """Name both editions to bisect: those of a repository as its commits, with the tag of the release that is older."""
+    source, asked = after.label.source, after.asked
+    folder = asked.rpartition("@")[0] or asked
+    if source.startswith("g") and Path(folder).is_dir() and not before.label.source:
+        return f"A={folder}@v{before.label.version}", f"B={folder}@{source[1:8]}"
+    return f"A={before.asked}", f"B={asked}"

@@ -2,10 +2,12 @@
 
     {% stated sea_level %} The sea rises by 3 to 4 mm a year. {% endstated %}
 
-``templates/sources.toml`` has a table for each name: ``url``, or ``package``, ``version``, ``file`` below its folder
-and an ``excerpt`` that the file must hold.
+``templates/sources.toml`` has a table for each name: ``url``, or ``package``, ``version``, ``file`` below its folder,
+``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a package's files, with
+``{version}``, ``{file}`` and ``{line}``. A page numbers its statements and lists their sources at its end.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,27 +18,34 @@ from jinja2.ext import Extension
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-from measured_report import ReportError
 from measured_report.files.config import read_toml
+from measured_report.files.errors import ReportError
 
 NAME = "sources.toml"
+MARK = '<sup class="cited" data-source="{}"></sup>'
+CITED = re.compile(MARK.format("([a-z0-9_]+)"))
+NUMBER = '<sup class="cited"><a href="#source-{0}" aria-label="Source {0}">{0}</a></sup>'
+LIST = Markup('<section class="sources">\n<h2 id="sources">Not measured here</h2>\n<ol>\n{}</ol>\n</section>\n')
+ITEM = Markup('<li id="source-{}">{}</li>\n')
 
 
 @dataclass(frozen=True)
 class Reference:
-    """Where a statement is from: an address, or a line in a file of a package."""
+    """Where a statement is from: an address, and where that is of a package's file, the line in it."""
 
     url: str = ""
     package: str = ""
     version: str = ""
     file: str = ""
+    line: int = 0
     excerpt: str = ""
     """One line of the file, or a part of one."""
 
     def __html__(self) -> Markup:
-        if self.url:
-            return Markup('<a href="{0}">{1}</a>').format(self.url, self.url.partition("://")[2].partition("#")[0])
-        return Markup("read in {} {}, <code>{}</code>").format(self.package, self.version, self.file)
+        if not self.package:
+            return Markup('<a href="{0}">{1}</a>').format(self.url, self.url.partition("://")[2])
+        place = Markup('{} {}, <a href="{}"><code>{}</code></a>, line {}')
+        return place.format(self.package, self.version, self.url, self.file, self.line)
 
 
 def references(templates: Path) -> Mapping[str, Reference]:
@@ -45,13 +54,30 @@ def references(templates: Path) -> Mapping[str, Reference]:
     if not path.is_file():
         return {}
     try:
-        found = {name: Reference(**fields) for name, fields in read_toml(path).items()}
+        tables = read_toml(path)
+        addresses = tables.pop("packages", {})
+        found = {name: _reference(addresses, **fields) for name, fields in tables.items()}
     except (ValueError, TypeError) as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
     for name, reference in found.items():
-        if not (reference.url or all((reference.package, reference.version, reference.file, reference.excerpt))):
-            raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file and excerpt")
+        if not reference.url:
+            raise ReportError(f"templates/{NAME}: {name} needs url, or package, version, file, line and excerpt")
     return found
+
+
+def _reference(addresses: Mapping[str, str], **fields: Any) -> Reference:
+    known = Reference(**fields)
+    if all((known.package in addresses, known.version, known.file, known.line, known.excerpt)):
+        return Reference(addresses[known.package].format(**fields), **fields)
+    return known
+
+
+def numbered(html: str, known: Mapping[str, Reference]) -> Markup:
+    """Return the text of a page with its statements numbered, and the list of their sources behind it."""
+    places = {name: number for number, name in enumerate(dict.fromkeys(CITED.findall(html)), 1)}
+    text = Markup(CITED.sub(lambda mark: NUMBER.format(places[mark[1]]), html))
+    items = Markup("").join(ITEM.format(number, known[name]) for name, number in places.items())
+    return text + LIST.format(items) if items else text
 
 
 class StatedTag(Extension):
@@ -70,7 +96,5 @@ class StatedTag(Extension):
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, name: str, caller) -> Markup:
-        known: Any = self.environment.globals["references"]
         words = Markup(" ".join(caller().split()))
-        html = '<span class="stated">{} <span class="source">[not measured here: {}]</span></span>\n'
-        return Markup(html).format(words, known[name])
+        return Markup('<span class="stated">{}{}</span>\n').format(words, Markup(MARK.format(name)))

@@ -1,5 +1,6 @@
 """Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -86,6 +87,8 @@ class Claim:
     """What the section's template says of it, once that is known."""
     says_missing: bool = False
     """Whether its words say what is missing, so that they can stand with a number that is not there."""
+    effect: Outcome = HOLDS
+    """Whether there is what its ``because`` explains; where that does not hold it is not explained."""
     mark: Markup = field(default=Markup(""), compare=False)
     """What is shown before its sentence."""
 
@@ -117,11 +120,11 @@ class Claim:
         opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
         bounds = Markup(' title="Chosen: {}"').format("; ".join(self.outcome.bounds)) if self.outcome.bounds else ""
         html = claim.format(self.mark, section, self.name, self.outcome.name, opposite, bounds, self.sentence)
-        because = self.said("because") if self.outcome == HOLDS else ""
+        because = self.said("because") if self.outcome == self.effect == HOLDS else ""
         return html + Markup(" {}").format(because) if because else html
 
     def said(self, part: str) -> Markup:
-        """One part of its wording; ``because`` is said only when the claim holds."""
+        """One part of its wording."""
         assert self.wording, f"the claim {self.name} has no words yet"
         return self.wording(part, self.numbers)
 
@@ -132,13 +135,33 @@ def decided(is_so: bool, *quantities: Quantity) -> Outcome:
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Whether a bound is reached; one that is missed shows nothing."""
-    return _judged(lambda a, bound: HOLDS if a.value >= bound.value else FAILS, a, bound, why=why)
+    """Whether a bound is reached; one that is missed shows nothing, and one within the noise can't tell."""
+    return _judged(
+        lambda a, bound: _undecided(a, bound) or (HOLDS if a.value >= bound.value else FAILS), a, bound, why=why
+    )
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Whether a bound is kept; one that is not shows nothing."""
-    return _judged(lambda a, bound: HOLDS if a.value <= bound.value else FAILS, a, bound, why=why)
+    """Whether a bound is kept; one that is not shows nothing, and one within the noise can't tell."""
+    return _judged(
+        lambda a, bound: _undecided(a, bound) or (HOLDS if a.value <= bound.value else FAILS), a, bound, why=why
+    )
+
+
+def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
+    """Where they are less apart than their noise, measured again it may be on the other side."""
+    if abs(a.value - bound.value) >= math.hypot(a.noise or 0.0, bound.noise or 0.0):
+        return None
+    return Outcome("unknown", "it is nearer to the bound than its noise", is_near=True)
+
+
+def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
+    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all."""
+    return all_of(
+        greater(effect, 0.0, noise=noise, why="there is something to explain"),
+        at_least(share, 50.0, why="most of it"),
+        at_most(share, 110.0, why="no more than there is"),
+    )
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:

@@ -26,7 +26,7 @@ from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-from measured_report import ReportError
+from measured_report.files.errors import ReportError
 
 PARTS = {
     "claim": ("holds", "fails", "opposite", "asks", "because"),

@@ -8,7 +8,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 
-from measured_report import ReportError, UsageError
 from measured_report.commands.programs import add_tests_cluster, programs
 from measured_report.editions.devices import NO_CUDA, has_cuda, measuring_device, needs_gpu
 from measured_report.editions.environment import python_of
@@ -16,7 +15,9 @@ from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack
 from measured_report.editions.status import State, expected_packages, states_of, status_matrix, status_table
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import machines_besides, measure
+from measured_report.records.identity import sections
 
 
 def report(project: Project, arguments: argparse.Namespace) -> int:
@@ -109,7 +110,9 @@ def build_site(project: Project, address: str) -> tuple[bool, bool]:
     releases = build(project, address)
     built = releases[project.release]
     missing = [state.section for state in built.left_out if state.kind == "missing"]
-    lacking = [*missing, *(state.section for state in built.left_out if state.kind != "missing"), *built.stale]
+    others = [state.section for state in built.left_out if state.kind != "missing"]
+    measurable = sections(project.root)
+    lacking = [name for name in (*missing, *others, *built.stale) if name in measurable]
     for words, names in (("not measured", missing), ("stale", built.stale)):
         if names:
             print(f"{words}: {', '.join(names)}")

@@ -9,15 +9,16 @@ import sys
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from measured_report import ReportError, UsageError
 from measured_report.commands.options import EDITION, OPTIONS, flag
 from measured_report.commands.programs import programs
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
 from measured_report.files.atomic import recover
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.suggestion import suggestion
 from measured_report.records.code import cached_sources
 from measured_report.records.columns import UNPRINTABLE
+from measured_report.records.reading import load_record
 
 COMMANDS = {
     "building:report": (EDITION, "with", "device", "cluster", "profile", "address"),
@@ -25,14 +26,14 @@ COMMANDS = {
     "building:rerun": ("section", EDITION, "with", "device", "cluster", "profile", "address"),
     "building:status": (EDITION, "with", "profile"),
     "editions:upgrade": (EDITION, "with", "since", "device", "profile", "format"),
-    "editions:bisect": ("claim", "value", "a", "b", "device"),
+    "editions:bisect": ("claim", "value", "a", "b", "device", "yes"),
     "editions:history": ("claim", "value", "profile"),
     "editions:newest": (),
-    "editions:retire": (EDITION, "with", "address"),
+    "editions:retire": (EDITION, "with", "list", "address"),
     "findings:check": (EDITION, "with", "profile", "format", "strict"),
     "findings:diff": ("a", "b", "profile", "format", "values"),
     "findings:trace": ("value", EDITION, "profile"),
-    "findings:verify": (EDITION, "device"),
+    "findings:verify": (EDITION, "device", "lab"),
     "building:publish": ("target",),
     "building:serve": ("port", EDITION, "profile"),
     "building:test": (EDITION, "with", "fast"),
@@ -53,9 +54,11 @@ def main() -> int:
         own = own_release()
         arguments.stack = stack_of(arguments.edition.asked if arguments.edition else own, arguments.pins)
         project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
-        recover(project.results.parent)
+        damaged = recover(project.results.parent, load_record)
+        for line in damaged:
+            print(UNPRINTABLE.sub("?", line), file=sys.stderr)
         with cached_sources(project.root):
-            result = arguments.run(project, arguments)
+            result = arguments.run(project, arguments) or int(bool(damaged))
         print(end="", flush=True)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
         return result

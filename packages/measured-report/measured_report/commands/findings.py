@@ -3,7 +3,6 @@
 import argparse
 from importlib import import_module
 
-from measured_report import UsageError
 from measured_report.changes import alarm
 from measured_report.changes.compare import compare
 from measured_report.commands.building import refuse_unmeasured, say_damage
@@ -13,6 +12,7 @@ from measured_report.deriving.editions import derive_edition, editions_of
 from measured_report.editions.devices import has_cuda, measuring_device
 from measured_report.editions.project import Project
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.measuring.measure import measure_headline
 from measured_report.pages.prose import Templates
 
@@ -59,6 +59,7 @@ def verify(project: Project, arguments: argparse.Namespace) -> int:
     refuse_unmeasured(project, arguments.stack)
     device = measuring_device(arguments.device or ("cuda" if has_cuda() else "cpu"), project.profile)
     found = measure_headline(project, arguments.stack, device, module.PROGRAM)
-    text, agrees = module.verify(derive_edition(project, Templates(project.templates)), found)
-    print(text)
-    return int(not agrees)
+    edition = derive_edition(project, Templates(project.templates))
+    checks = [module.verify(edition, found)] + ([module.verify_lab(edition)] if arguments.lab else [])
+    print("\n\n".join(text for text, _ in checks))
+    return int(not all(agrees for _, agrees in checks))

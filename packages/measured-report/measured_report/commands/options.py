@@ -5,11 +5,12 @@ from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
-from measured_report import ROOT, UsageError
 from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, own_release
 from measured_report.editions.stack import stack_of
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
+from measured_report.files.root import ROOT
 from measured_report.files.suggestion import suggestion
 from measured_report.measuring.cluster_address import read_cluster
 from measured_report.records.identity import sections
@@ -91,7 +92,10 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "format": _one_of("FORMAT", FORMATS, "markdown (a comment on a pull request) or json (docs/alarm.md)", "text"),
     "values": _one_of("VALUES", ("sums", "all"), "all: each value that moved", "sums"),
     "strict": {"action": "store_true", "help": "status 1 when anything can't be trusted"},
+    "yes": {"action": "store_true", "help": "begin what takes hours"},
+    "list": {"action": "store_true", "help": "only list what there is, with sizes"},
     "fast": {"action": "store_true", "help": "only those that a change of words or figures needs"},
+    "lab": {"action": "store_true", "help": "also with the engine that the page runs, in Node"},
     "target": {"type": str, "default": "", "help": "where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE"},
     "port": {"type": _port, "default": "8000", "help": "where to serve"},
     "address": {"type": _address, "default": "", "help": "where the site will lie, as https://example.org/report/"},

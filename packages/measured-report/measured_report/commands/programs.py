@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from measured_report import ROOT, ReportError
 from measured_report.editions.environment import add_cluster, add_group
 from measured_report.editions.project import Project
 from measured_report.files.config import FILE, config
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ from functools import cached_property
 from itertools import groupby
 from typing import Any
 
-from measured_report import UsageError
 from measured_report.changes.query import Query
 from measured_report.deriving.chapters import Chapter, Chapters
 from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.files.suggestion import suggestion
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import changed_parameters, is_setting

@@ -9,10 +9,11 @@ from pathlib import Path
 from platform import python_version
 from typing import Any
 
-from measured_report import ROOT, ReportError
 from measured_report.deriving.chapters import Releases
 from measured_report.deriving.sections import Outline, outline_of
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.records.code import files, roots_of
 
 NAMES = "*"  # in the place of a name: all that there are

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from hashlib import sha256
 from importlib import import_module
 from itertools import takewhile
@@ -10,7 +10,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report import ReportError
 from measured_report.claims.claim import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
@@ -18,16 +17,20 @@ from measured_report.deriving.dependencies import Dependencies, Tracked
 from measured_report.deriving.extras import Extras, extras
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
+from measured_report.editions.manifest import NAME as MANIFEST
+from measured_report.editions.manifest import read_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
 from measured_report.pages.outline import FRONT, PAGES, Page
+from measured_report.pages.passages import teller
 from measured_report.pages.prose import Prose, Templates, Text
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import files
-from measured_report.records.identity import files_digest
+from measured_report.records.identity import files_digest, sections
 from measured_report.records.traces import traces_of
 from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.results import Results, ResultsError
@@ -39,7 +42,7 @@ class Edition:
 
     project: Project
     chapters: Chapters
-    left_out: Sequence[State]
+    left_out: list[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
     cache: DerivedCache = field(default_factory=DerivedCache)
 
@@ -62,14 +65,13 @@ class Edition:
         return values_text(self.chapters.values())
 
     @cached_property
-    def uncompared_text(self) -> str:
-        """Its values file for the pages of others: what compares releases is derived for its own alone."""
-        return values_text(chapter for chapter in self.chapters.values() if not chapter.compares)
-
-    @cached_property
     def extras(self) -> Extras:
         """What the report shows of it besides."""
         return extras().Extras(self)
+
+    def is_section(self, name: str) -> bool:
+        """Whether a name of what is left out is that of a section, which can be measured again."""
+        return name in sections(self.project.root)
 
     def unmeasured(self, page: Page) -> list[State]:
         """Return the sections of a page, or of all for the front page, that have not been measured."""
@@ -78,24 +80,41 @@ class Edition:
 
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``extras``."""
-        first, *others = map(templates.text, page.texts)  # the first has the title of the page
-        return [self._prose(first, names, 1), *(self._prose(text, names, 2) for text in others)]
+        found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
+        told = {anchor: self._worded(anchor, text, names) for anchor, text in found.items()}
+        levels = [1, *[2] * len(found)]  # the first has the title of the page
+        return [self._prose(*each, told, names) for each in zip(levels, found.items(), strict=False)]
 
-    def _prose(self, text: Text, names: Mapping[str, Any], level: int) -> Prose:
-        anchor = text.name.rpartition("/")[2].partition(".")[0]
-        section = self._told(anchor, names)
+    def _worded(self, anchor: str, text: Text, names: Mapping[str, Any]) -> Section:
+        """What a text tells, in its words."""
+        section = self._told_or_left_out(anchor, names)
         if not section.claims:  # where what it is about was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         story = f"{config().story.replace('.', '/')}/"
-        section = section.worded(anchor, text.name, text.words, story, "make page")
+        return section.worded(anchor, text.name, text.words, story, "make page")
+
+    def _prose(
+        self, level: int, named: tuple[str, Text], told: Mapping[str, Section], names: Mapping[str, Any]
+    ) -> Prose:
+        """Put one text into words, which may need claims of all texts ``told`` of its page."""
+        anchor, text = named
+        section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
         known = {
             "release": self.project.release,
             "sections": {name: chapter.names for name, chapter in self.chapters.items()},
-            "is_told": bool(section.claims),
-            **_things(anchor, section, self.chapters),
+            **_things(anchor, {**sections, **told}, partial(stale_mark, self.chapters.values())),
             "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
         return text.prose(anchor, {**known, **self.extras.names(section), **names}, level)
+
+    def _told_or_left_out(self, name: str, names: Mapping[str, Any]) -> Section:
+        """What a text tells; nothing where what was measured lacks what it is about, which is then named."""
+        try:
+            return self._told(name, names)
+        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
+            words = " ".join(f"{name}: nothing can be told ({type(error).__name__}: {error})".split())
+            self.left_out.append(State(name, "damaged", notes=(words,)))
+            return Section()
 
     def _html(self, claim: Claim, text: str) -> Markup:
         """A claim of a text, with a mark where it rests on a stale section; the one called ``title`` has none."""
@@ -158,12 +177,31 @@ def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) 
 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
-    states = states_of(project)
+    states = [_with_noise(project, state) for state in states_of(project)]
     floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
     there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
     measured = [(state, Results(state.record, project.record_path(state.section), floors=floors)) for state in there]
-    edition = Edition(project, {}, [state for state in states if not state.record], cache or DerivedCache())
+    left_out = [*(state for state in states if not state.record), *_damaged_manifest(project)]
+    edition = Edition(project, {}, left_out, cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)
+
+
+def _with_noise(project: Project, state: State) -> State:
+    """The same, or, of a record on noise from which none can be told, that it is damaged."""
+    try:
+        noise_floors([state.record] if state.record and state.section == NOISE else [])
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        return _left_out(project, state, LostError(f"no noise can be told from it ({type(error).__name__}: {error})"))
+    return state
+
+
+def _damaged_manifest(project: Project) -> list[State]:
+    """Say of a manifest that can't be read that it is damaged: what it says is missed is missed unseen."""
+    try:
+        read_manifest(project.results)
+    except RecordError as error:
+        return [State(MANIFEST, "damaged", notes=(str(error),))]
+    return []
 
 
 def _compared(edition: Edition, releases: Releases, templates: Templates) -> Edition:
@@ -199,7 +237,7 @@ def _chapter(
     project, name, outline = edition.project, state.section, outline_of(state.section)
     before = dict(takewhile(lambda item: item[0] != name, told.items()))
     others = {other: chapter.results for other, chapter in before.items()}
-    results = replace(results, others=others, label=outline.label)
+    results = replace(results, others=others, label=outline.label, name_of=extras().name_of)
     digest = results_digest(results)
     if outline.compares and not releases:
         return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)
@@ -220,7 +258,7 @@ def _chapter(
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        **_things(name, section, told),
+        **_things(name, {**{other: chapter.section for other, chapter in told.items()}, name: section}),
         "claim": _finder(name, "claim", {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
@@ -242,10 +280,11 @@ def results_digest(results: Results) -> str:
 def _left_out(project: Project, state: State, error: Exception) -> State:
     """A section that can't be shown, for the rest of the page stands without it.
 
-    A record of older code may lack anything. One that is fresh should not: then it is damaged, or its section is wrong.
-    A fault of the template, which is not the record's, stops the build.
+    A record may lack anything, or have what nobody thought of. What is wrong with a section's code or its words,
+    whatever was measured, stops the build where the record is fresh and the project's own.
     """
-    if state.kind == "fresh" and project.is_own and not isinstance(error, RecordError | ResultsError | LostError):
+    is_wrong = isinstance(error, ReportError) and not isinstance(error, RecordError | ResultsError | LostError)
+    if is_wrong and state.kind == "fresh" and project.is_own:
         raise error
     words = str(error) if isinstance(error, ReportError) else f"{type(error).__name__}: {error}"
     kind = "damaged" if state.kind == "fresh" or isinstance(error, RecordError) else state.kind
@@ -253,25 +292,32 @@ def _left_out(project: Project, state: State, error: Exception) -> State:
     return replace(state, kind=kind, record=None, notes=(place + " ".join(words.split()),))
 
 
-def _things(own: str, section: Section, told: Chapters) -> dict[str, Callable[[str], Any]]:
-    """What finds tables and figures of a section for its words, and says which claims hold.
+def _things(
+    own: str, sections: Mapping[str, Section], mark: Callable[[frozenset[str]], Markup] = lambda reads: Markup("")
+) -> dict[str, Callable[..., Any]]:
+    """What finds tables and figures of the section ``own`` for its words, says its passages, and which claims hold.
 
-    That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold.
+    That is asked of ``claim``, its own, or of ``section.claim``; what was not measured does not hold. A passage has a
+    ``mark`` by what it rests on.
     """
-    sections = {**{name: chapter.section for name, chapter in told.items()}, own: section}
+    section = sections[own]
+
+    def find(name: str, claim: str) -> Claim | None:
+        if name not in sections:
+            outline_of(name)  # for a name that no section has
+            return None
+        claims = {each.name: each for each in sections[name].claims}
+        if claim not in claims and claim not in sections[name].unmeasured:
+            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
+        return claims.get(claim)
 
     def holds(asked: str) -> bool:
         name, _, claim = asked.rpartition(".")
-        name = name or own
-        if name not in sections:
-            return False
-        claims = {each.name: each.outcome == HOLDS for each in sections[name].claims}
-        if claim not in claims and claim not in sections[name].unmeasured:
-            raise ReportError(f"{name} has no claim {claim!r}; it has: {', '.join(claims) or 'none'}")
-        return claims.get(claim, False)
+        found = find(name or own, claim)
+        return found is not None and found.outcome == HOLDS
 
     finders = {"table": _finder(own, "table", section.tables), "figure": _finder(own, "figure", section.figures)}
-    return {"holds": holds, **finders}
+    return {"holds": holds, "passage": teller(find, mark), **finders}
 
 
 def _finder(section: str, kind: str, things: Mapping[str, Any]) -> Callable[[str], Any]:

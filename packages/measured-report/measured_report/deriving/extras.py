@@ -2,14 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.config import config
-from measured_report.files.staging import Draft
 
 if TYPE_CHECKING:
     from measured_report.deriving.cache import DerivedCache
+    from measured_report.editions.status import State
     from measured_report.pages.prose import Templates
     from measured_report.parts.section import Section
 
@@ -27,8 +28,24 @@ class Extras:
         """Return what texts of pages can name; ``section`` is what the report's ``story`` derived for this one."""
         return {}
 
-    def write(self, site: Draft, folder: str, templates: "Templates") -> None:
-        """Put further files and pages into the ``folder`` of the edition's pages."""
+    @property
+    def left_out(self) -> "Sequence[State]":
+        """What of it can't be shown, since it is damaged."""
+        return ()
+
+    @property
+    def data(self) -> Sequence[Path]:
+        """Further files for the site to have beside the edition's records."""
+        return ()
+
+    @property
+    def files(self) -> Mapping[str, Path]:
+        """Further files of the site, by their names below it; editions may have the same."""
+        return {}
+
+    def pages(self, templates: "Templates") -> Mapping[str, str]:
+        """Return further pages, as HTML by their file, to lie beside the edition's own."""
+        return {}
 
 
 def card(editions: Mapping[str, Any], cache: "DerivedCache") -> bytes | None:

@@ -5,8 +5,8 @@ from importlib import import_module
 from pathlib import Path
 from traceback import extract_tb
 
-from measured_report import ReportError
 from measured_report.deriving.chapters import Releases
+from measured_report.files.errors import ReportError
 from measured_report.pages.outline import Page, page_of
 from measured_report.parts.section import Section
 from measured_report.records.code import files
@@ -69,11 +69,9 @@ def derive_section(results: Results, releases: Releases) -> Section:
         section = derive(results, releases) if outline.compares else derive(results)
     except (ReportError, OSError):
         raise
-    except (AssertionError, ImportError, NameError) as error:  # whatever was measured, this is none of it
+    except (ImportError, NameError) as error:  # whatever was measured, this is none of it
         raise ReportError(f"{outline.source}: {' '.join(str(error).split())} ({_line_of(error)})") from error
-    except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
-        if isinstance(error, AttributeError | TypeError) and "NoneType" not in str(error):
-            raise  # no missing number makes these of anything else: the section's code is wrong
+    except Exception as error:
         what = f"{type(error).__name__}: {' '.join(str(error).split())}, {_line_of(error)}"
         raise LostError(f"its record lacks what the section is about ({what})") from error
     if not isinstance(section, Section):

@@ -5,7 +5,8 @@ import subprocess
 from contextlib import suppress
 from pathlib import Path
 
-from measured_report import ROOT, UsageError
+from measured_report.files.errors import UsageError
+from measured_report.files.root import ROOT
 from measured_report.records.code import files, roots_of
 from measured_report.records.record import Record
 

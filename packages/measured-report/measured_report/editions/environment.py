@@ -19,11 +19,12 @@ from functools import partial
 from pathlib import Path
 
 import measured_report
-from measured_report import ROOT, ReportError, UsageError
 from measured_report.editions.stack import Stack, release_date
 from measured_report.files.atomic import locked
 from measured_report.files.config import config, read_toml
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with
+from measured_report.files.root import ROOT
 from measured_report.files.staging import remove
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 
@@ -32,6 +33,8 @@ NAME = re.compile(r"[A-Za-z0-9-]+")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
+FILTER = "UV_EXCLUDE_NEWER"
+"""The variable that names another day for the installer's filter than the one on which a release came out."""
 READY = ".ready"
 """In an environment: the digest of what it was made from."""
 
@@ -190,7 +193,7 @@ def _from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, n
     overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
     options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
     options += ["--overrides", str(overrides)] if pins else []
-    if day := release_date(stack):
+    if not os.environ.get(FILTER) and (day := release_date(stack)):
         print(f"{config().option}={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
         after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
         options += ["--exclude-newer", after]
@@ -219,8 +222,11 @@ def _run(command: list[str], name: str, **settings: str) -> None:
                 print(f"{name}: {line.strip()}", flush=True)
     if program.returncode:
         said = [line for line in lines if line]
-        offline = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
-        raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}{offline}")
+        hint = " (this takes the network, once)" if any(map(OFFLINE.search, said)) else ""
+        if "--exclude-newer" in command:
+            day = command[command.index("--exclude-newer") + 1]
+            hint += f"; nothing that came out from {day} on was looked at, and {FILTER}={date.today()} lifts that"
+        raise UsageError(f"{name} cannot be installed: {said[-1] if said else 'no reason was given'}{hint}")
 
 
 if __name__ == "__main__":

@@ -4,15 +4,17 @@
 """
 
 import json
+import os
 from pathlib import Path
 
 import msgspec
 from msgspec import Struct
 
-from measured_report.files.atomic import RecordError, atomic_file, short_path
-from measured_report.files.config import config, read_toml
+from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
+from measured_report.files.config import config, parse_toml
 
 NAME = "edition.toml"
+BYTE_LIMIT = 1 << 20
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
@@ -29,13 +31,14 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
 def read_manifest(results: Path) -> Manifest | None:
     """The manifest in a folder of results; None where there is none, RecordError for one that is damaged."""
     path = results / NAME
-    if not path.is_file():
+    if not os.path.lexists(path):
         return None
+    content = read_own_file(path, BYTE_LIMIT)
     try:
-        found = read_toml(path)
+        found = parse_toml(content.decode("utf-8"))
         told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
         return msgspec.convert({**told, **found}, Manifest)
-    except (KeyError, ValueError, OSError) as error:
+    except (KeyError, ValueError, RecursionError) as error:
         raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
 
 

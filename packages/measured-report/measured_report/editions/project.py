@@ -6,11 +6,12 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from measured_report import ROOT, ReportError
 from measured_report.editions.label import Label, read_label
 from measured_report.editions.manifest import Manifest, read_manifest
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
@@ -28,6 +29,8 @@ class Project:
     root: Path = ROOT
     own_release: str | None = None
     """The release that is meant where none is named; None: this one."""
+    aside: str = ""
+    """The folder below ``results`` that has what was measured on the way to something else; empty: none."""
 
     @property
     def is_own(self) -> bool:
@@ -45,9 +48,9 @@ class Project:
     @property
     def results(self) -> Path:
         """The folder of the edition's records; only those of the full profile are tracked."""
-        results = self.root / "results"
-        folder = results if self.profile == "full" else results / self.profile
-        return folder / config().edition_folder(self.release)
+        parts = [self.aside] if self.aside else []
+        parts += [self.profile] if self.aside or self.profile != "full" else []
+        return self.root.joinpath("results", *parts, config().edition_folder(self.release))
 
     @property
     def templates(self) -> Path:

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
-from measured_report import UsageError
 from measured_report.editions.label import VERSION, Label, full_version, read_label
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
 
 WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")

@@ -8,14 +8,15 @@ import shutil
 import stat
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
-from measured_report import ReportError
+from measured_report.files.errors import ReportError
 
-WHOLE, NEW = ".whole", ".new"
-"""How the folders of files end that wait to be put in place, and that are still being written."""
+WHOLE, NEW, ASIDE = ".whole", ".new", ".damaged"
+"""How the folders of files end that wait to be put in place, that are still being written, and that are refused."""
 
 
 class RecordError(ReportError):
@@ -86,8 +87,9 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     folder = record.parent
     folder.mkdir(parents=True, exist_ok=True)
     with locked(folder.parent):
-        _put_in_place(folder)
-        new = folder / f".{record.stem}{NEW}"
+        new, whole = (folder / f".{record.stem}{ending}" for ending in (NEW, WHOLE))
+        for left in (new, whole):  # of a process that was killed: this takes the place of both
+            _remove(left)
         new.mkdir()
         try:
             for name, content in files.items():
@@ -98,8 +100,23 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
         except BaseException:
             shutil.rmtree(new, ignore_errors=True)
             raise
-        os.rename(new, folder / f".{record.stem}{WHOLE}")
-        _put_in_place(folder)
+        os.rename(new, whole)
+        _put_in_place(whole)
+
+
+def sync_below(folder: Path) -> None:
+    """Have a folder and all that is below it on the disk, whatever happens to the machine then."""
+    for path in (*folder.rglob("*"), folder):
+        sync(path)
+
+
+def sync(path: Path) -> None:
+    """Have a file, or the names in a folder, on the disk."""
+    descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 @contextmanager
@@ -116,27 +133,71 @@ def atomic_file(path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def recover(results: Path) -> None:
-    """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest."""
-    for folder in {path.parent for ending in (WHOLE, NEW) for path in results.glob(f"*/.*{ending}")}:
+def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
+    """Finish what processes that were killed have begun to put in place below ``results``, and remove the rest.
+
+    Only what ``load`` finds to be a whole record, with its own traces and nothing else beside it, is put in place: what
+    is not is set aside, and said, a line each.
+    """
+    said = []
+    for folder in sorted({path.parent for ending in (WHOLE, NEW) for path in results.glob(f"*/.*{ending}")}):
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
-            _put_in_place(folder)
+            for unfinished in folder.glob(f".*{NEW}"):
+                _remove(unfinished)
+            for whole in folder.glob(f".*{WHOLE}"):
+                try:
+                    _refuse_other(whole, load)
+                except RecordError as error:
+                    aside = whole.with_suffix(ASIDE)
+                    _remove(aside)
+                    os.rename(whole, aside)
+                    said.append(f"damaged: {error}; it was not put in place, and is at {folder.name}/{aside.name}")
+                else:
+                    _put_in_place(whole)
+    return said
 
 
-def _put_in_place(folder: Path) -> None:
-    for unfinished in folder.glob(f".*{NEW}"):
-        shutil.rmtree(unfinished)
-    for whole in folder.glob(f".*{WHOLE}"):
-        record = folder / f"{whole.name[1 : -len(WHOLE)]}.json"
-        # The record goes last: what waits is whole as long as it is there.
-        with suppress(FileNotFoundError):
-            cases = json.loads((whole / record.name).read_bytes()).get("traces")
-            for path in record.parent.glob(f"{record.stem}.*.csv.gz") if cases is not None else ():
-                if path.name[len(record.stem) + 1 : -len(".csv.gz")] not in cases:  # that of a case that is no more
-                    path.unlink()
-        for path in sorted(whole.iterdir(), key=lambda path: path.name == record.name):
-            os.replace(path, folder / path.name)
-        whole.rmdir()
+def _refuse_other(whole: Path, load: Callable[[Path], Any]) -> None:
+    """RecordError unless this folder is a record that was measured, with the traces that it seals."""
+    place = short_path(whole)
+    if whole.is_symlink() or not whole.is_dir():
+        raise RecordError(f"{place} is no folder of its own")
+    record = whole / _record_name(whole)
+    traces = {f"{record.stem}.{case}.csv.gz" for case in load(record).traces or {}}
+    if strange := {path.name for path in whole.iterdir()} - {record.name, *traces}:
+        raise RecordError(f"{place} has {min(strange)!r:.80} in it, which is none of it")
+
+
+def _record_name(whole: Path) -> str:
+    return f"{whole.name[1 : -len(WHOLE)]}.json"
+
+
+def _put_in_place(whole: Path) -> None:
+    folder, name = whole.parent, _record_name(whole)
+    record = folder / name
+    cases = json.loads((whole / name).read_bytes()).get("traces")
+    for path in folder.glob(f"{record.stem}.*.csv.gz") if cases is not None else ():
+        if path.name[len(record.stem) + 1 : -len(".csv.gz")] not in cases:  # that of a case that is no more
+            path.unlink()
+    for path in sorted(whole.iterdir(), key=lambda path: path.name == name):  # the record goes last
+        part = folder / f".{name}{NEW}"
+        part.unlink(missing_ok=True)
+        try:
+            os.link(path, part)
+        except OSError:  # of a file system without such links
+            shutil.copyfile(path, part)
+        os.replace(part, folder / path.name)
+    # What waits stays whole until all of it is in place, so that it can be judged again.
+    new = whole.with_suffix(NEW)
+    os.rename(whole, new)
+    shutil.rmtree(new)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def refuse_unwritable(results: Path) -> None:

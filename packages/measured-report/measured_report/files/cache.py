@@ -1,16 +1,22 @@
 """A cache of what was made before: a folder of the project that may be deleted at any time.
 
-An entry is believed when it is whole; when it is not, or is no file at all, it counts as not there.
+An entry is believed when it is whole and was written with this user's key, which lies outside of the project. One from
+elsewhere is not even read, so that it can neither run anything nor put a number on a page; like what is damaged, or no
+file at all, it counts as not there.
 """
 
 import glob
-import hashlib
+import hmac
 import io
 import os
 import pickle
+import secrets
+import stat
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +24,7 @@ from measured_report.files.atomic import read_own_file
 
 FOLDER = ".cache"
 BYTE_LIMIT = 256 << 20
-DIGEST_SIZE = hashlib.sha256().digest_size
+MARK_SIZE = KEY_SIZE = sha256().digest_size
 
 
 class _Writing(pickle.Pickler):
@@ -42,8 +48,8 @@ class Cache:
         """
         with suppress(Exception):  # what was whole once may name code that is no more
             content = memoryview(read_own_file(self.root / FOLDER / name, BYTE_LIMIT))
-            if hashlib.sha256(content[DIGEST_SIZE:]).digest() == content[:DIGEST_SIZE]:
-                reading = _Reading(io.BytesIO(content[DIGEST_SIZE:]))
+            if hmac.compare_digest(_mark(name, content[MARK_SIZE:]), content[:MARK_SIZE]):
+                reading = _Reading(io.BytesIO(content[MARK_SIZE:]))
                 if find:
                     reading.persistent_load = find  # type: ignore[method-assign]
                 return reading.load() if reading.load() == key else None
@@ -65,8 +71,9 @@ class Cache:
         # Always of this name, so that no more than one is ever left. Two that write it at once damage it at worst.
         part = place.with_name(f"{name}.part")
         try:
-            place.parent.mkdir(exist_ok=True)
-            part.write_bytes(hashlib.sha256(content).digest() + content)
+            place.parent.mkdir(mode=0o700, exist_ok=True)
+            place.parent.chmod(0o700)  # of an older one
+            part.write_bytes(_mark(name, content) + content)
             os.replace(part, place)
         except OSError:
             with suppress(OSError):
@@ -84,3 +91,33 @@ class Cache:
         for entry in (self.root / FOLDER).glob(pattern):
             with suppress(OSError):
                 entry.unlink()
+
+
+def _mark(name: str, content: bytes | memoryview) -> bytes:
+    """What only who has the key can put before an entry of this name."""
+    mark = hmac.new(_key(), f"{name}\0".encode(), sha256)
+    mark.update(content)
+    return mark.digest()
+
+
+@cache
+def _key() -> bytes:
+    """This user's key, made where there is none; one for this process alone where none can be kept unseen."""
+    with suppress(OSError, RuntimeError):  # where there is no home
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "measured-report"
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        place, part = folder / "key", folder / f"key.{secrets.token_hex(4)}"
+        if not place.exists():
+            try:
+                descriptor = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+                with os.fdopen(descriptor, "wb") as file:
+                    file.write(secrets.token_bytes(KEY_SIZE))
+                with suppress(FileExistsError):  # another process was faster
+                    os.link(part, place)
+            finally:
+                part.unlink(missing_ok=True)
+        found = place.lstat()
+        is_mine = stat.S_ISREG(found.st_mode) and found.st_uid == os.geteuid() and not found.st_mode & 0o077
+        if is_mine and found.st_size == KEY_SIZE:
+            return place.read_bytes()
+    return secrets.token_bytes(KEY_SIZE)

@@ -7,7 +7,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 
 FILE = "report.toml"
 
@@ -31,6 +32,8 @@ class Declared:
     """Whether its numbers have a sign; None: its unit says so."""
     rate_of: str = ""
     """The column of the time that makes this rate, whose share of noise it has."""
+    grows_with: str = ""
+    """The column that says how long it added up; in a longer run it is noisier in proportion."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,14 @@ class Changes:
     example_claim: str = ""
     example_value: str = ""
     """A claim and a derived value that messages give as examples."""
+    thresholds: Mapping[str, float] = field(default_factory=dict)
+    """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
+    setting_threshold: float = 0.05
+    """The same for any setting."""
+    settings: Mapping[str, str] = field(default_factory=dict)
+    """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
+    setting_notes: Mapping[str, str] = field(default_factory=dict)
+    """By kind, what to know of one that changed."""
     cause: str = ""
     """The claim that says why editions differ, where it holds."""
     same_runs: tuple[str, ...] = ()
@@ -98,6 +109,8 @@ class Config:
     """What its data are of, where nothing else of it is at hand."""
     name: str = "report"
     """What it is called in names of files and ids that leave the site: those of the archive and of the feed."""
+    repository: str = ""
+    """The page of its sources on the web; where nothing is said, that of git's origin."""
     pages: tuple[Mapping[str, Any], ...] = ({"name": "index", "texts": ["front.md.j2"]}, {"name": "results"})
     """The pages in their order, the front page first; ``pages.py`` says what each may name."""
     story: str = ""
@@ -142,12 +155,17 @@ class Config:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """The content of a TOML file; ValueError or OSError where it is none."""
+    return parse_toml(path.read_text(encoding="utf-8"))
+
+
+def parse_toml(text: str) -> dict[str, Any]:
+    """What a text of TOML says; ValueError where it says nothing."""
     # A Python that makes the environment has no more than its own library.
     if sys.version_info >= (3, 11):
         import tomllib
     else:
         import tomli as tomllib
-    return tomllib.loads(path.read_text(encoding="utf-8"))
+    return tomllib.loads(text)
 
 
 @cache

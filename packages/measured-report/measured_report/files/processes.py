@@ -9,7 +9,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context
 
-from measured_report import ReportError
+from measured_report.files.errors import ReportError
 
 PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the one that started it ends
 

@@ -5,6 +5,7 @@ import errno
 import filecmp
 import hashlib
 import os
+import re
 import secrets
 import shutil
 from collections.abc import Iterator, Mapping
@@ -23,10 +24,11 @@ def staging_folder(folder: Path) -> Iterator[Path]:
     What is there afterwards is removed, as is what processes that were killed have left.
     """
     with locked(folder.parent):
-        beginning = f".{folder.name}-"
-        for left in folder.parent.glob(f"{beginning}*"):
-            remove(left)
-        fresh = folder.with_name(f"{beginning}{secrets.token_hex(4)}")
+        ours = re.compile(rf"\.{re.escape(folder.name)}-[0-9a-f]{{8}}")  # others may begin alike, and are not ours
+        for left in folder.parent.iterdir():
+            if ours.fullmatch(left.name):
+                remove(left)
+        fresh = folder.with_name(f".{folder.name}-{secrets.token_hex(4)}")
         try:
             yield fresh
         finally:
@@ -59,7 +61,9 @@ class Draft:
             shutil.copyfile(source, self._folder / name)
 
     def _stays(self, name: str, digest: str) -> bool:
-        """Whether what is to be put there is there now, since it was there before."""
+        """Whether what is to be put there is there now: it was put there already, or it was there before."""
+        if self.digests.get(name) == digest:
+            return True
         self.digests[name] = digest
         (self._folder / name).parent.mkdir(parents=True, exist_ok=True)
         if self._there.get(name) == digest:

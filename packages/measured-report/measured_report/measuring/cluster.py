@@ -21,7 +21,8 @@ import dask
 import distributed
 from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
 
-from measured_report import ROOT, ReportError
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.measuring import worker
 from measured_report.measuring.cluster_address import ClusterAddress, read_cluster
 from measured_report.measuring.executors import Host, Task

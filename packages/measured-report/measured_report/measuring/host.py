@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from importlib import import_module
 from types import ModuleType
 
-from measured_report import ReportError
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
 __all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare"]

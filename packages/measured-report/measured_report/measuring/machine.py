@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 from measured_report.measuring.host import host
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")

@@ -13,15 +13,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from measured_report import ReportError, UsageError
 from measured_report.editions.devices import machine_name, machine_of, needs_gpu, slug
 from measured_report.editions.environment import add_cluster, python_of
-from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.manifest import Manifest, read_manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, release_date
 from measured_report.editions.status import expected_packages, records_of
 from measured_report.files.atomic import locked, refuse_unwritable
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import obey
 from measured_report.measuring.cluster_address import ClusterAddress
 from measured_report.records.identity import sections as all_sections
@@ -38,7 +38,7 @@ def measure(
 
     Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
-    machine, options = "cpu", ["--profile", project.profile]
+    machine, options = "cpu", ["--profile", project.profile, "--aside", project.aside]
     if cluster:
         python = python_of(stack, expected_packages(project), project.root)
         add_cluster(python, project.root)
@@ -55,7 +55,15 @@ def measure(
         _run(kept, stack, "measured_report.measuring.run", device, *sections, *options)
     finally:
         _note_measured(kept, stack)
+        with suppress(OSError):
+            kept.results.rmdir()  # which is empty where nothing came of it
     return kept
+
+
+def prepare(project: Project, stack: Stack, sections: Sequence[str], device: str) -> None:
+    """Install a stack and make it ready to measure these sections; UsageError where that can't be."""
+    options = ["--profile", project.profile, "--edition", str(stack.label), "--only-prepare"]
+    _run(project, stack, "measured_report.measuring.run", device, *sections, *options)
 
 
 def measure_headline(project: Project, stack: Stack, device: str, program: str) -> Mapping[str, Any]:
@@ -156,7 +164,7 @@ def _note_measured(project: Project, stack: Stack) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
         there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
-        manifest = project.manifest
+        manifest = read_manifest(project.results)  # of a damaged one what it said is not lost unseen
         day = manifest.date if manifest else release_date(stack)
         if known := sorted({*there, *(manifest.sections if manifest else ())}):
             write_manifest(project.results, Manifest(stack.asked, day, tuple(known)))

@@ -14,7 +14,7 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
-from measured_report import ReportError
+from measured_report.files.errors import ReportError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
 from measured_report.measuring.outcome import BatchOutcome, Failed, run_batch

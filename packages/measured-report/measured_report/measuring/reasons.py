@@ -2,7 +2,7 @@
 
 import re
 
-from measured_report import ReportError
+from measured_report.files.errors import ReportError
 from measured_report.measuring.host import host
 
 OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)

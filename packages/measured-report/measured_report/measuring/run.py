@@ -18,10 +18,10 @@ from types import ModuleType
 
 from tqdm import tqdm
 
-from measured_report import ReportError
 from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
 from measured_report.measuring.cluster_address import read_cluster
 from measured_report.measuring.executors import Executor, LocalExecutor
 from measured_report.measuring.host import host
@@ -45,6 +45,8 @@ def main() -> int:
     try:
         runs = section_runs(arguments)
         with executor_of(arguments, runs) as executor:
+            if arguments.only_prepare:
+                return 0
             status, scheduler = FAILED, Scheduler(runs, executor)
             with progress(scheduler.status):
                 return FAILED if scheduler.run() else 0
@@ -64,6 +66,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
     parser.add_argument("--seconds", default="{}", metavar="JSON", help="how long each took before, by section")
     parser.add_argument("--edition", metavar="LABEL", help="what the results are kept as; default: what is installed")
+    parser.add_argument("--only-prepare", action="store_true", help="try whether it can be measured, and compile")
+    parser.add_argument("--aside", metavar="FOLDER", default="", help="where below results/ they are kept apart")
     parser.add_argument("--processes", type=int, default=1, help="batches at once, on a CPU, but for those about time")
     parser.add_argument("--cluster", metavar="CLUSTER", help="who measures: local, local:2, ssh:FILE, tcp://HOST:PORT")
     parser.add_argument("--processor", metavar="NAME", help="the only GPU that the cluster may measure on")
@@ -72,7 +76,8 @@ def parse_arguments() -> argparse.Namespace:
 
 def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     """The runs of the sections that were asked for; ReportError where they can't be measured here."""
-    project = Project(edition_of(arguments.edition), arguments.profile, own_release=own_release())
+    label = edition_of(arguments.edition)
+    project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
     modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]

@@ -19,8 +19,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from measured_report import ROOT
 from measured_report.editions.devices import slug
+from measured_report.files.root import ROOT
 from measured_report.measuring.executors import Host
 from measured_report.measuring.machine import kind_of, said
 from measured_report.measuring.outcome import BatchOutcome, Done, Failed, Lost

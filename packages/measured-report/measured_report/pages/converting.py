@@ -9,12 +9,14 @@ from dataclasses import dataclass
 from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 from markdown import Markdown
 from markdown.extensions.toc import slugify
+from markupsafe import Markup
 
-from measured_report import ReportError
 from measured_report.files.cache import Cache
+from measured_report.files.errors import ReportError
 
 # The token has a part that nobody can know before, so that no text of a record can be one.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
@@ -26,6 +28,12 @@ HEADING = re.compile(r'(<(h[2-6]) id="([^"]+)">.*?)(?=</\2>)', re.DOTALL)
 # It can be clicked, and is no stop on the way through the page with a keyboard: the contents lead there as well.
 ANCHOR = r'\1 <a class="anchor" href="#\3" tabindex="-1" aria-hidden="true">#</a>'
 KEPT = "markdown"
+
+
+def token(printed: list[Any], thing: Any) -> Markup:
+    """Return what stands in a text for a thing that is printed, which is kept for the time after Markdown."""
+    printed.append(thing)
+    return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ section.
 
 from dataclasses import dataclass
 
-from measured_report import ReportError
 from measured_report.files.config import FILE, config
+from measured_report.files.errors import ReportError
 
 
 @dataclass(frozen=True)

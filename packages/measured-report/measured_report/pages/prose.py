@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache as once
+from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -14,21 +15,24 @@ from typing import Any
 import jinja2
 from markupsafe import Markup, escape
 
-from measured_report import ReportError
 from measured_report.claims import citations, words
-from measured_report.claims.citations import StatedTag, references
+from measured_report.claims.citations import StatedTag, numbered, references
 from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
-from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter
+from measured_report.files.errors import ReportError
+from measured_report.pages import passages
+from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter, token
+from measured_report.pages.passages import Passage, PassageTag
+from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
 
-LAYOUT = Path(__file__).resolve().parents[1] / "layout"
+LAYOUT = Path(__file__).resolve().parent / "layout"
 """Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
 may extend ``layout/NAME``."""
 TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
 """In a text that was converted; alone in its paragraph it may be a block."""
-BLOCK = ("<figure", "<p")
+BLOCK = ("<figure", "<p", "<div", "</div")
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,8 @@ class Prose:
     anchor: str
     headings: list[tuple[str, Markup]]
     """Id and text of each heading right below the title."""
+    passages: list[Passage]
+    """Those that stand."""
 
     @property
     def figures(self) -> list[Figure]:
@@ -65,11 +71,12 @@ class Text:
     def prose(self, anchor: str, names: Mapping[str, Any], level: int = 2) -> Prose:
         """Render it; its first line is its title, of that level, and ids of further headings begin with ``anchor``."""
         printed: list[Any] = []
+        standing: list[Passage] = []
         with _named(self.name):
-            text = self.template.render({**names, "printed": printed})
+            text = self.template.render({**names, "printed": printed, "passages": standing})
         found = self.converter.converted(text, self.name, anchor, level)
         headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
-        return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings)
+        return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings, standing)
 
 
 class Templates:
@@ -87,8 +94,11 @@ class Templates:
         )
         self._prose = self._layout.overlay(finalize=_as_token)
         self._references = references(folder)
-        self._layout.globals |= {"references": self._references, "config": config()}
+        self._pairs = pairs_of(folder)
+        self._layout.globals |= {"references": self._references, "config": config(), "pairs": self._pairs}
+        self._layout.filters["numbered"] = partial(numbered, known=self._references)
         self._prose.add_extension(WordTags)
+        self._prose.add_extension(PassageTag)
         self._prose.add_extension(StatedTag)
         self._texts: dict[str, Text] = {}
         self.converter = Converter(cache)
@@ -102,12 +112,11 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._prose.loader.get_source(self._prose, name)
-        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), source
+        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), repr(self._pairs), source
         entry = f"template.{name.replace('/', '.')}"
         found = self._cache and self._cache.get(entry, made_from)
         if not found:
-            if name.startswith("sections/"):
-                refuse_typed(source)
+            refuse_typed(source)
             parsed = self._prose.parse(source, name, path)
             words = worded(self._prose, parsed, f"templates/{name}")
             found = marshal.dumps(self._prose.compile(parsed, name, path)), words
@@ -135,7 +144,7 @@ class Templates:
 @once
 def _own_code() -> tuple[bytes, ...]:
     """What decides what becomes of a template."""
-    return tuple(Path(module.__file__).read_bytes() for module in (sys.modules[__name__], words, citations))
+    return tuple(Path(module.__file__).read_bytes() for module in (sys.modules[__name__], words, citations, passages))
 
 
 @contextmanager
@@ -157,8 +166,7 @@ def _as_token(context: jinja2.runtime.Context, value: Any) -> Markup:
         return value  # what a macro returns has passed here already
     if isinstance(value, int | float):
         raise ReportError(f"templates/{context.name} prints {value}, which says nothing of where it comes from")
-    context["printed"].append(value if isinstance(value, Figure) else escape(value))
-    return Markup(f"{OPEN}{len(context['printed']) - 1}{CLOSE}")
+    return token(context["printed"], value if isinstance(value, Figure) else escape(value))
 
 
 def _put_back(text: str, printed: list[Any]) -> Markup:

@@ -4,28 +4,45 @@
 "stiffness.cause fails"]``. Of ``contradict`` not both may be said; of ``needs`` the first not without the second.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
-from measured_report import ReportError
 from measured_report.files.config import read_toml
+from measured_report.files.errors import ReportError
 from measured_report.parts.section import Section
 
 NAME = "pairs.toml"
 KINDS = ("contradict", "needs")
 
 
-def refuse_contradictions(templates: Path, sections: Mapping[str, Section]) -> None:
-    """ReportError, one line, when what the sections of a release say does not go together."""
+Pairs = Mapping[str, Sequence[tuple[str, str]]]
+"""By kind."""
+
+
+def pairs_of(templates: Path) -> Pairs:
+    """Read the pairs of a folder of templates, which need not be there; ReportError, one line, for what is none."""
     path = templates / NAME
     if not path.is_file():
-        return
+        return {}
     try:
         pairs = read_toml(path)
     except ValueError as error:
         raise ReportError(f"templates/{NAME}: {error}") from None
     if unknown := sorted(set(pairs) - set(KINDS)):
         raise ReportError(f"templates/{NAME} has {unknown[0]}; it may have {' and '.join(KINDS)}")
+    return pairs
+
+
+def contradictory(pairs: Pairs, said: Collection[str]) -> tuple[str, str] | None:
+    """Find two of what is ``said``, each as ``section.claim outcome``, that contradict each other."""
+    return next(
+        ((first, second) for first, second in pairs.get("contradict", ()) if {first, second} <= set(said)), None
+    )
+
+
+def refuse_contradictions(templates: Path, sections: Mapping[str, Section]) -> None:
+    """ReportError, one line, when what the sections of a release say does not go together."""
+    pairs = pairs_of(templates)
     for first, second in pairs.get("contradict", []):
         if _is_said(first, sections) and _is_said(second, sections):
             raise ReportError(f"templates/{NAME}: {first} contradicts {second}, and both are said")

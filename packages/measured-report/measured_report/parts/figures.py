@@ -84,6 +84,8 @@ NAME = re.compile(r' id="([^"]+)"')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
 """A hundredth of a point is enough for anything that is drawn."""
+FONTS = re.compile(r" font-family: [^;\"]*;")
+"""The page has its own."""
 UNWANTED = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|^.*?(?=<svg )", re.DOTALL)
 COMMENT, BREAK = re.compile(r"<!--.*?-->", re.DOTALL), re.compile(r"\s*\n\s*")
 LETTER = re.compile(r"[^\W\d_]")
@@ -298,5 +300,5 @@ def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
 def _lean(svg: str) -> str:
     """The same drawing without names that nothing refers to, and without digits that nobody sees."""
     used = set(REFERENCE.findall(svg))
-    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", COMMENT.sub("", svg))
+    svg = NAME.sub(lambda found: found[0] if found[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
     return BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))

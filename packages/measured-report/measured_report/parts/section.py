@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report import ReportError
 from measured_report.claims.claim import Claim
 from measured_report.claims.words import Wording
+from measured_report.files.errors import ReportError
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
 
@@ -24,6 +24,7 @@ UNDRAWN = "This cannot be drawn from what was measured"
 """Said in the place of a figure; no figure of the tracked results may say it."""
 ROLE = Markup('role="img"')
 """In a drawn figure: what it says to whoever can't see it comes behind."""
+VIEW = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Where a number is from that there is."""
 
@@ -91,13 +92,16 @@ class Figure:
 
         try:
             return draw_svg(self.draw, name=f"{'narrow-' if is_narrow else ''}{self.anchor}", is_narrow=is_narrow)
-        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())
             words = Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason)
             return Markup("") if is_narrow else words
 
-    def html(self, pictures: Pictures | None) -> Markup:
-        """What the page shows, with the figure as it is drawn, where anything of it exists."""
+    def html(self, pictures: Pictures | None, address: str = "") -> Markup:
+        """What the page shows, with the figure as it is drawn, where anything of it exists.
+
+        Drawings that are files are at ``address``, but for how their names end.
+        """
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
@@ -110,26 +114,31 @@ class Figure:
             for file, name in zip(files, names, strict=True)
         )
         return Markup(
-            '<figure id="{}">{}{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
+            '<figure id="{}">{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
             "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
             "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
-        ).format(self.anchor, *self._spoken(pictures), _caption(self), links, self.drawn_by, self.command)
+        ).format(self.anchor, self._spoken(pictures, address), _caption(self), links, self.drawn_by, self.command)
 
     @property
     def undrawn(self) -> Markup:
         """Its caption, for whoever only reads."""
         return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
 
-    def _spoken(self, pictures: Pictures | None) -> Pictures:
+    def _spoken(self, pictures: Pictures | None, address: str) -> Markup:
         """The pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
         words = self.wording("alt", self.numbers)
         alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
-        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else ""
+        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else Markup("")
+        if address:
+            broad, narrow = (Markup('width="{}" height="{}"').format(*_size(picture)) for picture in pictures)
+            return Markup(
+                '<picture><source media="screen and (max-width: 30rem)" srcset="{0}-narrow.svg" {1}>'
+                '<img src="{0}.svg" {2} alt="{3}"{4} loading="lazy"></picture>'
+            ).format(address, narrow, broad, alt, links)
         label = Markup('{} aria-label="{}"{}').format(ROLE, alt, links)
-        broad, narrow = (picture.replace(ROLE, label, 1) for picture in pictures)
-        return broad, narrow
+        return Markup("").join(picture.replace(ROLE, label, 1) for picture in pictures)
 
 
 @dataclass(frozen=True)
@@ -197,6 +206,12 @@ class Section:
                     thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
                 found[kind][name] = thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
+
+
+def _size(picture: Markup) -> tuple[int, int]:
+    """Width and height of a drawing, as far as their proportion goes."""
+    width, height = VIEW.search(picture).groups()  # type: ignore[union-attr]
+    return round(float(width)), round(float(height))
 
 
 def _caption(thing: Table | Figure) -> Markup:

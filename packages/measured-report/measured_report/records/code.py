@@ -15,8 +15,9 @@ from functools import cache
 from itertools import accumulate
 from pathlib import Path, PurePosixPath
 
-from measured_report import ROOT, ReportError
 from measured_report.files.cache import Cache
+from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.records import syntax
 from measured_report.records.syntax import EFFECTS, Definition, Reader, Source, digest_of
 

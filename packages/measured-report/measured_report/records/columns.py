@@ -31,7 +31,7 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
-SAID = ("given_beside", "better", "resolution", "rate_of")
+SAID = ("given_beside", "better", "resolution", "rate_of", "grows_with")
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
@@ -59,11 +59,27 @@ class Column:
     better: str = ""
     resolution: float = 0.0
     rate_of: str = ""
+    grows_with: str = ""
 
     @property
     def is_setting(self) -> bool:
         """Whether it was set before a run: a parameter of a case, or how much was run."""
         return not self.kinds.isdisjoint(("parameter", "setting"))
+
+    @property
+    def words(self) -> str:
+        """Its name in words, without the unit."""
+        ends = [end for end, unit in UNITS.items() if unit == self.unit != PLAIN and self.name.endswith(f"_{end}")]
+        return self.name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
+
+    @property
+    def is_count(self) -> bool:
+        return self.name.endswith("_count")
+
+    @property
+    def is_rate(self) -> bool:
+        """Whether it is of a unit of time or work, so that it compares where as much was not run."""
+        return self.unit.endswith(("/s", "/cycle"))
 
     def is_exact(self, row: Mapping[str, Any]) -> bool:
         """Whether in a row it holds what was set, or made from nothing but that, and so has no noise."""

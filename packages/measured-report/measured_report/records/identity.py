@@ -8,7 +8,7 @@ from typing import Annotated
 
 from msgspec import Meta
 
-from measured_report import ROOT
+from measured_report.files.root import ROOT
 from measured_report.records.code import digest_of, files, roots_of
 from measured_report.records.provenance import package_changes, package_versions
 

@@ -11,8 +11,8 @@ from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
-from measured_report import UsageError
 from measured_report.files.config import config
+from measured_report.files.errors import UsageError
 from measured_report.records.code import files
 
 SHORT_COMMIT = 7

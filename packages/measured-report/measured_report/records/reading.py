@@ -11,10 +11,10 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
-from measured_report import ROOT
 from measured_report.files.atomic import RecordError, read_own_file, short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config
+from measured_report.files.root import ROOT
 from measured_report.records.columns import UNPRINTABLE, cell_problem
 from measured_report.records.identity import Identity
 from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record

@@ -4,7 +4,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from datetime import datetime
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -80,6 +80,15 @@ class Record:
     def time_text(self) -> str:
         """When it was measured, to the minute."""
         return datetime.fromisoformat(self.measured["date"]).strftime("%Y-%m-%d %H:%M %Z")
+
+    @property
+    def span(self) -> tuple[datetime, datetime]:
+        """From when to when it was measured."""
+        ended = datetime.fromisoformat(self.measured.get("ended", self.measured["date"]))
+        started = self.measured.get("started")
+        return datetime.fromisoformat(started) if started else ended - timedelta(
+            seconds=self.measured["seconds"]
+        ), ended
 
     @property
     def origin(self) -> Origin:

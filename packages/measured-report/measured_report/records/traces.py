@@ -6,7 +6,7 @@ import hashlib
 import io
 import re
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,9 @@ if TYPE_CHECKING:  # it takes long to import, and whoever only asks what is fres
     import pandas as pd
 
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
-PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 256 << 20
+PACKED_BYTE_LIMIT, BYTE_LIMIT = 32 << 20, 64 << 20
+CELL_LIMIT = 8_000_000
+"""More would take gigabytes to look at; the longest trace that was kept has some tens of thousands."""
 NO_NUMBER = re.compile(r"(?:^|,)[+-]?(?:nan|inf|infinity)(?:,|$)", re.IGNORECASE | re.MULTILINE)
 """What a number that is missing is never written as: its cell is empty."""
 
@@ -78,7 +80,7 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
         if not unpacking.eof or unpacking.unused_data:
             raise ValueError(f"it ends early, or holds more than {BYTE_LIMIT >> 20} MiB, or something behind its end")
         text = unpacked.decode("utf-8")
-        _check_cells(list(csv.reader(io.StringIO(text), strict=True)))
+        _check_cells(csv.reader(io.StringIO(text), strict=True))
         if found := NO_NUMBER.search(text):
             raise ValueError(f"{found[0].strip(',')} is no number")
         # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
@@ -91,15 +93,17 @@ def _read(content: bytes, path: Path) -> "pd.DataFrame":
     return frame
 
 
-def _check_cells(lines: list[list[str]]) -> None:
-    head = lines[0] if lines else []
+def _check_cells(lines: Iterator[list[str]]) -> None:
+    head, number = next(lines, []), 1
     if not head or not all(HEAD.fullmatch(column) for column in head) or len(set(head)) < len(head):
         raise ValueError("its first line does not name each of its columns once")
-    if len(lines) < 2:
-        raise ValueError("it has no rows")
-    for number, line in enumerate(lines[1:], start=2):
+    for number, line in enumerate(lines, start=2):
         if len(line) != len(head):
             raise ValueError(f"line {number} has {len(line)} cells, not {len(head)}")
+        if number * len(head) > CELL_LIMIT:
+            raise ValueError(f"it has more than {CELL_LIMIT} cells")
+    if number < 2:
+        raise ValueError("it has no rows")
 
 
 def _check_column(column: str, cells: "pd.Series") -> None:

@@ -1,17 +1,21 @@
-"""Inert numbers: those in a claim's words that could be anything, and the words would stay.
+"""Inert numbers: those in the words of a claim or a passage that could be anything, and the words would stay.
 
-``python -m measured_report.sensitivity.inert SECTION`` prints those of a section, and what a claim's words name unread.
+``python -m measured_report.sensitivity.inert SECTION`` prints those of a section, and what a claim's words name unread;
+without a section those of all, and of passages.
 """
 
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
+from itertools import product
 from typing import Any
 
 from markupsafe import Markup
 
 from measured_report.claims.claim import Claim
+from measured_report.pages.passages import Passage
 from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
 from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_tracked
@@ -36,6 +40,18 @@ def named_pointers(thing: Any) -> Iterator[str]:
             yield from named_pointers(part)
 
 
+def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
+    """The measured numbers and traces that a number comes from; none for what was chosen."""
+    roots = values[pointer].reads if pointer in values else {pointer}
+    return sorted(root for root in roots if VALUES_FILE not in root and not is_setting(root))
+
+
+def changes(leaves: Sequence[str]) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Yield what is tried of the numbers that one comes from: which of them are changed, and how."""
+    single = [(leaf,) for leaf in leaves[:: -(-len(leaves) // LEAVES_TRIED)]]
+    yield from product([tuple(leaves), *single] if len(leaves) > 1 else single, FACTORS)
+
+
 @dataclass(frozen=True)
 class Survey:
     """What the words of one section of one release name, against what its tests do with it.
@@ -50,9 +66,7 @@ class Survey:
     """Every derived value by its pointer."""
 
     def measured(self, pointer: str) -> list[str]:
-        """The measured numbers and traces that a number comes from; none for what was chosen."""
-        roots = self.values[pointer].reads if pointer in self.values else {pointer}
-        return sorted(root for root in roots if VALUES_FILE not in root and not is_setting(root))
+        return measured(self.values, pointer)
 
     def numbers(self) -> Iterator[tuple[Claim, str, str]]:
         """Claim, name and pointer of every measured number that the words of a claim name."""
@@ -86,10 +100,7 @@ class Survey:
 
         found = set()
         for claim, name, pointer in self.numbers():
-            leaves = self.measured(pointer)
-            single = [(leaf,) for leaf in leaves[:: -(-len(leaves) // LEAVES_TRIED)]]
-            tries = [tuple(leaves), *single] if len(leaves) > 1 else single
-            if not any(moves(claim.name, each, change) for each in tries for change in FACTORS):
+            if not any(moves(claim.name, *change) for change in changes(self.measured(pointer))):
                 found.add(f"{self.section}.{claim.name} {name}")
         return found
 
@@ -99,16 +110,44 @@ def _shapes(section: Section) -> dict[str, tuple[str, str]]:
     return {claim.name: (claim.outcome.said, NUMBER.sub("#", str(claim.sentence))) for claim in section.claims}
 
 
+def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
+    """Numbers of a release's passages that could be anything, and the passages would stand."""
+    values = _values(perturbation)
+
+    @cache
+    def outcomes(section: str, leaves: tuple[str, ...], change: str) -> dict[str, Claim]:
+        claims = perturbation.of(release, section, map(Pointer, leaves), change).claims
+        return {claim.name: claim for claim in claims}
+
+    def falls(passage: Passage, leaves: tuple[str, ...], change: str) -> bool:
+        return not all(need.is_met(outcomes(need.section, leaves, change).get(need.claim)) for need in passage.needs)
+
+    return {
+        f"{passage.place} {pointer.partition('/')[2]}"
+        for passage in perturbation.passages[release]
+        for pointer in passage.numbers
+        if (leaves := measured(values, pointer)) and not any(falls(passage, *change) for change in changes(leaves))
+    }
+
+
+def _values(perturbation: Perturbation) -> dict[str, Value]:
+    """Every derived value by its pointer."""
+    results = [chapter.results for chapters in perturbation.releases.values() for chapter in chapters.values()]
+    return {value.source: value for each in results for value in each.derived.values()}
+
+
 def surveys(perturbation: Perturbation) -> list[Survey]:
     """One for every section of every release."""
-    releases = perturbation.releases
-    results = [chapter.results for chapters in releases.values() for chapter in chapters.values()]
-    values = {value.source: value for each in results for value in each.derived.values()}
+    releases, values = perturbation.releases, _values(perturbation)
     return [Survey(perturbation, release, section, values) for release in releases for section in releases[release]]
 
 
 def main(sections: list[str]) -> int:
-    for survey in surveys(of_tracked()):
+    perturbation = of_tracked()
+    for release in perturbation.releases if not sections else ():
+        for named in sorted(inert_passages(perturbation, release)):
+            print(f"{release}  inert   {named}")
+    for survey in surveys(perturbation):
         if survey.section in sections or not sections:
             for what, found in (("inert", survey.inert()), ("unread", survey.unread())):
                 for named in sorted(found):

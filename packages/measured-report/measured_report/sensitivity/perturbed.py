@@ -1,24 +1,29 @@
 """Perturbed results: what a section would say if other numbers had been measured."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from importlib import import_module
+from inspect import signature
 from types import MappingProxyType
 from typing import Any
 
 from measured_report.deriving.chapters import Chapters
-from measured_report.deriving.editions import derive_section, editions_of
+from measured_report.deriving.editions import Edition, derive_section, editions_of
 from measured_report.editions.project import Project, own_release
+from measured_report.files.config import config
+from measured_report.pages.passages import Passage
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
+from measured_report.site.pages import contents_of
 from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
 
-FACTORS = {"×0": 0.0, "×−1": -1.0, "×1000": 1000.0, "×0.001": 0.001}
+FACTORS = {"×0": 0.0, "×−1": -1.0, "×1000": 1000.0, "×0.001": 0.001, "×2": 2.0, "×½": 0.5}
 MISSING = "missing"
 CHANGES = (*FACTORS, MISSING)
 """What is done to a number."""
@@ -68,6 +73,8 @@ class Perturbation:
 
     releases: Mapping[str, Chapters]
     templates: Templates
+    passages: Mapping[str, Sequence[Passage]] = field(default_factory=dict)
+    """Those that stand on the pages of a release."""
 
     def of(self, release: str, name: str, pointers: Iterable[Pointer], change: str) -> Section:
         """A section with the same change made to some numbers and traces."""
@@ -86,7 +93,7 @@ class Perturbation:
     def section(
         self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str] = MappingProxyType({})
     ) -> Section:
-        """A section as these records, by their file below ``data/``, and changed traces make it.
+        """A section, or what a text tells, as these records, by their file below ``data/``, and changed traces make it.
 
         Sections between one of these and this one stay as they are.
         """
@@ -97,6 +104,9 @@ class Perturbation:
                     results = self._results(each, section, records, traces)
                     derive_section(results, self.releases)
                     chapters[section] = replace(chapter, results=results)
+        if name not in releases[release]:  # what a text of a page tells has no record of its own
+            derive = import_module(f"{config().story}.{name}").derive
+            return derive(releases, release) if len(signature(derive).parameters) > 1 else derive(releases[release])
         own = self._results(release, name, records, traces)
         releases[release][name] = replace(releases[release][name], results=own)
         others = {other: releases[release][other].results for other in own.others}
@@ -111,12 +121,21 @@ class Perturbation:
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
         floors = noise_floors([noise]) if noise else tracked.floors
-        return PerturbedResults(record, tracked.path, tracked.others, {}, floors, tracked.label, traces)
+        return PerturbedResults(
+            record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.name_of, traces
+        )
 
 
 def of_tracked() -> Perturbation:
     """Of the tracked results."""
     project = Project(own_release())
-    templates = Templates(project.templates)
-    editions = editions_of(project, templates)
-    return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates)
+    return of_editions(editions_of(project, templates := Templates(project.templates)), templates)
+
+
+def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:
+    """Of what the results of some editions make."""
+    passages = {
+        release: [passage for page in contents_of(editions, templates, release) for passage in page.passages]
+        for release in editions
+    }
+    return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, passages)

@@ -4,10 +4,13 @@ import csv
 import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from hashlib import sha256
 from typing import Any
-from zipfile import ZIP_STORED, ZipFile, ZipInfo
+from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
+from zlib import ZLIB_RUNTIME_VERSION
 
 from measured_report.deriving.editions import Edition
+from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of
@@ -16,24 +19,37 @@ from measured_report.values.quantities import VALUES_FILE
 
 ARCHIVE = "data.zip"
 FIGURES = "figures.csv"
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
-def archived(editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates) -> bytes:
+def archived(
+    editions: Mapping[str, Edition], tables: Mapping[str, bytes], templates: Templates, cache: Cache | None
+) -> bytes:
     """Put all releases, and ``tables``, the rows of each record by its file, into an archive.
 
-    The same give the same bytes. Nothing is compressed, since what compresses does not do so alike everywhere.
+    The same give the same bytes, as far as zlib is the same; what was packed before is not packed again.
     """
     files = dict(_data_files(editions, tables))
     head = ("release", "figure", "drawn by", "source", "value", "unit")
     files[FIGURES] = _csv(head, (row for edition in editions.values() for row in _drawn(edition)))
     names = {"editions": editions, "columns": _columns(editions), "figures": FIGURES, "values": VALUES_FILE}
     files["README.txt"] = templates.layout("archive.txt.j2", names).encode()
+    made_from = config().name, ZLIB_RUNTIME_VERSION, [(name, sha256(files[name]).hexdigest()) for name in sorted(files)]
+    kept = cache and cache.get(ARCHIVE, made_from)
+    if not kept:
+        kept = _packed(files)
+        if cache:
+            cache.put(ARCHIVE, made_from, kept)
+    return kept
+
+
+def _packed(files: Mapping[str, bytes]) -> bytes:
     content = io.BytesIO()
-    with ZipFile(content, "w", ZIP_STORED) as archive:
+    with ZipFile(content, "w") as archive:
         for name in sorted(files):
             entry = ZipInfo(f"{config().name}-data/{name}")  # of 1980, as long as nobody says otherwise
             entry.create_system, entry.external_attr = 3, 0o644 << 16
-            archive.writestr(entry, files[name])
+            archive.writestr(entry, files[name], ZIP_STORED if name.endswith(".gz") else ZIP_DEFLATED, 1)
     return content.getvalue()
 
 
@@ -86,5 +102,18 @@ def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
 
 def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([head, *rows])
+    csv.writer(text, lineterminator="\n").writerows([head, *(map(_inert, row) for row in rows)])
     return text.getvalue().encode()
+
+
+def _inert(cell: Any) -> Any:
+    """A cell that no spreadsheet takes for a formula: text that could be one has an apostrophe before it."""
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) and not _is_number(cell) else cell
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

@@ -7,7 +7,6 @@ from functools import partial
 from importlib import metadata
 from pathlib import Path
 
-from measured_report import ROOT
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.dependencies import installed
 from measured_report.deriving.editions import editions_of
@@ -16,14 +15,17 @@ from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
+from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
 from measured_report.pages.prose import LAYOUT, Templates
 from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import files_digest
 from measured_report.records.provenance import package_versions
 from measured_report.records.traces import BYTE_LIMIT
+from measured_report.site.citing import citation, sources
 from measured_report.site.pages import Site
 from measured_report.site.root_files import write_root_files
+from measured_report.site.sums import SUMS, sums_text
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
 """Files that the site is made from, besides the folders."""
@@ -57,13 +59,16 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         with cached_sources(project.root), unchanged_files():
             derived, templates = DerivedCache(project.root), Templates(project.templates, cache)
             editions = editions_of(project, templates, derived)
-            site = Site(draft, project.release, editions, templates, address, derived)
+            known = (address, sources(project.root), citation())
+            site = Site(draft, project.release, editions, templates, *known, derived)
             site.write(partial(write_root_files, site))
             templates.converter.keep()
+            draft.write(SUMS, sums_text(draft.digests))
         replace(project.site, fresh)
         built = {
             release: Built(
-                [name for name, chapter in edition.chapters.items() if chapter.state.notes], edition.left_out
+                [name for name, chapter in edition.chapters.items() if chapter.state.notes],
+                [*edition.left_out, *edition.extras.left_out],
             )
             for release, edition in editions.items()
         }
@@ -79,7 +84,7 @@ def _digest(project: Project, address: str) -> str:
     versions = [metadata.version(name) for name in WRITING_PACKAGES]
     # A checkout may be edited, and lie elsewhere.
     checkouts = [package_version(project.of(release)) for release in project.releases]
-    made_from = (place, address, package_versions(), installed(), versions, checkouts, digests)
+    made_from = (place, address, sources(project.root), package_versions(), installed(), versions, checkouts, digests)
     return hashlib.sha256(repr(made_from).encode()).hexdigest()
 
 

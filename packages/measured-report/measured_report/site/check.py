@@ -7,6 +7,7 @@ from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.deriving.extras import extras
 from measured_report.pages.prose import LAYOUT
+from measured_report.site.check_bounds import check_bounds
 from measured_report.site.check_numbers import Data, check_numbers
 from measured_report.site.page_reader import SCRIPT, PageReader
 
@@ -20,20 +21,24 @@ FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 def check_site(site: Path) -> list[str]:
     """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
     problems = []
-    pages = {path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
-    data_of: dict[Path, Data] = {}
+    files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
+    texts = {path.resolve(): path.read_text(encoding="utf-8") for path in files}
+    pages = {path: PageReader(text) for path, text in texts.items()}
+    data = Data(site / "data")
     for path, page in pages.items():
         found = [*check_self_contained(page), *_check_links(page, path, pages, site)]
         unsaid = (claim["data-claim"] for claim in page.claims if claim.get("data-outcome") not in OUTCOMES)
         found += [f"the claim {name} has no outcome" for name in unsaid]
-        found += check_numbers(page, data_of.setdefault(path.parent, Data(path.parent / "data")))
+        numbers = check_numbers(page, data)
+        found += numbers or check_bounds(texts[path], page, data)
         problems += [f"{path.relative_to(site.resolve())}: {problem}" for problem in found]
-    for folder in {path.parent for path in pages}:
+    for folder in {path.parent for path in pages if path.suffix == ".html"}:
         claims = [claim for path, page in pages.items() if path.parent == folder for claim in page.claims]
         if not claims:
             problems.append(f"{folder.relative_to(site.resolve()) / 'index.html'}: there is no claim on any page")
+    own = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *extras().scripts()}
     for path in sorted(site.rglob("*.js")):
-        if path.name != SCRIPT or path.read_bytes() != (LAYOUT / SCRIPT).read_bytes():
+        if path.read_text(encoding="utf-8", errors="replace") not in own:
             problems.append(f"{path.relative_to(site)} is not the project's script")
     styles = (path for path in sorted(site.rglob("*.css")) if FETCHING_STYLE.search(path.read_text(encoding="utf-8")))
     problems += [f"{path.relative_to(site)} fetches something" for path in styles]

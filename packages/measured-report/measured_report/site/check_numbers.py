@@ -10,10 +10,12 @@ from typing import Any
 from measured_report.deriving.extras import extras
 from measured_report.files.config import config
 from measured_report.site.page_reader import PageReader
-from measured_report.values.format import format_code, format_most, format_number, spellings, whole
+from measured_report.values.format import format_code, format_least, format_most, format_number, spellings, whole
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
-from measured_report.values.quantities import MOST, SAME, VALUES_FILE
+from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
 
+WRITES = {"": format_number, MOST: format_most, LEAST: format_least}
+"""How a number is written where words say it, by how the page says that it is."""
 RELEASE = r" \d+(?:\.\w+)+(?:[+@-]\w+(?:\.\w+)*)*"
 EDITION = [re.escape(config().edition_name) + RELEASE] if config().edition_name else []
 TYPED = re.compile("|".join([*config().formulas, *EDITION]) or "(?!)")
@@ -90,11 +92,13 @@ def _check_written(page: PageReader, data: Data) -> list[str]:
 
 def _text(number: Mapping[str, str], kept: float | int | None, noise: float | None, data: Data) -> str:
     """How a number has to be written where it is."""
-    text, how = format_number(kept, noise=noise), number.get("data-as")
+    text, how = format_number(kept, noise=noise), number.get("data-as", "")
     if number["in"] == "code":
         return format_code(kept)
-    if how == MOST:
-        return format_most(kept, noise=noise)
+    if how in WRITES:
+        return WRITES[how](kept, noise=noise)
+    if how.isdigit():
+        return format_number(kept, noise=noise, digits=int(how))
     other, its_noise = data.number(how) if how else (None, None)
     is_same = how and format_number(other, noise=its_noise) == text and number["text"] == SAME
     return number["text"] if is_same else text
@@ -111,7 +115,7 @@ def _check_drawn(page: PageReader, data: Data) -> list[str]:
                 texts = (
                     spellings(value, noise)
                     if drawn.is_drawn
-                    else [format_number(value, noise=noise), format_most(value, noise=noise)]
+                    else [write(value, noise=noise) for write in WRITES.values()]
                 )
             except (OSError, ValueError, LookupError, TypeError):
                 problems.append(f"{source} resolves to nothing")

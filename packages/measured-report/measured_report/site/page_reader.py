@@ -50,7 +50,11 @@ class PageReader(HTMLParser):
         self._open.append(tag)
         is_inline = tag == "script" and not attributes  # judged by what it holds
         self.inline += [""] if is_inline else []
-        is_active = tag in ACTIVE and not is_inline and (tag, attributes) != ("script", {"src": SCRIPT})
+        # A file's bytes are checked where they lie, so that it need only be one of the site.
+        is_file = (
+            tag == "script" and attributes.get("src", "").endswith(".js") and attributes.keys() <= {"src", "defer"}
+        )
+        is_active = tag in ACTIVE and not is_inline and not is_file
         if is_active or any(name.startswith("on") or name == "srcdoc" for name in attributes):
             self.scripts.append(tag)
         if tag == "meta" and "refresh" in attributes.get("http-equiv", "").lower():

@@ -9,25 +9,30 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report import ROOT
+from measured_report.changes.costs import beside, is_timed
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.chapters import Chapter
 from measured_report.deriving.editions import Edition
 from measured_report.files.config import config
 from measured_report.files.staging import Draft
 from measured_report.pages.outline import FRONT, Page
+from measured_report.pages.passages import Passage
 from measured_report.pages.prose import LAYOUT, Prose, Templates
 from measured_report.parts.drawing import draw_all
+from measured_report.parts.section import Pictures
+from measured_report.records.record import Record
 from measured_report.records.traces import traces_of
 from measured_report.site.archive import rows_csv
+from measured_report.site.citing import Citation, measured_on
+from measured_report.site.figure_files import address_of, figure_files
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
 
 CARD = "card.png"  # the picture for links to the site
-CITATION_LINE = re.compile(r"^(?:  - )?([a-z-]+): (.+)$", re.MULTILINE)
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 ID = re.compile(r' id="([^"]+)"')
+DATA_LINK = re.compile(r'( (?:href|src|poster)=")data/')
 INNER_LINK = re.compile(r' href="#([^"]+)"')
 
 
@@ -42,6 +47,11 @@ class Content:
     @property
     def parts(self) -> list[Prose]:
         return [*self.texts, *(chapter.prose for chapter in self.chapters)]
+
+    @property
+    def passages(self) -> list[Passage]:
+        """Those that stand on it."""
+        return [passage for part in self.parts for passage in part.passages]
 
 
 @dataclass(frozen=True)
@@ -83,6 +93,9 @@ class Site:
     templates: Templates
     address: str
     """Where it will lie; empty where that is not known."""
+    sources: str
+    """Where the sources of the report lie on the web; empty where that is not known."""
+    citation: Citation
     cache: DerivedCache
 
     @cached_property
@@ -99,6 +112,13 @@ class Site:
     def tables(self) -> dict[str, bytes]:
         return {results.source: rows_csv(results.record.rows) for results in self.records}
 
+    def beside(self, record: Record) -> list[str]:
+        """What was measured on the same host at the same time, where this says how long something takes."""
+        if not is_timed(record):
+            return []
+        found = beside(record, (results.record for results in self.records))
+        return sorted({other.section.replace("_", " ") for other in found})
+
     def write(self, root_files: Callable[[], None]) -> None:
         """Draw all figures, and write data, ``root_files`` and pages of all releases."""
         places = self.places
@@ -106,12 +126,11 @@ class Site:
         contents = {release: _contents(self.editions[release], self.templates, links[release]) for release in places}
 
         def write_data() -> None:
-            for release, place in places.items():
-                self._write_data(f"{place}data/", release)
-                self.editions[release].extras.write(self.draft, place, self.templates)
+            for edition in self.editions.values():
+                self._write_data(edition)
             root_files()
 
-        drawn = _draw(contents, self.cache, write_data)
+        pictures = _draw(contents, self.cache, write_data)
         origins = {}
         for results in self.records:
             record = results.record
@@ -121,45 +140,77 @@ class Site:
             names = {
                 "contents": contents[release],
                 "links": links[release],
-                "drawn": {anchor: html for (each, anchor), html in drawn.items() if each == release},
                 "origins": json.dumps(origins, ensure_ascii=False),
             }
-            self._write_pages(place, self.editions[release], names)
+            own = {anchor: pair for (each, anchor), pair in pictures.items() if each == release}
+            self._write_pages(place, self.editions[release], own, names)
 
-    def _write_pages(self, place: str, edition: Edition, names: Mapping[str, Any]) -> None:
+    def _write_pages(
+        self, place: str, edition: Edition, pictures: Mapping[str, Pictures], names: Mapping[str, Any]
+    ) -> None:
         icon = edition.project.root / "assets" / ICON
         known = {
             "edition": edition,
             "site_address": self.address,
             "address": self.address and f"{self.address}{place}",
             "root": "../" if place else "",
+            "shown": self.editions[self.shown].project.results.name,
             "card": CARD if CARD in self.draft.digests else "",
             "icon": ICON if icon.is_file() else "",
-            "citation": citation(),
+            "citation": self.citation,
+            "sources": self.sources,
+            "bibtex": self.citation.bibtex(edition, self.address and f"{self.address}{place}", self.sources),
+            "measured_on": measured_on(edition),
             "floors": json.dumps(_floors(edition)),
+            "beside": self.beside,
             **names,
         }
         layout = partial(self.templates.layout, "base.html.j2")
-        pages = {content.page.file: layout({**known, "content": content}) for content in names["contents"]}
-        for file, html in _connected(pages, edition.chapters).items():
-            self.draft.write(f"{place}{file}", local(html, edition.project.release))
+        pages = {
+            content.page.file: layout({**known, "content": content, "drawn": self._drawn(content, place, pictures)})
+            for content in names["contents"]
+        }
+        for file, html in {**_connected(pages, edition.chapters), **edition.extras.pages(self.templates)}.items():
+            self.draft.write(f"{place}{file}", self._seen_from(place, html))
         for path in (*(LAYOUT / name for name in ("style.css", "page.js")), *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
         for chapter in edition.chapters.values():
             for download in chapter.section.downloads:
                 self.draft.write(f"{place}download/{download.name}", download.text)
 
-    def _write_data(self, folder: str, shown: str) -> None:
-        """Write all that the pages of the release ``shown`` name: its results and values, and those of the others."""
-        for release, edition in self.editions.items():
-            own, name = release == shown, edition.project.results.name
-            for chapter in edition.chapters.values():
-                path = chapter.results.path
-                for file in (path, *(traces_of(path, chapter.results.record) if own else ())):
-                    self.draft.copy(f"{folder}{name}/{file.name}", file)
-                self.draft.write(f"{folder}{name}/{path.stem}.csv", self.tables[chapter.results.source])
-            values = edition.values_text if own else edition.uncompared_text
-            self.draft.write(f"{folder}{'' if own else f'{name}/'}{VALUES_FILE}", local(values, shown))
+    def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures]) -> dict[str, Markup]:
+        """The figures of a page by their ids: the first is a part of it, and those behind it are files."""
+        found: dict[str, Markup] = {}
+        has_drawing = False
+        for figure in (figure for prose in content.parts for figure in prose.figures):
+            drawn = pictures.get(figure.anchor)
+            if has_drawing and drawn and all(drawn):
+                found[figure.anchor] = figure.html(drawn, address_of(figure))
+                for name, drawing in figure_files(figure, drawn).items():
+                    self.draft.write(f"{place}{name}", local(drawing, self.shown))
+            else:
+                found[figure.anchor] = figure.html(drawn)
+                has_drawing = has_drawing or bool(drawn and all(drawn))
+        return found
+
+    def _write_data(self, edition: Edition) -> None:
+        """Write all that pages name of a release: what was measured, as it is kept and as tables, and its values."""
+        folder = f"data/{edition.project.results.name}/"
+        for chapter in edition.chapters.values():
+            path = chapter.results.path
+            for file in (path, *traces_of(path, chapter.results.record)):
+                self.draft.copy(f"{folder}{file.name}", file)
+            self.draft.write(f"{folder}{path.stem}.csv", self.tables[chapter.results.source])
+        for file in edition.extras.data:
+            self.draft.copy(f"{folder}{file.name}", file)
+        for name, file in edition.extras.files.items():
+            self.draft.copy(name, file)
+        self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
+
+    def _seen_from(self, place: str, html: str) -> str:
+        """A page in the folder ``place``: the data of all releases lie beside the first one's pages."""
+        text = local(html, self.shown)
+        return DATA_LINK.sub(r"\1../data/", text) if place else text
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -173,23 +224,27 @@ def _contents(edition: Edition, templates: Templates, links: Sequence[Link]) -> 
     return [Content(page, edition.texts(page, templates, names), found) for page, found in edition.pages.items()]
 
 
+def contents_of(editions: Mapping[str, Edition], templates: Templates, shown: str) -> list[Content]:
+    """Return the pages of one release as they are without a site."""
+    return _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
+
+
 def undrawn(editions: Mapping[str, Edition], templates: Templates, shown: str) -> dict[tuple[str, str], Markup]:
     """Return the words of one release's pages by file and anchor of their parts; of a figure those below it."""
-    contents = _contents(editions[shown], templates, _links(editions, dict.fromkeys(editions, ""), shown))
     words = Markup("<h2>{}</h2>{}")
     return {
         (content.page.file, part.anchor): words.format(
             part.title, part.html({figure.anchor: figure.undrawn for figure in part.figures})
         )
-        for content in contents
+        for content in contents_of(editions, templates, shown)
         for part in content.parts
     }
 
 
 def _draw(
     contents: Mapping[str, Sequence[Content]], cache: DerivedCache, meanwhile: Callable[[], None]
-) -> dict[tuple[str, str], Markup]:
-    """The figures by release and id; one that several pages show is drawn once, and ``meanwhile`` done."""
+) -> dict[tuple[str, str], Pictures]:
+    """The drawings by release and id of their figures, each drawn once, and ``meanwhile`` done."""
     placed = {
         (release, figure.anchor): figure
         for release, found in contents.items()
@@ -203,7 +258,7 @@ def _draw(
     to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
     pictures |= zip(to_draw, draw_all(list(to_draw.values()), meanwhile), strict=True)
     cache.keep(pictures)
-    return {place: figure.html(pictures.get(place)) for place, figure in placed.items()}
+    return pictures
 
 
 def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
@@ -226,8 +281,3 @@ def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
     """By column: how far apart runs of one case come out, and the largest value that this was seen at."""
     floors = edition.chapters[NOISE].results.floors if NOISE in edition.chapters else {}
     return {column: (floor.spread, floor.magnitude) for column, floor in floors.items()}
-
-
-def citation() -> dict[str, str]:
-    """Read what CITATION.cff says, each key's first line."""
-    return dict(reversed(CITATION_LINE.findall((ROOT / "CITATION.cff").read_text(encoding="utf-8"))))

@@ -9,9 +9,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from measured_report import ReportError, UsageError
-from measured_report.files.atomic import locked
+from measured_report.files.atomic import RecordError, locked
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.site.check import check_site
+from measured_report.site.sums import copy_whole
 from measured_report.site.targets import MARK, TARGETS
 
 DEFAULT = "git:origin"
@@ -30,6 +31,8 @@ def publish(site: Path, target: str) -> str:
     try:
         with _checked_copy(site) as copy:
             return TARGETS[scheme](copy, place, site)
+    except RecordError as error:  # of a file that is none
+        raise ReportError(f"not published: {error}") from None
     except shutil.Error as error:  # of each file that could not be copied: source, target and reason
         raise UsageError(f"TARGET={target}: {error.args[0][0][2]}") from None
     except OSError as error:
@@ -45,9 +48,9 @@ def _checked_copy(site: Path) -> Iterator[Path]:
             index = site / "index.html"
             if not index.is_file():
                 raise UsageError(f"{site.name}/ holds no report; make report builds it")
-            if QUICK in index.read_text(encoding="utf-8"):
-                raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
-            shutil.copytree(site, copy, copy_function=shutil.copyfile)
+            copy_whole(site, copy)
+        if QUICK in (copy / index.name).read_text(encoding="utf-8"):
+            raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
         if problems := check_site(copy):
             raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
         (copy / MARK).write_text("what make publish made; it removes what else is here\n", encoding="utf-8")

@@ -5,15 +5,16 @@ from collections.abc import Iterator, Mapping
 from datetime import datetime
 from operator import itemgetter
 
-from measured_report import ROOT
 from measured_report.changes.flips import flips_between
 from measured_report.deriving.editions import Edition
 from measured_report.deriving.extras import extras
+from measured_report.files.cache import Cache
 from measured_report.files.config import config
+from measured_report.files.root import ROOT
 from measured_report.site.archive import ARCHIVE, archived
-from measured_report.site.pages import CARD, Site, citation
+from measured_report.site.pages import CARD, Site
 
-TEMPLATES = ("404.html", "robots.txt", "sitemap.xml", "feed.xml")
+TEMPLATES = ("404.html", "robots.txt", "feed.xml", "sitemap.xml")
 
 
 def write_root_files(site: Site) -> None:
@@ -22,13 +23,14 @@ def write_root_files(site: Site) -> None:
         f"{site.places[release]}{page.file}" for release, edition in site.editions.items() for page in edition.pages
     )
     entries = sorted(_entries(site.editions, site.places), key=itemgetter("updated"), reverse=True)
-    names = {"address": site.address, "pages": sorted(pages), "citation": citation(), "id": _id(""), "entries": entries}
-    for file in TEMPLATES:
-        site.draft.write(file, site.templates.layout(f"{file}.j2", names))
+    names = {"address": site.address, "pages": sorted(pages), "citation": site.citation, "id": _id("")}
+    for file in TEMPLATES if site.address else TEMPLATES[:-1]:  # a map of a site takes whole addresses
+        site.draft.write(file, site.templates.layout(f"{file}.j2", {**names, "entries": entries}))
     site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := extras().card(site.editions, site.cache):
         site.draft.write(CARD, card)
-    site.draft.write(ARCHIVE, archived(site.editions, site.tables, site.templates))
+    cache = Cache(site.cache.root) if site.cache.root else None
+    site.draft.write(ARCHIVE, archived(site.editions, site.tables, site.templates, cache))
     site.draft.write(".gitkeep", "")
 
 
@@ -44,9 +46,12 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         text = claims[0].text if claims else ""
         yield _entry(release, name, text, f"{place}index.html", max(dates.values()))
         for flip in flips_between(before.chapters, edition.chapters) if before else ():
-            title = f"{name}: {flip.claim}, {flip.outcomes}"
+            title, text = (
+                f"{name}: {flip.after.text}",
+                f"{config().edition(before.project.release)}: {flip.before.text}",
+            )
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
-            yield _entry(f"{release}/{flip.claim}", title, flip.after.text, where, dates[flip.section])
+            yield _entry(f"{release}/{flip.claim}", title, text, where, dates[flip.section])
         before = edition
 
 

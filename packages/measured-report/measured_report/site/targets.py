@@ -1,5 +1,6 @@
 """Targets: where a checked copy of the site can be published, and how it gets there as a whole."""
 
+import hashlib
 import os
 import re
 import secrets
@@ -10,11 +11,13 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from measured_report import UsageError
-from measured_report.files.atomic import locked
+from measured_report.files.atomic import locked, sync, sync_below
+from measured_report.files.errors import UsageError
 from measured_report.files.staging import remove, replace
 from measured_report.records.identity import files_digest
 
+ATTRIBUTES = "* -text -filter -ident -working-tree-encoding\n"
+"""For git: whoever checks the branch out gets its bytes, whatever else is set there."""
 MARK = ".published"  # a file of every copy that is published: only what has it is replaced
 VERSION = re.compile(r"[0-9a-f]{16}")
 UNFINISHED = re.compile(r"(new|link)-[0-9a-f]+")
@@ -29,11 +32,11 @@ def to_folder(copy: Path, place: str, site: Path) -> str:
     """
     # Path.expanduser would raise for a user that does not exist.
     path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
-    versions = path.with_name(f".{path.name}.versions")
     if not path.name or not path.parent.is_dir():
         raise UsageError(f"TARGET=dir:{place}: there is no folder {path.parent}")
     if path.parent.resolve().joinpath(path.name).is_relative_to(site.resolve()):
         raise UsageError(f"TARGET=dir:{place} lies inside {site.name}/, which is rebuilt; use a place outside of it")
+    versions = path.with_name(f".{path.name}.versions")
     _refuse_foreign(path, versions)
     was_there = versions.is_dir()
     versions.mkdir(exist_ok=True)
@@ -71,7 +74,11 @@ def _put_version(copy: Path, versions: Path) -> Path:
     try:
         shutil.copytree(copy, new)
         os.utime(new)
+        sync_below(new)
+        if files_digest(new.rglob("*"), new) != digest:
+            raise UsageError(f"{versions.parent} does not keep what is written there: it reads otherwise")
         replace(version, new)
+        sync(versions)
     finally:
         remove(new)
     return version
@@ -85,6 +92,7 @@ def _switch(path: Path, version: Path) -> None:
     link.symlink_to(Path(version.parent.name) / version.name)
     try:
         os.replace(link, path)
+        sync(path.parent)
     finally:
         link.unlink(missing_ok=True)
 
@@ -105,8 +113,12 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
     """
     remote, _, branch = place.partition("#")
     branch = branch or BRANCH
+    if branch.startswith("refs/"):
+        raise UsageError(f"TARGET=git:{place}: {branch} is no name of a branch, which has no refs/ before it")
     ref, there = f"refs/heads/{branch}", f"{remote}, branch {branch}"
     git = ["git", "-C", str(site.parent)]
+    if Path(_run([*git, "rev-parse", "--show-toplevel"])) != site.parent.resolve():
+        raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
     if remote not in _run([*git, "remote"]).split() and not re.match(r"(https?|ssh|git|file)://|/|\.", remote):
         raise UsageError(f"TARGET=git:{place}: git knows no remote {remote}; TARGET=dir:PATH needs none")
     _run([*git, "check-ref-format", "--branch", branch])
@@ -120,13 +132,32 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
             if not _run([*git, "log", "-1", "--format=%s", before]).startswith(SUBJECT):
                 said = "holds something that was not published; it was left alone"
                 raise UsageError(f"the branch {branch} of {remote} {said}")
+        (copy / ".gitattributes").write_text(ATTRIBUTES, encoding="utf-8")
         importing = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT]
         _run([*importing, str(copy)], {"GIT_DIR": folder, **_author(git)})
         commit, tree = _run([*made, "rev-parse", ref, f"{ref}^{{tree}}"]).split()
+        _refuse_other(copy, _run([*made, "ls-tree", "-rz", tree]))
         if before and _run([*git, "rev-parse", f"{before}^{{tree}}"]) == tree:
-            return f"{there}, as before"
+            return without_password(f"{there}, as before")
         _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}"], objects)
-    return there
+        if _run([*git, "ls-remote", remote, ref]).partition("\t")[0] != commit:
+            raise UsageError(f"{there} has another commit than the one that was pushed")
+    return without_password(there)
+
+
+def _refuse_other(copy: Path, listed: str) -> None:
+    """UsageError unless what git lists are the bytes of the copy, and nothing has changed them on the way."""
+    blobs = dict(line.split("\t", 1)[::-1] for line in listed.split("\0") if line)
+    for path in (path for path in copy.rglob("*") if path.is_file()):
+        content, name = path.read_bytes(), path.relative_to(copy).as_posix()
+        digest = hashlib.sha1(b"blob %d\0" % len(content) + content, usedforsecurity=False).hexdigest()
+        if blobs.get(name, "").split()[-1:] != [digest]:
+            raise UsageError(f"not published: git has not taken {name} as it is")
+
+
+def without_password(text: str) -> str:
+    """The same without what opens the addresses in it."""
+    return re.sub(r"(?<=://)[^/@\s]*@", "", text)
 
 
 def _author(git: list[str]) -> dict[str, str]:
@@ -148,6 +179,9 @@ def to_rsync(copy: Path, place: str, site: Path) -> str:
     # Pages come last, so that what they show is there before them, and what nobody names any more goes after them.
     _run(["rsync", *options, "--exclude=*.html", f"{copy}/", place])
     _run(["rsync", *options, "--delete-delay", f"{copy}/", place])
+    reading = ["--recursive", "--checksum", "--dry-run", "--itemize-changes", "--delete", "--protect-args"]
+    if differs := _run(["rsync", *reading, f"{copy}/", place]):
+        raise UsageError(f"{place} does not keep what is written there: {differs.splitlines()[0]}")
     return place
 
 
@@ -173,7 +207,8 @@ def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> s
         raise UsageError(f"publishing there needs {name}, which is not there; TARGET=dir:PATH needs nothing") from None
     if done.returncode:
         said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-        raise UsageError(f"not published: {name}: {said[0] if said else f'exit status {done.returncode}'}")
+        reason = said[0] if said else f"exit status {done.returncode}"
+        raise UsageError(f"not published: {name}: {without_password(reason)}")
     return done.stdout.strip()
 
 

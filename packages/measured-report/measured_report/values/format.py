@@ -2,20 +2,26 @@
 
 import math
 import re
-from decimal import ROUND_CEILING, ROUND_HALF_UP, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_UP, Decimal
 
 MINUS = "\u2212"
 THIN_SPACE = "\u202f"
 """Narrow and no-break, so that a number never wraps."""
 ABSENT = "n/a"
+BELOW = "<"
+"""Begins what is below its noise."""
 
 DIGITS_KNOWN, DIGITS_UNKNOWN = 3, 2
 """The most significant digits of what is measured: with a noise, which may allow fewer, and without."""
 DIGITS_TYPED = 6
 """The most significant digits of what was chosen; what has more was computed, and gets ``DIGITS_KNOWN``."""
+DIGITS_EXACT = 12
+"""So many significant digits of what was computed are those of its numbers."""
 PLAIN_EXPONENTS = range(-4, 7)
 """Powers of ten that are written plainly; anything smaller or larger gets a power of ten."""
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
+WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
 def unit_label(unit: str) -> str:
@@ -23,13 +29,17 @@ def unit_label(unit: str) -> str:
     return "" if unit == "1" else unit
 
 
-def format_number(value: float | int | None, *, noise: float | None = None) -> str:
+def format_number(
+    value: float | int | None, *, noise: float | None = None, digits: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP
+) -> str:
     """``value`` as people write it.
 
     Args:
         value: Measured, counted or chosen; what is counted, an integer, is written in full.
         noise: How far apart two measurements of it come out, in its unit; None where nobody knows, and 0 for what was
             chosen, or computed from nothing but what was.
+        rounding: Where to, of those that ``decimal`` knows.
+        digits: The most significant digits of what was measured.
     """
     if value is None:
         return ABSENT
@@ -41,31 +51,54 @@ def format_number(value: float | int | None, *, noise: float | None = None) -> s
     if noise == 0:
         exact = Decimal(repr(value)).normalize()
         is_computed = len(exact.as_tuple().digits) > DIGITS_TYPED
-        return _format_rounded(exact, DIGITS_KNOWN, ROUND_HALF_UP) if is_computed else _format_decimal(exact)
+        return _format_rounded(exact, DIGITS_KNOWN, rounding) if is_computed else _format_decimal(exact)
     if noise and abs(value) <= noise:
-        return f"<{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
-    return _format_decimal(rounded(value, noise))
+        return f"{BELOW}{THIN_SPACE}{_format_rounded(Decimal(repr(noise)), 1, ROUND_CEILING)}"
+    return _format_decimal(rounded(value, noise, digits, rounding))
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
-    """``value`` as what something is at most, or what it is within: for one below the noise that is the noise."""
-    return format_number(value, noise=noise).removeprefix(f"<{THIN_SPACE}")
+    """``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
+    least_said = noise if noise and value == 0.0 else undusted(value)
+    return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(f"{BELOW}{THIN_SPACE}")
 
 
-def rounded(value: float, noise: float | None) -> Decimal:
-    """``value`` to the last digit that it carries, halves away from zero as its shortest decimal has them.
+def format_least(value: float | int | None, *, noise: float | None = None) -> str:
+    """``value`` as what something is at least, or more than: rounded down, and nothing where it is below the noise."""
+    text = format_number(undusted(value), noise=noise, rounding=ROUND_FLOOR)
+    return "0" if text.startswith(BELOW) else text
+
+
+def undusted(value: float | int | None) -> float | int | None:
+    """``value`` without what the arithmetic of floating point leaves behind its digits, which no bound is for."""
+    return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value
+
+
+def read_number(text: str) -> Decimal | None:
+    """The number that was written so; None for what is none."""
+    found = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
+    return Decimal(found[1] or 1).scaleb(int((found[2] or "⁰").translate(DIGITS))) if found else None
+
+
+def digit_count(text: str) -> int:
+    """How many significant digits a number that is written so has."""
+    return len(re.sub(r"×.*|\D", "", text).lstrip("0"))
+
+
+def rounded(value: float, noise: float | None, most: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP) -> Decimal:
+    """``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
 
     Two runs are apart by the noise, so that one is off by half of it, and the last digit is worth at least that. What
     is beyond the noise has one digit in any case.
     """
-    digits = DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN
+    digits = min(most, DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
     exact = Decimal(repr(value))
     place = exact.adjusted() + 1 - digits
     if noise:
         place = min(max(place, math.ceil(math.log10(noise / 2))), exact.adjusted())
-    found = exact.quantize(Decimal(1).scaleb(place), ROUND_HALF_UP)
+    found = exact.quantize(Decimal(1).scaleb(place), rounding)
     if found.adjusted() > exact.adjusted() and place == exact.adjusted() + 1 - digits:
-        return found.quantize(Decimal(1).scaleb(place + 1), ROUND_HALF_UP)  # 9.996 is 10.0 and not 10.00
+        return found.quantize(Decimal(1).scaleb(place + 1), rounding)  # 9.996 is 10.0 and not 10.00
     return found
 
 

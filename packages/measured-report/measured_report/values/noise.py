@@ -3,7 +3,8 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from statistics import NormalDist, fmean, stdev
+from functools import cached_property
+from statistics import NormalDist, fmean, median, stdev
 from typing import Any
 
 from measured_report.files.config import config
@@ -62,11 +63,14 @@ class Floor:
     spread: float
     magnitude: float
     """The largest mean of such runs; larger values are taken to be noisier in proportion."""
+    length: float = 0.0
+    """How long the longest of them added it up, in the column that it grows with; 0 where it does not."""
 
-    def at(self, *values: float) -> float:
-        """The noise of such values."""
+    def at(self, *values: float, length: float | None = None) -> float:
+        """The noise of such values, of a run of that length."""
         scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
-        return self.spread * max(1.0, scale)
+        longer = (length or 0.0) / self.length if self.length else 1.0
+        return self.spread * max(1.0, scale, longer)
 
 
 def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
@@ -82,6 +86,62 @@ def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
             if column not in floors or floor.spread > floors[column].spread:
                 floors[column] = floor
     return floors
+
+
+@dataclass(frozen=True)
+class Repeats:
+    """How far apart runs of one edition come out, by those of its section on noise."""
+
+    own: Mapping[tuple[str, str], Floor]
+    """By the case that was repeated and the column."""
+
+    def noise(self, case: str, column: str, value: float) -> float | None:
+        """That of a number of a case: its own where that case was repeated, or else a share of it; None without any.
+
+        The share is the largest that the column has, or else the middle one of the columns of its unit, or of all. What
+        has a sign passes through zero, where a share says nothing: it has the largest noise of its column.
+        """
+        if (case, column) in self.own:
+            return self.own[case, column].at(value)
+        if column_of(column).is_count:
+            return 0.0
+        if (found := self._columns.get(column)) and column_of(column).least < 0.0:
+            return found.at(value)
+        share = self._shares.get(column)
+        if share is None:
+            unit = column_of(column).unit
+            alike = [share for name, share in self._shares.items() if column_of(name).unit == unit]
+            share = median(alike or self._shares.values()) if self._shares else None
+        return None if share is None else share * abs(value)
+
+    @cached_property
+    def _columns(self) -> Mapping[str, Floor]:
+        return noisiest({column: floor} for (_, column), floor in self.own.items())
+
+    @cached_property
+    def _shares(self) -> Mapping[str, float]:
+        """By column; what was set or counted is exact, and no share of anything."""
+        shares: dict[str, float] = {}
+        for (_, column), floor in self.own.items():
+            about = column_of(column)
+            if floor.magnitude and not (about.kinds or about.is_count):
+                shares[column] = max(shares.get(column, 0.0), floor.spread / floor.magnitude)
+        return shares
+
+
+def repeats_of(record: Record) -> Repeats:
+    """How far apart the runs of a record of the section on noise come out; those that were lost take no part."""
+    runs: dict[str, list[Mapping[str, Any]]] = {}
+    for row in record.rows:
+        if "of" in row and not is_lost(row):  # a damaged row may not say
+            runs.setdefault(row["of"], []).append(row)
+    found = {case: floors_of(rows, record.units) for case, rows in runs.items()}
+    return Repeats({(case, column): floor for case, floors in found.items() for column, floor in floors.items()})
+
+
+def is_lost(row: Mapping[str, Any]) -> bool:
+    """Whether the run of a row was lost, which makes its numbers chance."""
+    return any(row[name] for name in row if "loss" in column_of(name).kinds)
 
 
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
@@ -103,7 +163,7 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
     if column not in floors:
         is_repeated = any(row.get(name) in said for name, said in config().repeating.items())
         return ROUNDING_SHARE * abs(value) if is_repeated and about.unit not in TIMES else None
-    return max(floors[column].at(value), about.resolution) or None
+    return max(floors[column].at(value, length=row.get(about.grows_with)), about.resolution) or None
 
 
 def derived_noise(
@@ -138,9 +198,10 @@ def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[s
             runs.setdefault(row["of"], []).append(row)
     floors = {}
     for column in units:
+        lengths = [row.get(column_of(column).grows_with) or 0.0 for rows in runs.values() for row in rows]
         cells = [[row[column] for row in rows if row.get(column) is not None] for rows in runs.values()]
         cells = [cell for cell in cells if len(cell) > 1]
         if cells:
             spread = max(tolerance(cell) for cell in cells)
-            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells))
+            floors[column] = Floor(spread, max(abs(fmean(cell)) for cell in cells), max(lengths))
     return floors

@@ -10,15 +10,24 @@ from markupsafe import Markup, escape
 
 from measured_report.files.config import config
 from measured_report.records.record import Origin
-from measured_report.values.format import format_code, format_most, format_number, unit_label
+from measured_report.values.format import (
+    BELOW,
+    digit_count,
+    format_code,
+    format_least,
+    format_most,
+    format_number,
+    unit_label,
+)
 
 VALUES_FILE = "values.json"
-MOST, SAME = "most", "the same"
-"""How the page says that a number is written as a bound, and a number that is written like another one."""
+MOST, LEAST, SAME = "most", "least", "the same"
+"""How the page says that a number is written as a bound from above or below, and a number that is written like another
+one."""
 
 
 def local(text: str, release: str) -> str:
-    """``text`` as the page of a release has it: the addresses of its own values are shorter there."""
+    """``text`` as the site has it whose first pages are of a release: the addresses of its values are shorter."""
     return text.replace(f"{config().edition_folder(release)}/{VALUES_FILE}", VALUES_FILE)
 
 
@@ -84,13 +93,23 @@ class Quantity:
 
     @property
     def most(self) -> Markup:
-        """The number with its unit, where the words say *at most* or *within*."""
+        """The number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
         return self._with_unit(self._written(format_most(self.value, noise=self.noise), MOST))
+
+    @property
+    def least(self) -> Markup:
+        """The number with its unit, rounded down: where the words say *at least* or *more than*."""
+        return self._with_unit(self._written(format_least(self.value, noise=self.noise), LEAST))
 
     def beside(self, other: "Quantity") -> Markup:
         """The number with its unit, or *the same* where it is written like ``other``, which stands before it."""
         is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
         return self._written(SAME, other.source) if is_same and other.source else self.__html__()
+
+    def in_digits(self, count: int) -> Markup:
+        """The number without its unit, in no more than so many significant digits."""
+        text = format_number(self.value, noise=self.noise, digits=count)
+        return self._written(text, "" if text == self.written else str(count))
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
@@ -114,6 +133,12 @@ class Quantity:
     @property
     def _label(self) -> str:
         return "" if self.value is None else unit_label(self.unit)
+
+
+def alike(numbers: Sequence[Quantity]) -> list[Markup]:
+    """Write numbers of one line without their units, in as many digits as the one that has the fewest; two at least."""
+    counts = [digit_count(number.written) for number in numbers if number.value and number.written[0] != BELOW]
+    return [number.in_digits(max(2, min(counts, default=0))) for number in numbers]
 
 
 def absent(unit: str, reason: str) -> Quantity:

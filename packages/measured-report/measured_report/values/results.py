@@ -10,8 +10,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from measured_report import ReportError
 from measured_report.files.config import config
+from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Origin, Record
 from measured_report.records.traces import load_trace, trace_path
@@ -55,6 +55,7 @@ class Row:
         source: str,
         case: str = "",
         floors: Mapping[str, Floor] = MappingProxyType({}),
+        name: str = "",
     ):
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
@@ -62,6 +63,7 @@ class Row:
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
         self._floors = floors
+        self._name = name
 
     def __getitem__(self, column: str) -> Any:
         units, case = self._record.units, self._cells["case"]
@@ -74,7 +76,7 @@ class Row:
         value = self._cells[column]
         if column not in units or isinstance(value, bool | str):
             return value
-        reason = self._cells.get(f"{column}_reason", "")
+        reason = ": ".join(filter(None, (self._name, self._cells.get(f"{column}_reason")))) if value is None else ""
         noise = cell_noise(column, self._cells, self._floors)
         return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
 
@@ -89,6 +91,11 @@ class Row:
     def __bool__(self) -> bool:
         """Whether the record has it."""
         return not self._lack
+
+    @property
+    def plain(self) -> Mapping[str, Any]:
+        """Its cells as the record has them."""
+        return self._cells
 
     @property
     def columns(self) -> list[str]:
@@ -120,6 +127,8 @@ class Results:
     """By column: how far apart runs of one case come out with this release."""
     label: str = ""
     """What figures and tables call the section."""
+    name_of: Callable[[str], str] = str
+    """What people call a case; a number that is not there says of which run it is."""
 
     @property
     def edition(self) -> str:
@@ -135,8 +144,8 @@ class Results:
     def rows(self) -> list[Row]:
         """All rows but those that are damaged in what tells them apart."""
         return [
-            Row(self.record, index, self.source, floors=self.floors)
-            for index, is_whole in enumerate(_whole(self.record))
+            Row(self.record, index, self.source, floors=self.floors, name=self.name_of(cells.get("case", "")))
+            for index, (cells, is_whole) in enumerate(zip(self.record.rows, _whole(self.record), strict=True))
             if is_whole
         ]
 

@@ -1,0 +1,92 @@
+// Numbers and classes of a run, in the definitions of experiments/facts/metrics.py and classes.py.
+
+export const DROP_DISTANCE = 0.08;
+const ON_GROUND = 0.025;
+const DRIVE_RATIO = 10;
+const DRIVE_SHAPE = Math.hypot(1, 1.3, 0.525);
+const GROWTH_RATIO = 2;
+const GROWTH_SPEED_RATIO = 0.1;
+const FRAME_S = 1 / 60;
+
+/**
+ * The cube in the TCP's frame since the first frame of the shake [m], and the component along the shake's main axis.
+ * @param {{cube: number[], tcp: number[], matrix: ArrayLike<number>}[]} frames of the shake; matrix is of the TCP, row by row
+ */
+export function displacement(frames) {
+  const relative = frames.map(({ cube, tcp, matrix }) => inFrame(matrix, cube.map((value, axis) => value - tcp[axis])));
+  const vector = relative.map((place) => place.map((value, axis) => value - relative[0][axis]));
+  const axis = frames.length ? inFrame(frames[0].matrix, [1, 0, 0]) : [1, 0, 0];
+  return { vector, along: vector.map((place) => place[0] * axis[0] + place[1] * axis[1] + place[2] * axis[2]) };
+}
+
+/** @param {ArrayLike<number>} matrix @param {number[]} v */
+const inFrame = (matrix, v) => [0, 1, 2].map((axis) => matrix[axis] * v[0] + matrix[3 + axis] * v[1] + matrix[6 + axis] * v[2]);
+
+/** Length of the last displacement [mm]. @param {number[][]} vector */
+export const slipMm = (vector) => 1e3 * Math.hypot(...vector[vector.length - 1]);
+
+/** Least-squares slope of a series in steps of a frame, per second. @param {number[]} values */
+export function slope(values) {
+  const middle = (values.length - 1) / 2;
+  let [up, down] = [0, 0];
+  values.forEach((value, index) => {
+    up += (index - middle) * value;
+    down += (index - middle) ** 2;
+  });
+  return up / down / FRAME_S;
+}
+
+/** Largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped. @param {{shake_amplitude_m: number, shake_frequency_hz: number}} of */
+function drivePeak({ shake_amplitude_m, shake_frequency_hz }) {
+  const [amplitude, frequency] = shake_amplitude_m > 0 ? [shake_amplitude_m, shake_frequency_hz] : [0.03, 1];
+  return amplitude * 2 * Math.PI * frequency * DRIVE_SHAPE;
+}
+
+/**
+ * Kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0.
+ * @param {number[][]} positions @param {number} gravity
+ */
+function excessEnergy(positions, gravity) {
+  return positions.slice(1).map((place, index) => {
+    const before = positions[index];
+    const speed = Math.hypot(...place.map((value, axis) => value - before[axis])) / FRAME_S;
+    const work = -gravity * (0.5 * (place[2] + before[2]) - positions[0][2]);
+    return Math.max(0, 0.5 * speed ** 2 - Math.max(0, work));
+  });
+}
+
+/** @param {any} of a case @param {number[][]} relative the cube against the TCP in the shake, world axes */
+function isEnergyGrowing(of, relative) {
+  const cycle = Math.round(1 / (of.shake_frequency_hz * FRAME_S));
+  const last = relative.slice(-2 * cycle - 1);
+  if (last.length < 2 * cycle + 1 || Math.max(...last.map((place) => Math.hypot(...place))) > DROP_DISTANCE) return false;
+  const energy = excessEnergy(last, of.gravity_m_s2);
+  const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  const [before, after] = [mean(energy.slice(0, cycle)), mean(energy.slice(cycle))];
+  return Math.sqrt(2 * after) > GROWTH_SPEED_RATIO * drivePeak(of) && after >= GROWTH_RATIO * before;
+}
+
+/** How fast the cube moves in the grasp over the last whole period of the shake [mm/s]. @param {any} of @param {number[][]} vector */
+export function creepMmS(of, vector) {
+  const period = Math.min(Math.round(2 / (of.shake_frequency_hz * FRAME_S)), vector.length - 1);
+  if (period < 1) return 0;
+  const [last, before] = [vector[vector.length - 1], vector[vector.length - 1 - period]];
+  return (1e3 * Math.hypot(...last.map((value, axis) => value - before[axis]))) / (period * FRAME_S);
+}
+
+/**
+ * How a run ended: the first that fits of non-finite, exploded, dropped, creeping, holding.
+ * @param {any} of a case
+ * @param {{cube: number[][], tcp: number[][], shaken: number, failure: string}} run positions of all frames, where the shake begins
+ * @param {number[][]} vector displacement
+ * @param {number} floor_mm_s creep that can't be told from none
+ */
+export function classify(of, { cube, tcp, shaken, failure }, vector, floor_mm_s) {
+  if (failure || ![...cube, ...tcp].flat().every(Number.isFinite)) return "non-finite";
+  const energy = excessEnergy(cube, of.gravity_m_s2);
+  const relative = cube.slice(shaken).map((place, index) => place.map((value, axis) => value - tcp[shaken + index][axis]));
+  if (Math.sqrt(2 * Math.max(...energy)) > DRIVE_RATIO * drivePeak(of) || isEnergyGrowing(of, relative)) return "exploded";
+  const [place, hand] = [cube[cube.length - 1], tcp[tcp.length - 1]];
+  if (Math.hypot(...place.map((value, axis) => value - hand[axis])) > DROP_DISTANCE || place[2] < ON_GROUND) return "dropped";
+  return creepMmS(of, vector) > floor_mm_s ? "creeping" : "holding";
+}

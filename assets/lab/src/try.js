@@ -1,0 +1,46 @@
+// The front page: one number to change, Run, and how far the cube slips.
+
+import { find, h, HERE, isServed, written } from "./dom.js";
+import { Pool } from "./pool.js";
+import { RANGES, read, SHIPPED } from "./settings.js";
+import { readTracked } from "./tracked.js";
+
+const SHAKE_FRAMES = 688;
+
+const place = find("#try");
+if (place && isServed) begin();
+
+function begin() {
+  const [least, most] = RANGES.kd;
+  const kd = h("input", { id: "try-kd", type: "range", min: 0, max: 1, step: 0.001, value: position(SHIPPED.kd), "aria-label": "kd of the pads" });
+  const said = h("output", { for: "try-kd" });
+  const slip = h("output", { id: "try-slip", "aria-live": "polite" });
+  const run = h("button", { id: "try-run", type: "button" }, "Run");
+  const value = () => Number((least * (most / least) ** Number(kd.value)).toPrecision(2));
+  const tell = () => (said.textContent = `kd = ${value()}`);
+  kd.addEventListener("input", tell);
+  tell();
+  const pool = new Pool(new URL("worker.js", HERE), 1);
+  run.addEventListener("click", async () => {
+    run.disabled = true;
+    slip.textContent = "shaking …";
+    try {
+      const { mjcf, rows } = await readTracked();
+      const how = { shakeFrames: SHAKE_FRAMES, floor_mm_s: rows[0].creep_floor_mm_s };
+      const row = await pool.run({ kind: "shake", mjcf, settings: read(`kd=${value()}`), how });
+      slip.dataset.slipMm = row.slip_mm;
+      slip.dataset.class = row.class;
+      slip.textContent = row.class === "dropped" ? "it falls out" : row.slip_mm === null ? row.reason : `slips ${written(row.slip_mm, "mm")}`;
+    } catch (error) {
+      slip.textContent = error instanceof Error ? error.message : String(error);
+    }
+    run.disabled = false;
+  });
+  place.append(h("span", { class: "try" }, kd, said, run, slip));
+  place.hidden = false;
+
+  /** @param {number} wanted */
+  function position(wanted) {
+    return Math.log(wanted / least) / Math.log(most / least);
+  }
+}

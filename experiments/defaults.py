@@ -1,0 +1,47 @@
+"""What a release sets where nobody sets anything: its solver's options, its joints, and the scene with its materials.
+
+The scene writes what 1.4.0 had into every release, so that no other section sees another default.
+"""
+
+from dataclasses import replace
+
+import newton
+from newton.solvers import SolverMuJoCo
+
+from experiments.facts.case import AS_SHIPPED, Case
+from experiments.simulation.measurement import Conditions, Measurement, summarize
+from experiments.upgrade import numbers_of
+
+NEEDS_GPU = False
+"""Read by ``measured_report.editions.devices``: options are the same on any machine, and the run is one on a CPU."""
+
+
+def measure(conditions: Conditions) -> Measurement:
+    """A row for the run, and one for each default."""
+    case = own_case()
+    [trace] = conditions.simulate([case], title="defaults")
+    run = {"kind": "run", "name": case.name, **summarize(case, trace)}
+    return Measurement([run, *default_rows()])
+
+
+def own_case() -> Case:
+    """The scene as shipped, with the contact parameters and the gap that this release has by default."""
+    builder = newton.ModelBuilder()
+    own = builder.ShapeConfig()
+    pads = {"pad_ke": own.ke, "pad_kd": own.kd, "pad_kf": own.kf, "pad_mu": own.mu}
+    return replace(AS_SHIPPED, name="own-defaults", device="cpu", cube_gap_m=builder.rigid_gap, **pads)
+
+
+def default_rows() -> list[dict[str, object]]:
+    """A row for each option of a solver that was given none, and for each number of a joint that was given none."""
+    builder = newton.ModelBuilder()
+    builder.add_shape_box(builder.add_body(), hx=0.1, hy=0.1, hz=0.1)
+    engine = SolverMuJoCo(builder.finalize(device="cpu")).mjw_model
+    joint = vars(builder.JointDofConfig())
+    numbers = {name: float(value) for name, value in sorted(joint.items()) if isinstance(value, (bool, int, float))}
+    settings = {"solver": dict(numbers_of(engine.opt)), "joint": numbers}
+    return [
+        {"kind": kind, "case": f"{kind}-{name}", "name": name, "value": value}
+        for kind, values in settings.items()
+        for name, value in values.items()
+    ]

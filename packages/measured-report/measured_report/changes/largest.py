@@ -1,0 +1,110 @@
+"""The largest moves of a comparison, a line each: those that one cause makes alike are told together."""
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from measured_report.changes.compare import Comparison
+from measured_report.changes.moves import Move, percent
+from measured_report.claims.claim import NEAR_NOISE
+from measured_report.files.config import config
+from measured_report.records.columns import column_of
+from measured_report.values.noise import ROUNDING_SHARE
+
+LINES = 5
+"""Chosen: so many are told."""
+NAMED = 4
+"""Chosen: so many claims, and twice as many settings, are named in a line."""
+ALIKE = 0.25
+"""Chosen: columns of one row whose changes are no farther apart, as a share of the larger one, moved by one cause."""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Moves of one column that go the same way."""
+
+    lead: Move
+    """The largest of those that ring, or else of all."""
+    shares: Sequence[float]
+    """Of all of them, from the least to the largest."""
+    row_count: int
+    """In so many rows the column compares."""
+    others: list[str] = field(default_factory=list)
+    """Columns that moved as much in the leading row."""
+
+    @property
+    def text(self) -> str:
+        """One line: before, after, by how much, and where."""
+        lead, count, ends = self.lead, len(self.shares), sorted({percent(self.shares[0]), percent(self.shares[-1])})
+        places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
+        if self.row_count > 1:
+            rows = f"all {count} rows" if count == self.row_count else f"{count} of {self.row_count} rows"
+            places.append(f"{rows}{', ' if ends[1:] else ''}{' to '.join(ends) if ends[1:] else ''}")
+        places += [f"alike: {', '.join(self.others)}"] if self.others else []
+        said = f"{column_of(lead.column).words} {lead.ends}, {percent(lead.share)}"
+        return f"{'alarm: ' if lead.rings else ''}{said}{f' {lead.direction}'.rstrip()} ({'; '.join(places)})"
+
+
+def largest(found: Comparison) -> list[Group]:
+    """Return the groups that lead, those that ring first; the others by what of the change is surely no noise.
+
+    What the deciding sections measured goes before the rest: they have the scene that the report is about.
+    """
+    moves: dict[tuple[str, bool], list[Move]] = {}
+    for move in found.moves:
+        if move.share and not (move.is_setting or move.is_near or column_of(move.column).is_setting):
+            moves.setdefault((move.column, move.share > 0), []).append(move)
+    counts = Counter(cell.column for cell in found.cells if cell.share is not None)
+    groups: list[Group] = []
+    for (column, _), alike in moves.items():
+        lead = max(alike, key=_rank)
+        groups.append(Group(lead, sorted(move.share for move in alike), counts[column]))
+    told: list[Group] = []
+    for group in sorted(groups, key=lambda group: _rank(group.lead), reverse=True):
+        same = next((each for each in told if _one_cause(each.lead, group.lead)), None)
+        if same:
+            same.others.append(column_of(group.lead.column).words)
+        else:
+            told.append(group)
+    return told[:LINES]
+
+
+def _rank(move: Move) -> tuple[bool, bool, float]:
+    return move.rings, move.section in config().changes.deciding, move.sure_share
+
+
+def _one_cause(a: Move, b: Move) -> bool:
+    is_of_one_row = (a.section, a.place) == (b.section, b.place) and math.isfinite(a.share + b.share)
+    return is_of_one_row and not b.rings and abs(a.share - b.share) <= ALIKE * max(abs(a.share), abs(b.share))
+
+
+def settings_text(settings: Sequence[Move]) -> str:
+    """Name the settings that changed, those that ring first, and those that only one edition has."""
+    changed = sorted((move for move in settings if None not in move.values), key=lambda move: not move.rings)
+    told = [few([move.setting for move in changed], 2 * NAMED)] if changed else []
+    for word, index in (("new", 0), ("gone", 1)):
+        if names := [move.place["case"] for move in settings if move.values[index] is None]:
+            told.append(f"{word}: {', '.join(names)}")
+    notes = config().changes.setting_notes
+    told += dict.fromkeys(notes[move.place["kind"]] for move in changed if move.place["kind"] in notes)
+    return "; ".join(told) or "all as they were"
+
+
+def few(names: Sequence[str], count: int = NAMED) -> str:
+    more = f"; and {len(names) - count} more" if len(names) > count else ""
+    return "; ".join(names[:count]) + more
+
+
+def power(found: Comparison) -> str:
+    """Say the least change of each named number that would have shown, and which were not measured in both."""
+    named = config().changes.thresholds
+    least: dict[str, float] = {}
+    for cell in found.cells:
+        if cell.name in named and cell.share is not None and cell.values[0]:
+            seen = max(NEAR_NOISE * cell.least / abs(cell.values[0]), ROUNDING_SHARE)
+            words = column_of(cell.column).words
+            least[words] = max(least.get(words, 0.0), seen)
+    unseen = {column_of(name.rpartition(".")[2]).words for name in named} - least.keys()
+    told = [f"{words} from {100 * share:.2g} %" for words, share in least.items()]
+    return ", ".join(told) + (f"; not measured in both: {', '.join(sorted(unseen))}" if unseen else "")

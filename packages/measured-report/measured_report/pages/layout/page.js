@@ -1,0 +1,317 @@
+/* What the pages do beyond being read: all is there without it. No dependencies, and nothing is fetched. */
+"use strict";
+
+const root = document.documentElement;
+
+/* Colour scheme: as the system has it, light, or dark. */
+
+const SCHEMES = ["auto", "light", "dark"];
+
+function keptScheme() {
+  try {
+    return SCHEMES.find((scheme) => scheme === localStorage.getItem("scheme")) ?? "auto";
+  } catch {
+    return "auto"; // storage is forbidden
+  }
+}
+
+function setScheme(scheme) {
+  root.dataset.scheme = scheme;
+  try {
+    localStorage.setItem("scheme", scheme);
+  } catch {} // then it holds for this page alone
+}
+
+function addSchemeSwitch() {
+  const button = document.querySelector(".scheme");
+  const say = () => (button.textContent = `Colours: ${root.dataset.scheme}`);
+  button.addEventListener("click", () => {
+    setScheme(SCHEMES[(SCHEMES.indexOf(root.dataset.scheme) + 1) % SCHEMES.length]);
+    say();
+  });
+  say();
+  button.hidden = false;
+}
+
+/* Sections were on the front page once: what leads to one there, or to something in it, goes on to where it is now. */
+
+function decoded(hash) {
+  try {
+    return decodeURIComponent(hash.slice(1));
+  } catch {
+    return ""; // a link that somebody cut off
+  }
+}
+
+function followOldLink() {
+  const name = decoded(location.hash);
+  if (!name) return;
+  const moved = [...document.querySelectorAll(".index a[id]")].find((link) => name === link.id || name.startsWith(`${link.id}-`));
+  if (moved) location.replace(`${moved.href.split("#")[0]}#${name}`);
+}
+
+/* Contents: the link of the section that is being read is marked. */
+
+function markPlace() {
+  const links = new Map();
+  for (const link of document.querySelectorAll('.beside a[href^="#"], .folded a[href^="#"]')) {
+    const target = document.getElementById(decoded(link.hash));
+    if (target) links.set(target, [...(links.get(target) ?? []), link]);
+  }
+  const targets = [...links.keys()];
+  let current = null;
+  const mark = () => {
+    const passed = targets.filter((target) => target.getBoundingClientRect().top < innerHeight / 3);
+    const found = passed.at(-1) ?? null;
+    if (found === current) return;
+    for (const link of links.get(current) ?? []) link.removeAttribute("aria-current");
+    for (const link of links.get(found) ?? []) link.setAttribute("aria-current", "location");
+    current = found;
+  };
+  let isDue = false;
+  addEventListener(
+    "scroll",
+    () => {
+      if (isDue) return;
+      isDue = true;
+      requestAnimationFrame(() => {
+        isDue = false;
+        mark();
+      });
+    },
+    { passive: true },
+  );
+  mark();
+}
+
+/* One stop of the Tab key for many things, between which the arrow keys go: a table's buttons, numbers, references. */
+
+function rove(things) {
+  things.forEach((thing, index) => (thing.tabIndex = index ? -1 : 0));
+  const select = (thing) => {
+    for (const each of things) each.tabIndex = each === thing ? 0 : -1;
+  };
+  things.forEach((thing, index) => {
+    thing.addEventListener("focus", () => select(thing));
+    thing.addEventListener("keydown", (event) => {
+      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      const next = step && things[index + step];
+      if (!next) return;
+      event.preventDefault();
+      next.focus();
+    });
+  });
+}
+
+/* Tables: a click on a head sorts, first up, then down, then as it was; and each can be copied as CSV. */
+
+function plainText(cell) {
+  const number = cell.querySelector("data");
+  if (!number) return cell.textContent.replace(/ #$/, "").trim();
+  return cell.querySelectorAll("data").length > 1 ? cell.textContent.trim() : number.value;
+}
+
+function compareCells(a, b) {
+  const numbers = [a, b].map(Number);
+  if (numbers.every((number) => !Number.isNaN(number))) return numbers[0] - numbers[1];
+  return a.localeCompare(b, "en", { numeric: true });
+}
+
+function sortRows(table, column, direction) {
+  const body = table.tBodies[0];
+  const text = (row) => plainText(row.cells[column]);
+  const isEmpty = (row) => ["", "n/a", "–"].includes(text(row));
+  const order = (a, b) => isEmpty(a) - isEmpty(b) || (isEmpty(a) ? 0 : direction * compareCells(text(a), text(b)));
+  const rows = [...table.originalRows];
+  body.append(...(direction ? rows.sort(order) : rows));
+}
+
+function addSorting(table) {
+  table.originalRows = [...table.tBodies[0].rows];
+  const heads = [...table.tHead.rows[0].cells];
+  const buttons = heads.map((head, column) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.append(...(head.textContent ? head.childNodes : ["case"]));
+    head.replaceChildren(button);
+    button.addEventListener("click", () => {
+      const next = { ascending: "descending", descending: "none" }[head.ariaSort] ?? "ascending";
+      for (const other of heads) other.removeAttribute("aria-sort");
+      if (next !== "none") head.ariaSort = next;
+      sortRows(table, column, { ascending: 1, descending: -1, none: 0 }[next]);
+    });
+    return button;
+  });
+  return buttons;
+}
+
+function tableAsCsv(table) {
+  // A spreadsheet takes what begins so for a formula.
+  const inert = (text) => (/^[=+\-@\t\r]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text);
+  const quote = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+  const line = (row) => [...row.cells].map((cell) => quote(inert(plainText(cell)))).join(",");
+  return [...table.rows].map(line).join("\n") + "\n";
+}
+
+async function copyText(text) {
+  if (navigator.clipboard) return navigator.clipboard.writeText(text);
+  const area = document.createElement("textarea"); // where the page is not served safely there is no other way
+  area.value = text;
+  document.body.append(area);
+  area.select();
+  document.execCommand("copy");
+  area.remove();
+}
+
+function copyButton(label, textOf) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "copy";
+  button.textContent = label;
+  button.addEventListener("click", async () => {
+    try {
+      await copyText(textOf());
+      button.textContent = "Copied";
+    } catch {
+      button.textContent = "Could not be copied";
+    }
+    setTimeout(() => (button.textContent = label), 2000);
+  });
+  return button;
+}
+
+function addCopying(table) {
+  const button = copyButton("Copy as CSV", () => tableAsCsv(table));
+  (table.closest("figure")?.querySelector("figcaption") ?? table.parentElement).append(" ", button);
+  return button;
+}
+
+/* Code: each block has a button that copies it as it is. */
+
+function addCodeCopying(block) {
+  const frame = document.createElement("div");
+  frame.className = "code";
+  block.replaceWith(frame);
+  frame.append(block, copyButton("Copy", () => `${block.textContent.trimEnd()}\n`));
+}
+
+/* Numbers: where each comes from is shown under the pointer, with the focus, and at a touch. */
+
+function metaOf(name) {
+  return document.querySelector(`meta[name="${name}"]`)?.content ?? "";
+}
+
+function unitOf(number) {
+  const cell = number.closest("td");
+  const head = cell && number.closest("table").tHead.rows[0].cells[cell.cellIndex];
+  const bracketed = head?.textContent.match(/\[(.+)\]/);
+  if (bracketed) return bracketed[1];
+  const behind = number.nextSibling?.nodeType === Node.TEXT_NODE ? number.nextSibling.data : "";
+  return behind.match(/^\u00a0([^\s,.;:)]+)/)?.[1] ?? "";
+}
+
+function noiseOf(floors, column, value) {
+  if (!(column in floors)) return null;
+  const [spread, magnitude] = floors[column];
+  return spread * Math.max(1, magnitude ? Math.abs(value) / magnitude : 1);
+}
+
+function lineOf(...content) {
+  const line = document.createElement("p");
+  line.append(...content);
+  return line;
+}
+
+function explain(number, origins, floors) {
+  const [file, pointer] = number.dataset.src.split("#");
+  const parts = pointer.split("/");
+  const isDerived = file.endsWith("values.json");
+  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
+  const record = isDerived ? `${folder}/${parts[1]}.json` : file;
+  const noise = isDerived || number.value === "" ? null : noiseOf(floors, parts.at(-1), Number(number.value));
+  const exact = document.createElement("b");
+  exact.textContent = number.value === "" ? "There is no number" : `${number.value} ${unitOf(number)}`.trim();
+  const link = document.createElement("a");
+  link.href = `${metaOf("data")}${file}#${pointer}`;
+  link.textContent = isDerived ? `${file}#${pointer}` : `${parts.at(-1)}, row ${parts.at(-2)} of ${file}`;
+  link.tabIndex = -1;
+  return [
+    lineOf(exact, noise === null ? "" : `, noise ${noise.toPrecision(2)}`),
+    ...(number.dataset.hint ? [lineOf(isDerived ? "Derived: " : "", number.dataset.hint)] : []),
+    lineOf(origins[record] ?? ""),
+    lineOf("Data: ", link),
+  ];
+}
+
+function addOrigins() {
+  const [origins, floors] = ["origins", "floors"].map((name) => JSON.parse(metaOf(name) || "{}"));
+  const numbers = [...document.querySelectorAll("main data")];
+  const box = document.createElement("div");
+  box.className = "origin";
+  box.id = "origin";
+  box.setAttribute("role", "tooltip");
+  box.hidden = true;
+  document.body.append(box);
+  let shown = null;
+  let leaving = 0;
+
+  const hide = () => {
+    shown?.removeAttribute("aria-describedby");
+    shown = null;
+    box.hidden = true;
+  };
+  const show = (number) => {
+    clearTimeout(leaving);
+    if (number === shown) return;
+    hide();
+    shown = number;
+    box.replaceChildren(...explain(number, origins, floors));
+    box.hidden = false;
+    number.setAttribute("aria-describedby", box.id);
+    const at = number.getBoundingClientRect();
+    const left = Math.min(at.left, root.clientWidth - box.offsetWidth - 8);
+    const above = at.bottom + box.offsetHeight + 8 > innerHeight && at.top > box.offsetHeight;
+    box.style.left = `${Math.max(8, left) + scrollX}px`;
+    box.style.top = `${(above ? at.top - box.offsetHeight - 4 : at.bottom + 4) + scrollY}px`;
+  };
+  const leave = () => {
+    clearTimeout(leaving);
+    leaving = setTimeout(hide, 300); // so that the pointer can get to the link
+  };
+
+  for (const number of numbers) {
+    if (number.title) {
+      number.dataset.hint = number.title; // or the browser shows a second box
+      number.removeAttribute("title");
+    }
+  }
+  const numberAt = (event) => event.target.closest?.("main data");
+  document.addEventListener("pointerover", (event) => {
+    const number = numberAt(event);
+    if (number) show(number);
+    else if (box.contains(event.target)) clearTimeout(leaving);
+    else if (shown && shown !== document.activeElement) leave();
+  });
+  document.addEventListener("focusin", (event) => (numberAt(event) ? show(event.target) : hide()));
+  document.addEventListener("click", (event) => {
+    if (numberAt(event)) show(numberAt(event));
+    else if (!box.contains(event.target)) hide();
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") hide();
+  });
+  rove(numbers);
+}
+
+setScheme(keptScheme());
+
+document.addEventListener("DOMContentLoaded", () => {
+  followOldLink();
+  addSchemeSwitch();
+  markPlace();
+  for (const table of document.querySelectorAll("main table")) rove([...addSorting(table), addCopying(table)]);
+  rove([...document.querySelectorAll(".sources a")]);
+  document.querySelectorAll("pre").forEach(addCodeCopying);
+  addOrigins();
+});
+addEventListener("hashchange", followOldLink);

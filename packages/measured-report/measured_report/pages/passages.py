@@ -1,0 +1,174 @@
+"""Passages: paragraphs for the data that there is, which stand only while the claims that they rest on do.
+
+    {% passage needs="tower.leans, ground.is_soft" %}
+    The tower leans by {{ tower.leans.angle }}, for the ground is soft on one side.
+    {% otherwise %}
+    {% passage needs="tower.leans fails" %} The tower stands upright. {% endpassage %}
+    {% endpassage %}
+
+A need is a claim that holds, or one with an outcome behind it: ``fails``, or ``opposite``. A passage may print numbers
+of the claims that it needs, by ``section.claim.number``, and what it names itself: a ``cell``, a ``value``, a ``row``.
+Where a need is not met, or a number not there, what is under ``otherwise`` is said, or else what these claims say
+themselves. On one line of a template a passage is a part of a paragraph, on several it is whole ones. One that answers
+a question says which, ``{% passage needs="tower.leans" answer="why" %}``: its element has that as ``data-answer``.
+"""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+import jinja2
+from jinja2 import nodes
+from jinja2.ext import Extension
+from jinja2.meta import find_undeclared_variables
+from jinja2.parser import Parser
+from markupsafe import Markup
+
+from measured_report.claims.claim import LOST, Claim
+from measured_report.pages.converting import token
+from measured_report.parts.contradictions import contradictory
+
+NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
+NAMED = {"cell", "value", "row", "release", "config"}
+"""What a passage may name besides the sections that it needs: each says itself which number it is."""
+SOURCE = re.compile('data-src="([^"]*)"')
+OPEN = '<{} class="passage" data-needs="{}" data-outcome="{}"{}>'
+WRITTEN = Markup('<span class="other-data">The paragraph that stands here was written for other data.</span>')
+
+
+@dataclass(frozen=True)
+class Need:
+    """A claim and the outcome that a passage rests on."""
+
+    section: str
+    claim: str
+    outcome: str
+
+    def is_met(self, claim: Claim | None) -> bool:
+        """Whether the claim, None where there is none, has this outcome."""
+        if claim is None:
+            return False
+        return claim.outcome.is_opposite if self.outcome == "opposite" else claim.outcome.name == self.outcome
+
+    def __str__(self) -> str:
+        return f"{self.section}.{self.claim} {self.outcome}"
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A passage that stands on a page."""
+
+    place: str
+    """File and line."""
+    needs: Sequence[Need]
+    numbers: Sequence[str]
+    """Pointers to all that it prints."""
+
+
+def needs_of(text: str) -> list[Need]:
+    """Read what a passage needs; ValueError for what is none."""
+    found = [(part, NEED.fullmatch(part.strip())) for part in text.split(",")]
+    if wrong := [part.strip() for part, need in found if not need]:
+        raise ValueError(f"{wrong[0]!r} is no need of a passage; one is section.claim")
+    return [Need(need[1], need[2], (need[3] or "holds").strip()) for _, need in found if need]
+
+
+class PassageTag(Extension):
+    """The tag; an environment that has it has ``pairs`` among its globals, and a template with one a ``passage``."""
+
+    tags = {"passage"}  # noqa: RUF012, as Jinja has it
+
+    def parse(self, parser: Parser) -> list[nodes.Node]:
+        line = next(parser.stream).lineno
+        text = _attribute(parser, "needs")
+        answer = _attribute(parser, "answer") if parser.stream.current.test("name:answer") else ""
+        try:
+            needs = needs_of(text)
+        except ValueError as error:
+            parser.fail(str(error), line)
+        pairs: Any = self.environment.globals["pairs"]
+        if both := contradictory(pairs, {str(need) for need in needs}):
+            parser.fail(f"the passage needs {both[0]} and {both[1]}, which contradict each other", line)
+        body, other = parser.parse_statements(("name:otherwise", "name:endpassage")), []
+        end = next(parser.stream)
+        if has_other := end.value == "otherwise":
+            other = parser.parse_statements(("name:endpassage",))
+            end = next(parser.stream)
+        sections = sorted({need.section for need in needs})
+        whole = nodes.Template(body)
+        whole.set_environment(self.environment)
+        if strange := sorted(find_undeclared_variables(whole) - {*sections, *NAMED, "passage"}):
+            parser.fail(f"the passage names {strange[0]}, which is no section that it needs", line)
+        name = f"otherwise_{line}_{end.lineno}"
+        macro = nodes.Macro(name, [], [], other, lineno=line)
+        said = nodes.Name(name, "load") if has_other else nodes.Const(None)
+        given = [*map(nodes.Const, (f"{parser.name}:{line}", text, answer, end.lineno == line)), said]
+        call = nodes.Call(nodes.Name("passage", "load"), given, [], None, None)
+        arguments = [nodes.Name(section, "param") for section in sections]
+        return [macro, nodes.CallBlock(call, arguments, [], body, lineno=line)]
+
+
+def _attribute(parser: Parser, name: str) -> str:
+    parser.stream.expect(f"name:{name}")
+    parser.stream.expect("assign")
+    return parser.stream.expect("string").value
+
+
+def teller(
+    find: Callable[[str, str], Claim | None], mark: Callable[[frozenset[str]], Markup] = lambda reads: Markup("")
+) -> Callable[..., str]:
+    """Make what says the passages of a template of the claims that ``find`` finds by section and name.
+
+    ``mark`` is shown behind a passage that stands, by the pointers to what its claims have read.
+    """
+
+    @jinja2.pass_context
+    def passage(
+        context: jinja2.runtime.Context,
+        place: str,
+        text: str,
+        answer: str,
+        is_inline: bool,
+        otherwise: Callable[[], str] | None,
+        caller: Callable[..., str],
+    ) -> str:
+        printed, needs = context["printed"], needs_of(text)
+        claims = {need: find(need.section, need.claim) for need in needs}
+        said, start = None, len(printed)
+        if all(need.is_met(claim) for need, claim in claims.items()):
+            said = caller(*_numbers(claims).values())
+            if any(isinstance(each, Markup) and LOST.search(each) for each in printed[start:]):
+                said = None
+                del printed[start:]
+        stands, found = said is not None, [(need, claim) for need, claim in claims.items() if claim]
+        stale = Markup("")
+        if said is not None:
+            numbers = [pointer for each in printed[start:] for pointer in SOURCE.findall(str(each))]
+            context["passages"].append(Passage(f"templates/{place}", needs, numbers))
+            stale = mark(frozenset().union(*(claim.outcome.reads for _, claim in found)))
+        elif otherwise:
+            return otherwise()
+        else:
+            own = [claim.html(need.section) for need, claim in found]
+            # What was not measured is listed on the page, and is no other answer.
+            said = token(printed, Markup(" ").join([*own, WRITTEN])) if len(own) == len(claims) else ""
+        element, edge = ("span", "") if is_inline else ("div", "\n\n")
+        answers = f' data-answer="{answer}"' if answer else ""
+        opened = OPEN.format(element, ", ".join(map(str, needs)), "holds" if stands else "fails", answers)
+        before, *behind = (
+            token(printed, Markup(end)) for end in (opened, *([stale] if stale else []), f"</{element}>")
+        )
+        return Markup(edge.join(["", before, said.strip(), *behind, ""]) + ("" if is_inline else "\n")) if said else ""
+
+    return passage
+
+
+def _numbers(claims: Mapping[Need, Claim | None]) -> dict[str, SimpleNamespace]:
+    """What a passage can name of the claims, by section, in the order of their names."""
+    found: dict[str, Any] = {}
+    for need, claim in claims.items():
+        if claim:
+            found.setdefault(need.section, {})[need.claim] = SimpleNamespace(**claim.numbers)
+    return {section: SimpleNamespace(**found[section]) for section in sorted(found)}

@@ -1,0 +1,107 @@
+"""What MuJoCo makes of two geoms' parameters where they touch, as ``mj_contactParam`` does; arrays over pairs."""
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from newton_lint.law import Contact, Option
+from newton_lint.pairs import pairs_of
+
+MIN_MU = 1e-5
+"""Least friction that the engine takes."""
+OVERRIDE = int(mujoco.mjtEnableBit.mjENBL_OVERRIDE)
+REFSAFE_OFF = int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
+CONES = ("pyramidal", "elliptic")
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Pairs that may touch, and the parameters of their contacts; arrays of shape [pair_count, …]."""
+
+    first: np.ndarray
+    """Geom of higher priority, if one has it."""
+    second: np.ndarray
+    named: np.ndarray
+    """Index of the ``<pair>`` that names it, whose parameters it has; -1 of others."""
+    outranked: np.ndarray
+    """Whether the first geom's priority leaves the second's parameters out."""
+    solref: np.ndarray
+    solreffriction: np.ndarray
+    solimp: np.ndarray
+    condim: np.ndarray
+    friction: np.ndarray
+    """Sliding, spinning and rolling."""
+    weight: np.ndarray
+    """Sum of the bodies' translational body_invweight0 [1/kg]."""
+
+    def __len__(self) -> int:
+        return len(self.first)
+
+    def contact(self, index: int) -> Contact:
+        """One pair's, for the law."""
+        return Contact(
+            solref=tuple(self.solref[index].tolist()),
+            solimp=tuple(self.solimp[index].tolist()),
+            mu=float(self.friction[index, 0]),
+            weight_1_kg=float(self.weight[index]),
+            solreffriction=tuple(self.solreffriction[index].tolist()),
+            condim=int(self.condim[index]),
+        )
+
+
+def option_of(model: mujoco.MjModel) -> Option:
+    """What the engine is told of all contacts."""
+    opt = model.opt
+    return Option(
+        timestep_s=float(opt.timestep),
+        integrator=int(opt.integrator),
+        cone=CONES[int(opt.cone)],
+        impratio=float(opt.impratio),
+        refsafe=not opt.disableflags & REFSAFE_OFF,
+        noslip=opt.noslip_iterations > 0,
+    )
+
+
+def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
+    """All pairs that may touch. MuJoCo Warp takes the least of direct solrefs whatever their priority."""
+    pairs, named = pairs_of(model)
+    priority = model.geom_priority[pairs]
+    swap = priority[:, 0] < priority[:, 1]
+    first, second = np.where(swap[:, None], pairs[:, ::-1], pairs).T
+    plain = named < 0
+    outranked = (priority[:, 0] != priority[:, 1]) & plain
+    share = _share(model.geom_solmix[first], model.geom_solmix[second], outranked)
+    solrefs = model.geom_solref[first], model.geom_solref[second]
+    mixed = share * solrefs[0] + (1.0 - share) * solrefs[1]
+    direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & (
+        ~outranked[:, None] if engine == "mujoco" else True
+    )
+    solref = np.where(direct, np.minimum(*solrefs), mixed)
+    solimp = share * model.geom_solimp[first] + (1.0 - share) * model.geom_solimp[second]
+    larger = np.maximum(model.geom_friction[first], model.geom_friction[second])
+    friction = np.where(outranked[:, None], model.geom_friction[first], larger)
+    condim = np.where(
+        outranked, model.geom_condim[first], np.maximum(model.geom_condim[first], model.geom_condim[second])
+    )
+    solreffriction = np.zeros((len(pairs), 2))
+    own = named[~plain]
+    solref[~plain], solimp[~plain] = model.pair_solref[own], model.pair_solimp[own]
+    friction[~plain], condim[~plain] = model.pair_friction[own][:, (0, 2, 3)], model.pair_dim[own]
+    solreffriction[~plain] = model.pair_solreffriction[own]
+    if model.opt.enableflags & OVERRIDE:
+        solref[:] = solreffriction[:] = model.opt.o_solref
+        solimp[:], friction[:] = model.opt.o_solimp, model.opt.o_friction[[0, 2, 3]]
+    weight = model.body_invweight0[model.geom_bodyid, 0]
+    return Contacts(
+        first, second, named, outranked, solref, solreffriction, solimp, condim, np.maximum(friction, MIN_MU),
+        weight[first] + weight[second],
+    )  # fmt: skip
+
+
+def _share(mix: np.ndarray, other: np.ndarray, outranked: np.ndarray) -> np.ndarray:
+    """What of the first geom's parameters counts, of shape [pair_count, 1]."""
+    mix, other = (np.where(each < mujoco.mjMINVAL, 0.0, each) for each in (mix, other))
+    total = mix + other
+    share = np.where(total > 0.0, mix / np.where(total > 0.0, total, 1.0), 0.5)
+    return np.where(outranked, 1.0, share)[:, None]

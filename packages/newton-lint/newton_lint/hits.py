@@ -1,0 +1,79 @@
+"""What a rule says of many shapes or pairs at once, made into findings."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from newton_lint.findings import Advice, Finding
+from newton_lint.source import Element
+
+
+@dataclass(frozen=True)
+class Hits:
+    """What a rule says of one parameter; arrays of one length."""
+
+    rule: str
+    parameter: str
+    unit: str
+    shape: np.ndarray
+    other: np.ndarray | None
+    """The other shape of a pair; None where it is about shapes alone."""
+    value: np.ndarray
+    used: np.ndarray
+    """NaN where nothing is used."""
+    say: Callable[[int], str]
+    """The message of the hit at an index."""
+    severity: str = "warning"
+    element: Callable[[int], Element | None] = lambda _: None
+    advise: Callable[[int], Advice | None] = lambda _: None
+
+
+def hits(
+    rule: str,
+    parameter: str,
+    shape: np.ndarray,
+    other: np.ndarray | None,
+    value: np.ndarray,
+    used: np.ndarray | float,
+    message: str | Callable[[int], str],
+    unit: str = "1",
+    **more,
+) -> Hits:
+    """Hits of which all say the same, or each what a function says of its index."""
+    say = message if callable(message) else lambda _: message
+    return Hits(rule, parameter, unit, shape, other, value, np.broadcast_to(used, len(shape)), say, **more)
+
+
+def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
+    """A finding for each shape and each value that it has and gets, in the order in which they were hit."""
+    if not len(found.shape):
+        return
+    first, which = alike(found.shape, found.value, np.nan_to_num(found.used, nan=np.inf))
+    members = np.split(np.argsort(which, kind="stable"), np.cumsum(np.bincount(which))[:-1])
+    for index, hit in sorted(zip(first.tolist(), members, strict=True), key=lambda each: each[0]):
+        used = float(found.used[index])
+        yield Finding(
+            rule=found.rule,
+            shape=names[found.shape[index]],
+            against=() if found.other is None else tuple(names[other] for other in found.other[hit].tolist()),
+            parameter=found.parameter,
+            value=float(found.value[index]),
+            used=None if np.isnan(used) else used,
+            unit=found.unit,
+            message=found.say(index),
+            severity=found.severity,
+            element=found.element(index),
+            advice=found.advise(index),
+        )
+
+
+def alike(*columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """First index of each different row, and the number of each row's; faster than to sort the rows as such."""
+    key = np.zeros(len(columns[0]), dtype=np.int64)
+    for column in columns:
+        values, which = np.unique(column, return_inverse=True)
+        _, key = np.unique(key * len(values) + which.reshape(-1), return_inverse=True)
+        key = key.reshape(-1)
+    _, first, which = np.unique(key, return_index=True, return_inverse=True)
+    return first, which.reshape(-1)

@@ -1,0 +1,299 @@
+"""A body that is held: what its contacts bear in a settled state, and how fast it creeps by the law."""
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from newton_lint.advice import for_option
+from newton_lint.creep import M
+from newton_lint.findings import Finding
+from newton_lint.law import Response, response_of, settled_impedance, shared_slide_m_s
+from newton_lint.scene import Scene
+from newton_lint.target import Target, TargetError
+
+SETTLE_S = 0.5
+"""Time that a scene gets to come to rest."""
+READ_SHARE = 0.2
+"""Last part of it over which forces are averaged."""
+AT_THE_EDGE = 0.999
+"""Share of the cone from which friction no longer holds."""
+UNSETTLED, UNSETTLED_MM_S = 2.0, 0.5
+"""What moves faster than so many times its creep, and this [mm/s], has not settled."""
+STIFFER = 1e4
+"""How many times stiffer than friction a normal force is taken to be: in its direction nothing creeps."""
+RUNAWAY, LEAST_M_S = 3.0, 0.05
+"""What moves faster than so many times the creep, and than this [m/s], is not held."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """A body to be held, and what moves it besides its weight."""
+
+    body: str
+    settle_s: float = SETTLE_S
+    turn_rad_s: float = 0.0
+    """Rate at which what holds it turns about the vertical through its root."""
+    lift_m_s2: float = 0.0
+    """Acceleration against gravity."""
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What one contact point bears, means over the end of the settling."""
+
+    geoms: tuple[int, int]
+    share: float
+    """Of the steps in which it was there."""
+    normal_n: float
+    tangential_n: np.ndarray
+    """Force of friction on the held body, in the world's axes."""
+    normal: np.ndarray
+    position: np.ndarray
+    used: float
+    """Share of the cone that it uses."""
+    weight_1_kg: float
+    """The diagonal of A that the engine gives it."""
+
+
+@dataclass(frozen=True)
+class Hold:
+    """A held body, and what is predicted of it."""
+
+    body: int
+    name: str
+    touches: Sequence[Touch]
+    load_n: float
+    mm_s: float
+    """Predicted creep; infinite where it slides."""
+    acceleration_mm_s: float
+    """What of it is J̇·q̇'s."""
+    moves_mm_s: float
+    """How fast it moves relative to what it touches in the state that was read."""
+    data: mujoco.MjData = field(compare=False, repr=False)
+    """The state in which it was."""
+
+    @property
+    def slides(self) -> bool:
+        return not math.isfinite(self.mm_s)
+
+    @property
+    def point_count(self) -> float:
+        return sum(touch.share for touch in self.touches)
+
+    @property
+    def rests(self) -> bool:
+        """Whether it moves no faster than it creeps, and not because its grip still closes or opens."""
+        return self.moves_mm_s <= UNSETTLED * self.mm_s + UNSETTLED_MM_S
+
+    def findings(self, scene: Scene, below_mm_s: float | None) -> list[Finding]:
+        """That it slides, has not settled, or creeps faster than it may."""
+        touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
+        if not self.rests:
+            message = "is more than it creeps: it has not settled, and what is predicted is of a grip that has"
+            told = ("unsettled", self.name, touching, "speed", self.moves_mm_s, self.mm_s, "mm/s", message, "note")
+            return [Finding(*told)]
+        if not self.slides and (below_mm_s is None or self.mm_s <= below_mm_s):
+            return []
+        if self.slides:
+            message = "slides: what it has to bear is beyond the cone of friction"
+            return [Finding("slides", self.name, touching, "load", self.load_n, None, "N", message, "error")]
+        message = "creeps faster than it may"
+        prescription = f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
+        advice = for_option(scene, {}, prescription)
+        return [Finding("creep", self.name, touching, "creep", self.mm_s, below_mm_s, "mm/s", message, advice=advice)]
+
+    def as_json(self) -> dict[str, Any]:
+        return {
+            "body": self.name,
+            "load_n": self.load_n,
+            "point_count": self.point_count,
+            "mm_s": None if self.slides else self.mm_s,
+            "acceleration_mm_s": self.acceleration_mm_s,
+            "slides": self.slides,
+            "moves_mm_s": self.moves_mm_s,
+        }
+
+
+def held(scene: Scene, target: Target, work: Work) -> Hold | None:
+    """Let the scene settle and predict what its body creeps; None where nothing ever touches it.
+
+    Raises:
+        TargetError: There is no such body.
+    """
+    body = body_of(scene, target.name, work.body)
+    for time_s in (work.settle_s, 0.1 * work.settle_s):
+        data = settled(scene.model, started(scene.model, target.data), time_s * (1.0 - READ_SHARE))
+        steps = max(1, round(time_s * READ_SHARE / scene.model.opt.timestep))
+        if touches := touches_of(scene, data, body, steps):
+            hold = predicted_hold(scene, body, touches, work, data)
+            return hold if time_s == work.settle_s else replace(hold, mm_s=math.inf)  # it was held, and is lost
+    return None
+
+
+def body_of(scene: Scene, target: str, name: str) -> int:
+    if name not in scene.bodies[1:]:
+        raise TargetError(f"{target}: has no body {name}; it has {', '.join(scene.bodies[1:][:12])}")
+    return scene.bodies.index(name)
+
+
+def started(model: mujoco.MjModel, given: mujoco.MjData | None = None) -> mujoco.MjData:
+    """The state in which a scene starts: a copy of the given one, or its first keyframe, or the model's own."""
+    data = mujoco.MjData(model)
+    if given is not None:
+        for name in ("time", "qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
+            if name == "time":
+                data.time = given.time
+            else:
+                getattr(data, name)[:] = getattr(given, name)
+    elif model.nkey:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    return data
+
+
+def settled(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> mujoco.MjData:
+    for _ in range(round(time_s / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    return data
+
+
+def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) -> list[Touch]:
+    """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
+    model, sums = scene.model, {}
+    own = model.body_weldid == model.body_weldid[body]
+    for _ in range(step_count):
+        mujoco.mj_step(model, data)
+        seen: Counter[tuple[int, int]] = Counter()
+        for index in range(data.ncon):
+            one, other = (int(geom) for geom in data.contact[index].geom)
+            mine = [geom >= 0 and own[model.geom_bodyid[geom]] for geom in (one, other)]
+            if mine[0] != mine[1] and (told := _told(scene, data, index)) is not None:
+                told[1:4] *= 1.0 if mine[1] else -1.0
+                pair = (min(one, other), max(one, other))
+                count, total = sums.get((pair, seen[pair]), (0, np.zeros(len(told))))
+                sums[pair, seen[pair]] = count + 1, total + told
+                seen[pair] += 1
+    return [
+        Touch(
+            *(pair, count / step_count, float(total[0]) / step_count, total[1:4] / step_count),
+            *(total[4:7] / count, total[7:10] / count, float(total[10]) / count, float(total[11]) / count),
+        )
+        for (pair, _), (count, total) in sums.items()
+    ]
+
+
+def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
+    """Normal force, friction on the second geom, normal, position, used share of the cone and weight of one contact."""
+    model, contact, force = scene.model, data.contact[index], np.zeros(6)
+    if contact.efc_address < 0:
+        return None
+    mujoco.mj_contactForce(model, data, index, force)
+    if force[0] <= 0.0:
+        return None
+    frame = contact.frame.reshape(3, 3)
+    shares = np.abs(force[1:3]) / contact.friction[:2]
+    is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
+    used = float(shares.sum() if is_pyramid else np.hypot(*shares)) / force[0]
+    stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
+    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)
+    if scene.option.discrete:
+        h = model.opt.timestep
+        weight *= 1.0 + damping * h + stiffness * d * h * h
+    if is_pyramid and contact.dim > 1:
+        mu = contact.friction[0]
+        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))
+    return np.concatenate([force[:1], force[1:3] @ frame[1:], frame[0], contact.pos, [used, weight]])
+
+
+def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
+    """The creep of a held body by the law, under the settings of a scene, and with what else moves it.
+
+    Args:
+        data: A state in which the body is touched so.
+    """
+    model, option = scene.model, scene.option
+    mass = float(model.body_subtreemass[body])
+    gravity = model.opt.gravity
+    down = gravity / max(float(np.linalg.norm(gravity)), 1e-12)
+    flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
+    pairs = _pair_indices(scene)
+    turning, points = np.zeros(3), []
+    for touch in touches:
+        contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
+        response = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
+        points.append((response, touch.normal_n))
+        arm = touch.position - data.xpos[model.body_rootid[_other(model, body, touch)]]
+        outward = work.turn_rad_s**2 * (arm - (arm @ down) * down)
+        turning = turning + response.acceleration_s * (outward - (outward @ touch.normal) * touch.normal) / len(touches)
+    arm = data.subtree_com[body] - data.xpos[model.body_rootid[_other(model, body, touches[0])]]
+    more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
+    load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold
+    total = float(np.linalg.norm(load))
+    grip = sum(touch.used * touch.normal_n for touch in touches) / sum(touch.normal_n for touch in touches)
+    slide = shared_slide_m_s(points, total)
+    creep = np.zeros(3)
+    if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
+        linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
+        creep = _slide(model, data, body, touches, points, more) * (slide / linear)
+    rate = float(np.linalg.norm(turning + creep))
+    speed = _speed(model, data, body, touches[0])
+    if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):
+        rate = math.inf
+    rates = (M * rate, M * float(np.linalg.norm(turning)), M * speed)
+    return Hold(body, scene.bodies[body], touches, total, *rates, data)
+
+
+def _slide(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    body: int,
+    touches: Sequence[Touch],
+    points: Sequence[tuple[Response, float]],
+    more_n: np.ndarray,
+) -> np.ndarray:
+    """How a body moves as one where each point gives way to its friction and none to its normal force [m/s].
+
+    The friction of the points, and what acts on the centre of mass besides, are borne by a motion of the joints that
+    the body has alone.
+    """
+    support = np.zeros((3, model.nv))
+    mujoco.mj_jac(model, data, support, None, data.xpos[body], _other(model, body, touches[0]))
+    own, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))
+    mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
+    centre = jacobian[:, own].copy()
+    bears, acts = np.zeros((own.sum(), own.sum())), centre.T @ more_n
+    hard = STIFFER / min(response.load_m_s_n for response, _ in points)
+    for touch, (response, _) in zip(touches, points, strict=True):
+        mujoco.mj_jac(model, data, jacobian, None, touch.position, body)
+        along = np.eye(3) - np.outer(touch.normal, touch.normal)
+        stiffness = along / response.load_m_s_n + hard * np.outer(touch.normal, touch.normal)
+        bears += jacobian[:, own].T @ stiffness @ jacobian[:, own]
+        acts -= jacobian[:, own].T @ touch.tangential_n
+    return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
+
+
+def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, touch: Touch) -> float:
+    """How fast a body moves relative to what it touches [m/s]."""
+    own, other = np.zeros(6), np.zeros(6)
+    support = _other(model, body, touch)
+    for each, into in ((body, own), (support, other)):
+        mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), each, into, 0)
+    carried = other[3:] + np.cross(other[:3], data.xpos[body] - data.xpos[support])
+    return float(np.linalg.norm(own[3:] - carried))
+
+
+def _other(model: mujoco.MjModel, body: int, touch: Touch) -> int:
+    """The body that a touch is with."""
+    one, other = model.geom_bodyid[list(touch.geoms)]
+    return int(other if model.body_weldid[one] == model.body_weldid[body] else one)
+
+
+def _pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
+    """Index of each pair by its geoms, the lower first; a pair that is named twice has the last."""
+    contacts = scene.contacts
+    pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
+    return {(int(one), int(other)): index for index, (one, other) in enumerate(pairs)}

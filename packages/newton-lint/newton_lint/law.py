@@ -1,0 +1,180 @@
+"""The whole law of creep: what a contact's slide comes to under each integrator, cone and flag of MuJoCo C.
+
+``creep`` has the law of a friction row as if time had no steps. Here the step h is in it: under an acceleration a that
+its rows leave out a contact slides by a h/2 less with the integrators that move by the new velocity, by a h/2 more with
+``discrete``, which evaluates rows at the end of the step, and neither with RK4. ``discrete`` weighs rows by
+1 + b h + h² k d besides (MuJoCo documentation, "Computation", numerical integration). The tests hold all of it against
+the engine.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from newton_lint.creep import clamped, impedance_at, response
+
+EULER, RK4, IMPLICIT, IMPLICITFAST, DISCRETE = range(5)
+"""``mjtIntegrator``; the last since MuJoCo 3.13."""
+STEP_SHARE = {EULER: -0.5, RK4: 0.0, IMPLICIT: -0.5, IMPLICITFAST: -0.5, DISCRETE: 0.5}
+"""What of h an acceleration's response has besides 1/b."""
+DEFAULT_SOLREF = (0.02, 1.0)
+MIN_WIDTH = 1e-15
+"""mjMINVAL: a solimp that is narrower has no shape."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """What the engine is told of all contacts."""
+
+    timestep_s: float
+    integrator: int = EULER
+    cone: str = "pyramidal"
+    impratio: float = 1.0
+    refsafe: bool = True
+    noslip: bool = False
+    """Whether a noslip pass follows, which leaves R out."""
+
+    @property
+    def discrete(self) -> bool:
+        return self.integrator == DISCRETE
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What the engine makes of two geoms where they touch."""
+
+    solref: tuple[float, float]
+    solimp: tuple[float, ...]
+    mu: float
+    weight_1_kg: float
+    """The diagonal of A along a tangent: the sum of both bodies' translational body_invweight0."""
+    solreffriction: tuple[float, float] = (0.0, 0.0)
+    condim: int = 3
+
+
+@dataclass(frozen=True)
+class Response:
+    """How a contact that holds gives way at one depth."""
+
+    acceleration_s: float
+    """m/s for each m/s² that its rows leave out."""
+    load_m_s_n: float
+    """m/s for each newton of tangential force on one point; up to half the cone where the cone is a pyramid."""
+    edge_count: int = 0
+    """Of the pyramid; 0 where the cone is none."""
+    mu: float = 1.0
+
+    def slide_m_s(self, load_n: float) -> float:
+        """The steady slide under a load well within the cone [m/s]."""
+        return self.load_m_s_n * load_n
+
+    def force_n(self, slide_m_s: float, normal_n: float) -> float:
+        """The friction with which a point that a force presses on resists a slide along an axis of the contact [N].
+
+        Beyond 2/n of the cone one of a pyramid's n edges lets go, and the others share what is left.
+        """
+        most = self.mu * normal_n
+        force = slide_m_s / self.load_m_s_n if self.load_m_s_n else math.inf
+        if self.edge_count and force * self.edge_count > 2.0 * most:
+            others = self.edge_count - 2
+            force = (0.5 * force * others + most) / (others + 1)
+        return min(force, most)
+
+
+def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) -> float:
+    """The slide in which points with their normal forces bear a load together; infinite beyond their cones."""
+    if load_n >= sum(response.mu * normal for response, normal in points):
+        return math.inf
+    low, high = 0.0, 1.0
+    for _ in range(80):
+        slide = 0.5 * (low + high)
+        if sum(response.force_n(slide, normal) for response, normal in points) < load_n:
+            low = slide
+        else:
+            high = slide
+    return high
+
+
+def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
+    """A solref as the engine takes it: the default in place of one that is half timeconst and half stiffness."""
+    first, second = solref
+    return DEFAULT_SOLREF if (first > 0.0) != (second > 0.0) else (first, second)
+
+
+def response_of(contact: Contact, option: Option, d: float | None = None) -> Response:
+    """How a contact gives way at an impedance, that of solimp's full width where none is said.
+
+    Infinite where nothing damps it.
+    """
+    dmax = clamped(contact.solimp[1])
+    d = impedance(contact.solimp, contact.solimp[2]) if d is None else clamped(d)
+    h = option.timestep_s
+    safe_step = h if option.refsafe and not option.discrete else 0.0
+    pyramid = option.cone == "pyramidal"
+    stiff, damp = stiffness(contact, option, d), _normal_damping(contact, option, d)
+    own = contact.solreffriction
+    has_own = not pyramid and any(own) and (own[0] > 0.0) == (own[1] > 0.0)
+    inverse_b = response(own if has_own else solref_taken(contact.solref), dmax, safe_step)
+    r = (1.0 - d) / d * contact.weight_1_kg / option.impratio * (1.0 + contact.mu**2 if pyramid else 1.0)
+    weight = 1.0
+    if option.discrete and pyramid:
+        inverse_b = 1.0 / (damp + h * stiff * d) if damp + h * stiff * d else math.inf
+    elif option.discrete:
+        own_damp = 1.0 / inverse_b if inverse_b else math.inf
+        weight = (1.0 + own_damp * h) / (1.0 + damp * h + h * h * stiff * d)
+    return Response(
+        acceleration_s=inverse_b + STEP_SHARE.get(option.integrator, 0.0) * h,
+        load_m_s_n=0.0 if option.noslip else r * weight * inverse_b if r else 0.0,
+        edge_count=2 * (contact.condim - 1) if pyramid else 0,
+        mu=contact.mu,
+    )
+
+
+def impedance(solimp: Sequence[float], depth_m: float) -> float:
+    """d at a depth, also of a solimp without width, whose d is the mean."""
+    if solimp[2] <= MIN_WIDTH:
+        return 0.5 * (clamped(solimp[0]) + clamped(solimp[1]))
+    return impedance_at(solimp, depth_m)
+
+
+def stiffness(contact: Contact, option: Option, d: float) -> float:
+    """k of a contact's normal row [1/s²]."""
+    dmax = clamped(contact.solimp[1])
+    first, second = solref_taken(contact.solref)
+    if first <= 0.0:
+        return -first / dmax**2
+    if option.refsafe and not option.discrete:
+        first = max(first, 2.0 * option.timestep_s)
+    k = 1.0 / (dmax * first * second) ** 2
+    return min(k, 1.0 / (option.timestep_s**2 * d)) if option.refsafe and option.discrete else k
+
+
+def _normal_damping(contact: Contact, option: Option, d: float) -> float:
+    """b of a contact's normal row [1/s], which ``discrete`` gives the stiffness that it has under refsafe."""
+    solref = solref_taken(contact.solref)
+    dmax = clamped(contact.solimp[1])
+    if solref[0] > 0.0 and option.discrete and option.refsafe:
+        authored = 1.0 / (dmax * solref[0] * solref[1]) ** 2
+        if (k := stiffness(contact, option, d)) < authored:
+            return 2.0 * solref[1] * math.sqrt(k)
+    inverse = response(solref, dmax, option.timestep_s if option.refsafe and not option.discrete else 0.0)
+    return 1.0 / inverse if inverse else math.inf
+
+
+def settled_impedance(contact: Contact, option: Option, normal_n: float) -> float:
+    """The impedance at the depth to which a normal force presses one contact point.
+
+    At rest k d r balances R f, and d depends on the depth r: solved by halving.
+    """
+    weight = contact.weight_1_kg
+    if option.cone == "pyramidal":  # all edges of the pyramid bear it, each with the R that matches the friction
+        weight *= (1.0 + contact.mu**2) * contact.mu**2 / option.impratio / (contact.condim - 1)
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        depth = 0.5 * (low + high)
+        d = impedance(contact.solimp, depth)
+        if stiffness(contact, option, d) * d * depth < (1.0 - d) / d * weight * normal_n:
+            low = depth
+        else:
+            high = depth
+    return impedance(contact.solimp, 0.5 * (low + high))

@@ -1,0 +1,142 @@
+"""Reports as text, as JSON, as SARIF and as annotations of GitHub."""
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+
+from newton_lint.findings import SEVERITIES, Finding, alike
+from newton_lint.prediction import Load, Prediction
+from newton_lint.report import Report, as_json
+
+SHOWN = 3
+"""Names that a line of text has before it counts the rest."""
+WORST = 5
+"""Creeps that are shown where not all are asked for."""
+LEAST_MM_S = 1e-3
+"""Slower creep is told as being below it."""
+LEVELS = {"note": "notice", "warning": "warning", "error": "error"}
+"""What GitHub calls a severity."""
+USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
+"""What ``used`` is called where it is not what the engine uses."""
+FORMATS = ("text", "json", "sarif", "github")
+
+
+def written(reports: Sequence[Report], form: str, everything: bool) -> str:
+    """All reports in one of ``FORMATS``."""
+    if form == "json":
+        objects = [as_json(report) for report in reports]
+        return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1, ensure_ascii=False)
+    if form == "sarif":
+        return json.dumps(_sarif(reports), indent=1, ensure_ascii=False)
+    told = _github if form == "github" else lambda report: _text(report, everything)
+    return "\n".join(line for report in reports for line in told(report))
+
+
+def _text(report: Report, everything: bool) -> Iterator[str]:
+    """What was read, what was found in it, and the creep."""
+    groups = alike(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
+    size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
+    counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
+    said = ", ".join(_counted(count, name) for name, count in counts.items() if count)
+    yield f"{report.target}: {size}: {said or 'nothing found'}"
+    for group in groups:
+        finding = group[0]
+        place = f"{finding.element.file}:{finding.element.line}: " if finding.element else ""
+        yield f"  {place}{finding.severity} {finding.rule}: {sentence(group)}"
+        if finding.advice:
+            yield f"      {finding.advice}"
+    if report.hold:
+        hold = report.hold
+        rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
+        yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
+    shown = report.creep if everything else report.creep[:WORST]
+    if shown:
+        yield "predicted creep, which is no finding:"
+    for prediction in shown:
+        yield f"  {creep_line(prediction, report.load)}"
+    if rest := len(report.creep) - len(shown):
+        yield f"  and {rest} more: --all shows them"
+
+
+def sentence(group: Sequence[Finding]) -> str:
+    """Findings that say the same, as a sentence."""
+    finding = group[0]
+    unit = f" {finding.unit}" if finding.unit not in ("1", "count") else ""
+    said = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
+    if finding.used is not None:
+        said += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
+    if not finding.shape:
+        return said
+    place = _named(member.shape for member in group)
+    if finding.against:
+        count = sum(len(member.against) for member in group)
+        place += f" against {_named(other for member in group for other in member.against)}"
+        place += f" ({count} pairs)" if count > 1 else ""
+    return f"{place}: {said}"
+
+
+def creep_line(prediction: Prediction, load: Load) -> str:
+    count = len(prediction.pairs)
+    place = f"{_named(one for one, _ in prediction.pairs)} on {_named(other for _, other in prediction.pairs)}"
+    parts = [
+        f"timeconst {prediction.timeconst_s:.3g} s",
+        f"{1e3 * prediction.acceleration_s:.3g} mm/s for each m/s² of a support that turns",
+    ]
+    if load.acceleration_m_s2:
+        parts.append(f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²")
+    if load.load_n:
+        least, most = prediction.load_mm_s
+        between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
+        parts.append(f"{between} under {load.load_n:g} N on a contact point")
+    return f"{place}{f' ({count} pairs)' if count > 1 else ''}: {'; '.join(parts)}"
+
+
+def rated(mm_s: float) -> str:
+    return f"{mm_s:.3g} mm/s" if abs(mm_s) >= LEAST_MM_S or not mm_s else f"below {LEAST_MM_S:g} mm/s"
+
+
+def _github(report: Report) -> Iterator[str]:
+    for group in alike(report.findings):
+        finding = group[0]
+        element = finding.element
+        place = f"file={element.file},line={element.line}," if element else f"file={report.target},"
+        advice = f" {finding.advice}" if finding.advice else ""
+        said = f"{sentence(group)}.{advice}".replace("%", "%25").replace("\n", "%0A")
+        yield f"::{LEVELS[finding.severity]} {place}title=newton-lint {finding.rule}::{said}"
+
+
+def _sarif(reports: Sequence[Report]) -> dict:
+    """Static Analysis Results Interchange Format 2.1.0, of OASIS."""
+    results = [
+        {
+            "ruleId": group[0].rule,
+            "level": group[0].severity,
+            "message": {"text": sentence(group) + (f". {group[0].advice}" if group[0].advice else "")},
+            "locations": [_location(group[0], report)],
+        }
+        for report in reports
+        for group in alike(report.findings)
+    ]
+    rules = [{"id": rule} for rule in sorted({result["ruleId"] for result in results})]
+    run = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
+    schema = "https://json.schemastore.org/sarif-2.1.0.json"
+    return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+
+
+def _location(finding: Finding, report: Report) -> dict:
+    element = finding.element
+    place: dict = {"artifactLocation": {"uri": str(element.file) if element else report.target}}
+    if element:
+        place["region"] = {"startLine": element.line}
+    return {"physicalLocation": place}
+
+
+def _named(names: Iterable[str]) -> str:
+    """The names, each once, and no more than a line has room for."""
+    different = list(dict.fromkeys(names))
+    if len(different) > SHOWN + 1:
+        return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"
+    return ", ".join(different)
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

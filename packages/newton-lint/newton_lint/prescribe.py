@@ -1,0 +1,300 @@
+"""``newton-lint prescribe``: settings that keep a held body's creep below a bound, found by the law, then measured."""
+
+import copy
+import itertools
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+
+from newton_lint.command import CLEAN, FOUND, Parser, add_work, positive
+from newton_lint.creep import M
+from newton_lint.findings import Change
+from newton_lint.fix import fix
+from newton_lint.hold import SETTLE_S, Hold, Work, held, predicted_hold, settled, started
+from newton_lint.law import IMPLICITFAST
+from newton_lint.output import rated
+from newton_lint.report import scene_of
+from newton_lint.scene import Engine, Scene
+from newton_lint.target import Target, TargetError, read_target
+
+BELOW_MM_S = 0.1
+SAFETY = 0.8
+"""Share of the bound that a prediction has to be below to be tried first."""
+MEASURED_S = 1.0
+"""Time over which creep is measured, after the settling."""
+TIMECONSTS_S = (0.01, 0.005, 0.002)
+IMPRATIOS = (10.0, 100.0, 1000.0)
+STEP_SHARES = (1.0, 0.5, 0.25)
+NOSLIP = 10
+INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast", "discrete")
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is set; None is left as the scene has it."""
+
+    timeconst_s: float | None = None
+    """Of the geoms that touch."""
+    impratio: float | None = None
+    elliptic: bool = False
+    timestep_s: float | None = None
+    integrator: int | None = None
+    noslip: bool = False
+
+    def option(self) -> dict[str, str]:
+        """Attributes of ``<option>``."""
+        integrator = None if self.integrator is None else INTEGRATORS[self.integrator]
+        said = {
+            "timestep": self.timestep_s and f"{self.timestep_s:g}",
+            "cone": "elliptic" if self.elliptic else None,
+            "impratio": self.impratio and f"{self.impratio:g}",
+            "integrator": integrator,
+            "noslip_iterations": str(NOSLIP) if self.noslip else None,
+        }
+        return {name: value for name, value in said.items() if value}
+
+    @property
+    def change_count(self) -> int:
+        return len(self.option()) + (self.timeconst_s is not None)
+
+    def __str__(self) -> str:
+        said = [f'{name}="{value}"' for name, value in self.option().items()]
+        if self.timeconst_s is not None:
+            said.append(f'solref="{self.timeconst_s:g} 1"')
+        return " ".join(said) or "as it is"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A setting with what is predicted and what was measured of it."""
+
+    setting: Setting
+    predicted_mm_s: float
+    measured_mm_s: float
+    step_us: float
+    """Time of the processor that a step takes."""
+    second_s: float
+    """Time of the processor that a simulated second takes."""
+
+
+def main(arguments: Sequence[str]) -> int:
+    made = Parser(prog="newton-lint prescribe", description=__doc__)
+    made.add_argument(
+        "target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model, or with its data"
+    )
+    add_work(made)
+    made.add_argument("--tries", type=int, default=5, metavar="N", help="settings that are simulated; default: 5")
+    made.add_argument("--time", type=positive, default=45.0, metavar="S", help="after which no more are; default: 45")
+    made.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
+    given = made.parse_args(arguments)
+    if not given.hold:
+        made.error("--hold BODY says what is held")
+    target = read_target(given.target)
+    if target.model is None:
+        raise TargetError(f"{given.target}: is no model of MuJoCo's")
+    scene = scene_of(target, Engine(given.engine or "mujoco"))
+    work = Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift)
+    bound = given.below or BELOW_MM_S
+    found = prescribed(scene, target, work, bound, given.tries, given.time)
+    geoms = touched(scene, found.hold)
+    print("\n".join(_table(found.trials, bound)))
+    best = found.best(bound)
+    if best is None:
+        beyond = "slides: what it bears is beyond its friction, which takes a larger μ or a firmer grip"
+        tried = f"creeps: nothing that was tried keeps it below {bound:g} mm/s"
+        print(f"{given.hold} {beyond if found.hold.slides else tried}")
+        return FOUND
+    changes = changes_of(scene, best.setting, geoms)
+    print("the least that does:" if changes else "nothing has to change")
+    print("\n".join(f"  {change}" for change in changes))
+    if given.fix:
+        print("\n".join(fix(changes, scene.source)))
+    return CLEAN
+
+
+@dataclass(frozen=True)
+class Prescription:
+    """What was tried on a held body; the first trial is of the scene as it is."""
+
+    hold: Hold
+    trials: Sequence[Trial]
+
+    def best(self, bound_mm_s: float) -> Trial | None:
+        """The cheapest that was measured below a bound, with the fewest changes of those that cost alike."""
+        good = [trial for trial in self.trials if trial.measured_mm_s <= bound_mm_s]
+        dearest = min((trial.second_s for trial in good), default=0.0) * 1.25
+        affordable = (trial for trial in good if trial.second_s <= dearest)
+        return min(
+            affordable,
+            key=lambda trial: (trial.setting.change_count + trial.setting.noslip, -trial.measured_mm_s),
+            default=None,
+        )
+
+
+def prescribed(
+    scene: Scene, target: Target, work: Work, bound_mm_s: float, tries: int = 5, time_s: float = 45.0
+) -> Prescription:
+    """Search settings by the law and measure the best of them."""
+    since = time.perf_counter()
+    if (hold := held(scene, target, work)) is None:
+        raise TargetError(f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip")
+    ranked = sorted(candidates(scene, hold, work), key=lambda each: _rank(each, bound_mm_s, scene))
+    trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
+    for setting, predicted in () if hold.slides else ranked:
+        if len(trials) > tries or time.perf_counter() - since > time_s:
+            break
+        trials.append(measured(scene, target, work, setting, hold, predicted))
+        if trials[-1].measured_mm_s <= bound_mm_s and len(trials) > 3:
+            break
+    return Prescription(hold, trials)
+
+
+def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, float]]:
+    """Settings, with the creep that the law gives for each."""
+    option = scene.option
+    stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
+    timeconsts = [None, *(each for each in TIMECONSTS_S if each < stiffest or stiffest <= 0.0)]
+    impratios = [None, *(each for each in IMPRATIOS if each > option.impratio)]
+    noslips = (False, True) if not option.noslip and scene.engine.name == "mujoco" else (False,)
+    integrators = (None, IMPLICITFAST) if work.turn_rad_s and option.integrator != IMPLICITFAST else (None,)
+    for timeconst, impratio, share, noslip, integrator in itertools.product(
+        timeconsts, impratios, STEP_SHARES, noslips, integrators
+    ):
+        step = option.timestep_s * share
+        if timeconst is not None and option.refsafe and timeconst < 2.0 * step:
+            continue
+        setting = Setting(
+            timeconst,
+            impratio,
+            elliptic=option.cone == "pyramidal" and (impratio is not None),
+            timestep_s=step if share < 1.0 else None,
+            integrator=integrator,
+            noslip=noslip,
+        )
+        if setting.change_count:
+            changed = replace(scene, model=with_setting(scene, setting, hold))
+            yield setting, predicted_hold(changed, hold.body, hold.touches, work, hold.data).mm_s
+
+
+def touched(scene: Scene, hold: Hold) -> list[int]:
+    """The geoms of what touches whose parameters count."""
+    geoms = {geom for touch in hold.touches for geom in touch.geoms if geom >= 0}
+    return sorted(geom for geom in geoms if scene.counts[geom]) or sorted(geoms)
+
+
+def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
+    """A copy of the model with a setting."""
+    model = copy.copy(scene.model)
+    if setting.timeconst_s is not None:
+        for geom in touched(scene, hold):
+            model.geom_solref[geom] = (setting.timeconst_s, 1.0)
+        pairs = [sorted(touch.geoms) for touch in hold.touches]
+        for index, pair in enumerate(np.sort(np.stack([model.pair_geom1, model.pair_geom2], axis=1), axis=1).tolist()):
+            if pair in pairs:
+                model.pair_solref[index] = (setting.timeconst_s, 1.0)
+    opt = model.opt
+    opt.timestep = setting.timestep_s or opt.timestep
+    opt.impratio = setting.impratio or opt.impratio
+    if setting.elliptic:
+        opt.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+    if setting.integrator is not None:
+        opt.integrator = setting.integrator
+    if setting.noslip:
+        opt.noslip_iterations = NOSLIP
+    return model
+
+
+def _rank(candidate: tuple[Setting, float], bound_mm_s: float, scene: Scene) -> tuple:
+    """What is predicted to be good first, of that the cheap, then what changes least; of the rest the slowest creep.
+
+    A noslip pass counts as one change more: MuJoCo Warp has none in most releases.
+    """
+    setting, predicted = candidate
+    good = predicted <= SAFETY * bound_mm_s
+    steps = scene.option.timestep_s / (setting.timestep_s or scene.option.timestep_s)
+    changes = setting.change_count + setting.noslip
+    return (0, steps, changes, -predicted) if good else (1, predicted, steps, changes)
+
+
+def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: Hold, predicted_mm_s: float) -> Trial:
+    """Simulate a setting from the scene's start: how far the body moves within what holds it."""
+    model = with_setting(scene, setting, hold)
+    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    data = settled(model, started(model, target.data), work.settle_s)
+    since = time.process_time()
+    moved = along(model, data, hold.body, MEASURED_S)
+    spent = time.process_time() - since
+    return Trial(
+        setting,
+        predicted_mm_s,
+        M * moved / MEASURED_S,
+        1e6 * spent * model.opt.timestep / MEASURED_S,
+        spent / MEASURED_S,
+    )
+
+
+def along(model: mujoco.MjModel, data: mujoco.MjData, body: int, time_s: float) -> float:
+    """Step on and return how far a body moves along what it is touched by most [m]; sinking in is no creep."""
+    support, normal = _support(model, data, body)
+    begin = within(data, body, support)
+    normal = data.xmat[support].reshape(3, 3).T @ normal
+    settled(model, data, time_s)
+    moved = within(data, body, support) - begin
+    return float(np.linalg.norm(moved - (moved @ normal) * normal))
+
+
+def _support(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> tuple[int, np.ndarray]:
+    """The body that touches a body in most points, and the normal there; the world where none does."""
+    own = model.body_weldid == model.body_weldid[body]
+    normals: dict[int, list[np.ndarray]] = {}
+    for index in range(data.ncon):
+        geoms = data.contact[index].geom
+        one, other = (int(model.geom_bodyid[geom]) if geom >= 0 else 0 for geom in geoms)
+        if own[one] != own[other]:
+            normals.setdefault(other if own[one] else one, []).append(data.contact[index].frame[:3].copy())
+    support = max(normals, key=lambda each: len(normals[each]), default=0)
+    return support, normals.get(support, [np.zeros(3)])[0]
+
+
+def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
+    """Where a body is, in another's frame [m]."""
+    return data.xmat[support].reshape(3, 3).T @ (data.xipos[body] - data.xpos[support])
+
+
+def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
+    """A setting as changes of files."""
+    option = setting.option()
+    changes = []
+    if option:
+        changes.append(Change("option", tuple(option.items()), scene.source.option(next(iter(option)))))
+    if setting.timeconst_s is not None:
+        attributes = (("solref", f"{setting.timeconst_s:g} 1"),)
+        changes += [Change(scene.names[geom], attributes, scene.source.geom(geom)) for geom in geoms]
+    return changes
+
+
+def pareto(trials: Sequence[Trial]) -> list[bool]:
+    """Of which no other is both slower in its creep and faster to simulate."""
+    return [
+        not any(
+            (other.measured_mm_s <= trial.measured_mm_s and other.second_s < trial.second_s)
+            or (other.measured_mm_s < trial.measured_mm_s and other.second_s <= trial.second_s)
+            for other in trials
+        )
+        for trial in trials
+    ]
+
+
+def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
+    """The trials with what was predicted and measured; a star marks what no other beats in both creep and time."""
+    head = f"{'':2}{'predicted':>18}{'measured':>18}{'per step':>10}{'per second':>12}"
+    yield f"{head}  setting (bound {bound_mm_s:g} mm/s)"
+    for trial, stands in zip(trials, pareto(trials), strict=True):
+        predicted = "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
+        yield (
+            f"{'*' if stands else '':2}{predicted:>18}{rated(trial.measured_mm_s):>18}"
+            f"{trial.step_us:>7.0f} µs{trial.second_s:>10.3f} s  {trial.setting}"
+        )

@@ -1,0 +1,137 @@
+"""What is said of a target: its size, what was found in it and the creep to expect."""
+
+import importlib
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from newton_lint.findings import SEVERITIES, Finding
+from newton_lint.hold import Hold, Work, held
+from newton_lint.prediction import Load, Prediction, predictions
+from newton_lint.rules import lint
+from newton_lint.scene import Engine, Scene
+from newton_lint.settings import is_ignored
+from newton_lint.source import Source
+from newton_lint.target import Target, newtons
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the command is asked for besides the targets."""
+
+    engine: Engine = field(default_factory=Engine)
+    load: Load = field(default_factory=Load)
+    work: Work | None = None
+    """A body to be held, and how it is moved."""
+    below_mm_s: float | None = None
+    """Creep from which what is held is a finding."""
+    ignore: Collection[str] = ()
+
+
+@dataclass(frozen=True)
+class Report:
+    """What is said of a target."""
+
+    target: str
+    dt_s: float
+    shape_count: int
+    """Shapes that can collide."""
+    pair_count: int
+    load: Load
+    findings: Sequence[Finding]
+    creep: Sequence[Prediction]
+    newton: str | None = None
+    """The release of Newton that read it; None where none did."""
+    hold: Hold | None = None
+    source: Source | None = None
+    """Of files that a fix may write."""
+
+    def worst(self) -> int:
+        """The index in ``SEVERITIES`` of the worst finding; -1 where there is none."""
+        return max((SEVERITIES.index(finding.severity) for finding in self.findings), default=-1)
+
+
+def report_of(target: Target, asked: Asked) -> Report:
+    """Lint a target.
+
+    Raises:
+        TargetError: It has no such body as is to be held, or Newton is needed and is not there.
+    """
+    if target.newton_model is not None:
+        return newtons(target.name, "newton_lint.of_newton.report", "report_of", target, asked)
+    scene = scene_of(target, asked.engine)
+    hold = held(scene, target, asked.work) if asked.work else None
+    found = lint(scene) + (hold.findings(scene, asked.below_mm_s) if hold else [])
+    if asked.work and not hold:
+        told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
+        found.append(Finding(*told, "nothing touches it at the end of it: it was never held", "error"))
+    if asked.engine.name == "newton" and target.path:
+        found += newtons(target.name, "newton_lint.of_newton.dropped", "dropped", scene, target)
+    return Report(
+        target=target.name,
+        dt_s=scene.option.timestep_s,
+        shape_count=scene.colliding,
+        pair_count=len(scene.contacts),
+        load=asked.load,
+        findings=[each for each in found if not is_ignored(each, scene.source, asked.ignore)],
+        creep=predictions(scene, asked.load),
+        newton=importlib.import_module("newton").__version__ if asked.engine.name == "newton" else None,
+        hold=hold,
+        source=scene.source,
+    )
+
+
+def scene_of(target: Target, engine: Engine | None = None) -> Scene:
+    return Scene(target.model, Source.of(target.path, target.model), engine or Engine())
+
+
+def as_json(report: Report) -> dict[str, Any]:
+    """What ``--json`` prints; docs/lint.md is its schema."""
+    return {
+        "schema": 2,
+        "target": report.target,
+        "newton": report.newton,
+        "dt_s": report.dt_s,
+        "shape_count": report.shape_count,
+        "pair_count": report.pair_count,
+        "findings": [_finding_json(finding) for finding in report.findings],
+        "creep": [_creep_json(prediction, report.load) for prediction in report.creep],
+        "hold": report.hold.as_json() if report.hold else None,
+    }
+
+
+def _finding_json(finding: Finding) -> dict[str, Any]:
+    element, advice = finding.element, finding.advice
+    names = ("rule", "shape", "against", "parameter", "value", "used", "unit", "message", "severity")
+    changes = advice.changes if advice else ()
+    return {
+        **{name: getattr(finding, name) for name in names},
+        "file": str(element.file) if element else None,
+        "line": element.line if element else None,
+        "advice": str(advice) if advice else None,
+        "changes": [
+            {
+                "subject": change.subject,
+                "attributes": dict(change.attributes),
+                "file": str(change.element.file) if change.element else None,
+                "line": change.element.line if change.element else None,
+            }
+            for change in changes
+        ],
+    }
+
+
+def _creep_json(prediction: Prediction, load: Load) -> dict[str, Any]:
+    return {
+        "pairs": [list(pair) for pair in prediction.pairs],
+        "timeconst_s": prediction.timeconst_s,
+        "dmax": prediction.dmax,
+        "response_s": prediction.response_s,
+        "acceleration_m_s2": load.acceleration_m_s2,
+        "acceleration_mm_s": prediction.acceleration_mm_s,
+        "load_n": load.load_n,
+        "load_deep_mm_s": prediction.load_mm_s[0],
+        "load_shallow_mm_s": prediction.load_mm_s[1],
+        "acceleration_response_s": prediction.acceleration_s,
+        "is_free": prediction.is_free,
+    }

@@ -1,0 +1,112 @@
+"""A scene as the rules read it: a compiled model, its pairs, what the engine makes of them, and where it is written."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from newton_lint.combined import Contacts, contacts_of, option_of
+from newton_lint.law import Option
+from newton_lint.source import Source
+
+FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+ACTUATED = (int(mujoco.mjtTrn.mjTRN_JOINT), int(mujoco.mjtTrn.mjTRN_JOINTINPARENT))
+TENDON = int(mujoco.mjtTrn.mjTRN_TENDON)
+
+
+@dataclass(frozen=True)
+class Engine:
+    """Whose rules count, and what is asked for in place of what the scene says."""
+
+    name: str = "mujoco"
+    """``mujoco``, ``warp`` or ``newton``."""
+    timestep_s: float | None = None
+    cone: str | None = None
+    impratio: float | None = None
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What the rules read of a MuJoCo model."""
+
+    model: mujoco.MjModel
+    source: Source
+    engine: Engine = Engine()
+
+    @cached_property
+    def option(self) -> Option:
+        engine = self.engine
+        asked = {"timestep_s": engine.timestep_s, "cone": engine.cone, "impratio": engine.impratio}
+        return replace(option_of(self.model), **{name: value for name, value in asked.items() if value is not None})
+
+    @cached_property
+    def contacts(self) -> Contacts:
+        return contacts_of(self.model, self.engine.name)
+
+    @cached_property
+    def colliding(self) -> int:
+        """How many geoms can collide."""
+        model = self.model
+        named = np.zeros(model.ngeom, dtype=bool)
+        named[model.pair_geom1] = named[model.pair_geom2] = True
+        return int(np.count_nonzero(model.geom_contype | model.geom_conaffinity | named))
+
+    @cached_property
+    def bodies(self) -> list[str]:
+        """Names of the bodies; one without a name goes by its number."""
+        return [self.model.body(index).name or f"body_{index}" for index in range(self.model.nbody)]
+
+    @cached_property
+    def names(self) -> list[str]:
+        """Body and geom of each geom, ``cube/box``; of the world's only the geom."""
+        model = self.model
+        geoms = [model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)]
+        owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
+        return [geom if owner in ("", geom) else f"{owner}/{geom}" for owner, geom in zip(owners, geoms, strict=True)]
+
+    @cached_property
+    def counts(self) -> np.ndarray:
+        """Whether a geom's own parameters count in any pair."""
+        contacts, there = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
+        plain = contacts.named < 0
+        there[contacts.first[plain]] = True
+        there[contacts.second[plain & ~contacts.outranked]] = True
+        return there
+
+    @cached_property
+    def free(self) -> np.ndarray:
+        """Whether a body hangs on nothing that holds it: it, or what it is fixed to, has a free joint."""
+        model = self.model
+        loose = np.zeros(model.nbody, dtype=bool)
+        loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
+        return loose[model.body_weldid]
+
+    @cached_property
+    def posed(self) -> mujoco.MjData:
+        """Places of the bodies in the model's own pose."""
+        data = mujoco.MjData(self.model)
+        mujoco.mj_kinematics(self.model, data)
+        mujoco.mj_comPos(self.model, data)
+        return data
+
+    @cached_property
+    def driven(self) -> np.ndarray:
+        """Whether an actuator moves a body's own joint, directly, by a tendon or by a coupling."""
+        model = self.model
+        joints = np.zeros(model.njnt, dtype=bool)
+        for kind, target in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True):
+            if kind in ACTUATED:
+                joints[target] = True
+            elif kind == TENDON:
+                at = model.tendon_adr[target]
+                wrapped = slice(at, at + model.tendon_num[target])
+                is_joint = model.wrap_type[wrapped] == int(mujoco.mjtWrap.mjWRAP_JOINT)
+                joints[model.wrap_objid[wrapped][is_joint]] = True
+        coupled = model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)
+        for pair in np.stack([model.eq_obj1id, model.eq_obj2id], axis=1)[coupled]:
+            if (pair >= 0).all() and joints[pair].any():
+                joints[pair] = True
+        bodies = np.zeros(model.nbody, dtype=bool)
+        bodies[model.jnt_bodyid[joints]] = True
+        return bodies

@@ -1,0 +1,61 @@
+"""What a project and a file ask of the lint: the table ``[tool.newton-lint]``, and comments that ignore rules."""
+
+import functools
+import re
+from collections.abc import Collection
+from pathlib import Path
+from typing import Any
+
+from newton_lint.findings import Finding
+from newton_lint.source import Source
+
+COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
+
+
+def table_of(folder: Path) -> dict[str, Any]:
+    """The table of the nearest pyproject.toml from a folder upward; empty where there is none."""
+    for place in (folder, *folder.parents):
+        file = place / "pyproject.toml"
+        if file.is_file():
+            return _toml(file).get("tool", {}).get("newton-lint", {})
+    return {}
+
+
+def _toml(file: Path) -> dict[str, Any]:
+    try:
+        import tomllib
+    except ImportError:  # Python 3.10
+        import tomli as tomllib
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
+    """Whether a finding's rule is ignored: everywhere, by a comment before the first tag, or one on its line or above.
+
+    A comment that names no rule ignores all.
+    """
+    if finding.rule in rules:
+        return True
+    if source.root is None:
+        return False
+    element = finding.element
+    for file in {source.root.file, *([element.file] if element else [])}:
+        first = source.root.line if file == source.root.file else 1
+        for line, named in _comments(file):
+            near = element is not None and element.file == file and element.line in (line, line + 1)
+            if (near or line < first or (line == first == 1)) and (not named or finding.rule in named):
+                return True
+    return False
+
+
+@functools.cache
+def _comments(file: Path) -> list[tuple[int, set[str]]]:
+    """Line and rules of each comment of the lint's in a file."""
+    text = file.read_text(encoding="utf-8", errors="replace")
+    if "newton-lint" not in text:
+        return []
+    found = []
+    for match in COMMENT.finditer(text):
+        rules = {rule.strip() for rule in (match[1] or "").split(",") if rule.strip()}
+        found.append((text.count("\n", 0, match.start()) + 1, rules))
+    return found

@@ -1,0 +1,192 @@
+"""Where a scene says what: the elements of MJCF and URDF with their file, line and place in the text."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from xml.parsers import expat
+
+import mujoco
+
+GROUPS = ("frame", "replicate")
+"""Elements of a body that are no bodies of their own."""
+
+
+@dataclass(frozen=True, eq=False)
+class Element:
+    """A tag as it stands in its file."""
+
+    tag: str
+    attributes: dict[str, str]
+    file: Path
+    line: int
+    start: int
+    """Byte of the file at which it opens."""
+    children: list["Element"] = field(default_factory=list)
+
+    def walk(self) -> Iterator["Element"]:
+        """It and all within it, in their order."""
+        yield self
+        for child in self.children:
+            yield from child.walk()
+
+    def sections(self, tag: str) -> Iterator["Element"]:
+        return (child for child in self.children if child.tag == tag)
+
+    @property
+    def place(self) -> str:
+        return f"{self.file.name}:{self.line}"
+
+
+def parse(path: Path, root: Path | None = None) -> Element:
+    """A file's first element, those of the files that it includes in place of their tags.
+
+    Raises:
+        OSError: There is no such file.
+        expat.ExpatError: It is no XML.
+    """
+    root = root or path.parent
+    parser = expat.ParserCreate()
+    open_elements: list[Element] = []
+    found: list[Element] = []
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        element = Element(tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex)
+        if tag == "include" and open_elements and "file" in attributes:
+            open_elements[-1].children.extend(_included(attributes["file"], path, root))
+        elif open_elements:
+            open_elements[-1].children.append(element)
+        else:
+            found.append(element)
+        open_elements.append(element)
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda _: open_elements.pop()
+    parser.Parse(path.read_bytes(), True)
+    return found[0]
+
+
+def _included(name: str, path: Path, root: Path) -> list[Element]:
+    for folder in (root, path.parent):
+        if (folder / name).is_file():
+            return parse(folder / name, root).children
+    return []
+
+
+class Source:
+    """The elements of a scene's file, and which geom of the compiled model stands where.
+
+    A scene that no file describes, or one with elements that make geoms of their own, has those alone that names tell.
+    """
+
+    def __init__(self, root: Element | None, model: mujoco.MjModel):
+        self.root = root
+        self._model = model
+
+    @classmethod
+    def of(cls, path: Path | None, model: mujoco.MjModel) -> "Source":
+        try:
+            return cls(parse(path) if path else None, model)
+        except (OSError, expat.ExpatError, IndexError):
+            return cls(None, model)
+
+    @cached_property
+    def _placed(self) -> list[tuple[Element, str | None, list[tuple[Element, str | None]]]]:
+        """Bodies in the order of the model, the world first: element, childclass, and its geoms with theirs."""
+        if self.root is None or self.root.tag != "mujoco":
+            return []
+        worlds = [child for world in self.root.sections("worldbody") for child in world.children]
+        return list(_bodies(Element("worldbody", {}, self.root.file, 1, 0, worlds), None))
+
+    @cached_property
+    def geoms(self) -> dict[int, tuple[Element, str | None]]:
+        """Element and class of the geoms whose place is known."""
+        bodies, model = self._placed, self._model
+        counts = [len(geoms) for _, _, geoms in bodies]
+        in_order = [geom for _, _, geoms in bodies for geom in geoms]
+        if counts == model.body_geomnum.tolist() and all(map(self._agrees, range(model.ngeom), in_order)):
+            return dict(enumerate(in_order))
+        named = {each[0].attributes["name"]: each for each in in_order if "name" in each[0].attributes}
+        names = ((index, model.geom(index).name) for index in range(model.ngeom))
+        return {index: named[name] for index, name in names if name in named}
+
+    def _agrees(self, index: int, placed: tuple[Element, str | None]) -> bool:
+        return self._model.geom(index).name.startswith(placed[0].attributes.get("name", ""))
+
+    @cached_property
+    def _defaults(self) -> dict[str, list[Element]]:
+        """The default elements of each class, its own before those that it is within."""
+        found: dict[str, list[Element]] = {}
+
+        def visit(element: Element, outer: list[Element], name: str) -> None:
+            chain = [element, *outer]
+            found[name] = chain + [each for each in found.get(name, []) if each not in chain]
+            for child in element.sections("default"):
+                visit(child, chain, child.attributes.get("class", name))
+
+        for element in self.root.sections("default") if self.root else ():
+            visit(element, [], element.attributes.get("class", "main"))
+        return found
+
+    @cached_property
+    def _main(self) -> str:
+        first = next(self.root.sections("default"), None) if self.root else None
+        return first.attributes.get("class", "main") if first else "main"
+
+    def authored(self, geom: int, attribute: str) -> Element | None:
+        """The element that says a geom's attribute, its own or a default's; None where none does."""
+        if geom not in self.geoms:
+            return None
+        element, name = self.geoms[geom]
+        if attribute in element.attributes:
+            return element
+        for default in self._defaults.get(name or self._main, self._defaults.get(self._main, [])):
+            for child in default.sections("geom"):
+                if attribute in child.attributes:
+                    return child
+        return None
+
+    def geom(self, index: int) -> Element | None:
+        """A geom's own element."""
+        return self.geoms[index][0] if index in self.geoms else None
+
+    def option(self, attribute: str = "") -> Element | None:
+        """The ``<option>`` that says an attribute; any where none does, and None where there is none."""
+        options = list(self.root.sections("option")) if self.root and self.root.tag == "mujoco" else []
+        said = [element for element in options if attribute in element.attributes]
+        return (said or options or [None])[-1]
+
+    def pair(self, *names: str) -> Element | None:
+        """The ``<pair>`` of two geoms, by their names."""
+        for contact in self.root.sections("contact") if self.root else ():
+            for pair in contact.sections("pair"):
+                if {pair.attributes.get("geom1"), pair.attributes.get("geom2")} == set(names):
+                    return pair
+        return None
+
+
+def _bodies(element: Element, inherited: str | None) -> Iterator[tuple]:
+    """A body and those within it; frames and replicates are passed through, and a replicate counts as often as it says.
+
+    Yields:
+        Element, childclass, and the geoms of the body with their classes.
+    """
+    childclass = element.attributes.get("childclass", inherited)
+    geoms: list[tuple[Element, str | None]] = []
+    bodies: list[tuple[Element, str | None]] = []
+    _collect(element, childclass, geoms, bodies)
+    yield element, childclass, geoms
+    for body, name in bodies:
+        yield from _bodies(body, name)
+
+
+def _collect(element: Element, childclass: str | None, geoms: list, bodies: list) -> None:
+    for child in element.children:
+        if child.tag == "geom":
+            geoms.append((child, child.attributes.get("class", childclass)))
+        elif child.tag == "body":
+            bodies.append((child, childclass))
+        elif child.tag in GROUPS:
+            count = int(child.attributes.get("count", "1")) if child.tag == "replicate" else 1
+            for _ in range(count):
+                _collect(child, child.attributes.get("childclass", childclass), geoms, bodies)

@@ -1,0 +1,88 @@
+"""The page's own engine in Node: it says what the tracked runs say, and ends whatever it is asked."""
+
+import json
+import os
+import random
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from experiments.facts.case import LEAN
+from experiments.facts.classes import CLASSES
+from experiments.lab.double import DoubleShake
+from measured_report.files.root import ROOT
+from report import lab_check
+from report.lab_check import QUERIES, SHAKE_FRAME_COUNT, rows_in_node
+
+pytestmark = pytest.mark.skipif(not shutil.which("node"), reason="there is no node to run the page's engine with")
+RECORD = str(ROOT / "results/newton-1.4.0/lab.json")
+RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "20"))
+"""Settings that are tried; 1000 take some minutes."""
+NUMBERS = {
+    "ke": (1e2, 1e7),
+    "kd": (5, 1e5),
+    "mu": (0.05, 5),
+    "impratio": (1, 1e3),
+    "substeps": (2, 64),
+    "grip_n": (1, 60),
+    "mass_g": (5, 1e3),
+    "edge_mm": (15, 60),
+    "amplitude_mm": (1e-3, 150),
+    "frequency_hz": (0.2, 3),
+    "gravity_m_s2": (1e-3, 20),
+}
+NAMES = {
+    "cone": ("elliptic", "pyramidal"),
+    "integrator": ("implicitfast", "Euler", "implicit", "RK4", "discrete"),
+    "term": ("off", "on", "centred"),
+}
+
+
+@pytest.mark.slow
+def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
+    tracked = {row["case"]: row for row in json.loads(Path(RECORD).read_text())["rows"]}
+    for case, row in zip(QUERIES, rows_in_node(RECORD, [*QUERIES.values()], SHAKE_FRAME_COUNT), strict=True):
+        assert row["class"] == tracked[case]["class"], case
+        if not tracked[case]["dropped"]:
+            bound = max(lab_check.BOUND_MM, lab_check.BOUND_SHARE * tracked[case]["slip_mm"])
+            assert abs(row["slip_mm"] - tracked[case]["slip_mm"]) <= bound, case
+        if row["drift_mm_s"] and case in ("as-shipped", "stiff-pads", "stiff-pads-10cm", "substeps-4"):
+            assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02), case
+
+
+@pytest.mark.slow
+def test_it_plans_the_arm_as_python_does():
+    """Targets of all joints, over set-up and shake, of a shake that is not tracked."""
+    case = replace(LEAN, shake_amplitude_m=0.05, shake_frequency_hz=0.8, frame_count=330)
+    run = DoubleShake(case, has_midphase=False)
+    targets = []
+    frame = run.frame
+    run.frame = lambda: (frame(), targets.append(run.data.ctrl.copy()))
+    run.run()
+    [row] = rows_in_node(RECORD, ["amplitude_mm=50&frequency_hz=0.8"], 100, TARGETS="1")
+    count = min(len(targets), len(row["targets"]))
+    assert count > 300
+    assert np.abs(np.array(targets[:count]) - np.array(row["targets"][:count])).max() < 1e-4
+
+
+@pytest.mark.slow
+def test_it_ends_whatever_it_is_asked():
+    chance = random.Random(4)
+    queries = []
+    for _ in range(RANDOM_COUNT):
+        said = {name: low * (high / low) ** chance.random() for name, (low, high) in NUMBERS.items()}
+        said |= {name: chance.choice(choices) for name, choices in NAMES.items()}
+        queries.append("&".join(f"{name}={value}" for name, value in said.items()))
+    rows = rows_in_node(RECORD, queries, 150)
+    assert len(rows) == RANDOM_COUNT and {row["class"] for row in rows} <= set(CLASSES)
+    assert all(row["reason"] or row["slip_mm"] is not None for row in rows)
+
+
+def test_what_an_address_says_badly_is_as_shipped_or_in_range():
+    queries = ["kd=nonsense&cone=round&substeps=2.4", "kd=1e99&substeps=2", "kd=100&substeps=2"]
+    badly, far, plain = rows_in_node(RECORD, queries, 10)
+    assert badly["pad_kd"] == 100 and badly["cone"] == "elliptic" and badly["slip_mm"] == plain["slip_mm"]
+    assert far["pad_kd"] == 1e5

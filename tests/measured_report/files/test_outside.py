@@ -1,0 +1,85 @@
+"""What comes from outside: records, manifests, traces and half-finished work that somebody else may have written."""
+
+import gzip
+import os
+import shutil
+import tracemalloc
+from argparse import Namespace
+
+import pytest
+from conftest import MODULE, ROWS
+
+from measured_report.changes.faults import faults_of
+from measured_report.commands import building
+from measured_report.deriving.editions import derive_edition
+from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.stack import stack_of
+from measured_report.files.atomic import RecordError, recover
+from measured_report.pages.prose import Templates
+from measured_report.records.reading import load_record
+from measured_report.records.record import write_record
+from measured_report.records.traces import load_trace, trace_path
+from measured_report.site.check import check_site
+
+WHOLE_DAMAGES = {
+    "text": lambda whole: (whole / "toy.json").write_text("{"),
+    "deep": lambda whole: (whole / "toy.json").write_text("[" * 100_000),
+    "pipe": lambda whole: ((whole / "toy.json").unlink(), os.mkfifo(whole / "toy.json")),
+    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to("/etc/passwd")),
+    "other": lambda whole: (whole / "noise.json").write_text("{}"),
+    "trace": lambda whole: (whole / "toy.stiff.csv.gz").write_bytes(b"x"),
+    "empty": lambda whole: [path.unlink() for path in whole.iterdir()],
+}
+
+
+@pytest.mark.parametrize("damage_to", WHOLE_DAMAGES.values(), ids=WHOLE_DAMAGES)
+def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(toy, damage_to):
+    folder = toy.record_path.parent
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    whole = folder / ".toy.whole"
+    shutil.copytree(folder, whole, ignore=shutil.ignore_patterns(".toy.whole"))
+    damage_to(whole)
+    [said] = recover(folder.parent, load_record)
+    assert said.startswith("damaged: ") and said.endswith("is at newton-1.4.0/.toy.damaged") and "\n" not in said
+    assert {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()} == before
+    assert recover(folder.parent, load_record) == []
+    write_record(toy.record_path, toy.record())
+    assert load_record(toy.record_path)
+
+
+@pytest.mark.parametrize("text", [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"], ids=["byte", "deep", "kind"])
+def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
+    manifest = toy.record_path.with_name("edition.toml")
+    write_manifest(manifest.parent, Manifest("1.4.0", "", ("toy", "lost")))
+    manifest.write_bytes(manifest.read_bytes() + text)
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    edition = derive_edition(toy.project, Templates(toy.project.templates))
+    assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [("damaged", "edition.toml")]
+    assert 'id="toy"' in toy.page
+
+
+def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy):
+    trace = trace_path(toy.record_path, "stiff")
+    trace.write_bytes(gzip.compress(b"a,b\n" + b"1,2\n" * 6_000_000))
+    tracemalloc.start()
+    with pytest.raises(RecordError, match="cells"):
+        load_trace(trace)
+    assert tracemalloc.get_traced_memory()[1] < 400 << 20
+    tracemalloc.stop()
+
+
+ODD = {
+    "null": lambda rows: [{**row, "slip_mm": None, "slip_mm_reason": "lost"} for row in rows],
+    "one row": lambda rows: rows[:1],
+    "zero": lambda rows: [{**row, "slip_mm": 0.0} for row in rows],
+}
+
+
+@pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
+@pytest.mark.parametrize("breaks", ["math.sqrt(stiff.slip_mm.value)", "math.log(soft.slip_mm.value)", "assert rows[1]"])
+def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(toy, odd, breaks):
+    code = f"import math\n{MODULE}".replace("    return Section", f"    {breaks}\n    return Section")
+    toy.write("report/sections/toy.py", code)
+    toy.measure(odd(ROWS))
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) in (0, 1)
+    assert check_site(toy.project.site) in ([], ["index.html: there is no claim on any page"])

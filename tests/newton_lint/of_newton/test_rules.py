@@ -1,0 +1,320 @@
+"""The lint: each rule on a model of two boxes, and all of them on the shake test as the solver really has it."""
+
+import time
+
+import mujoco
+import newton
+import numpy as np
+import pytest
+import warp as wp
+from newton.solvers import SolverMuJoCo
+
+from experiments.facts.case import AS_SHIPPED
+from experiments.lint import SCENES, measure
+from experiments.simulation.measurement import Conditions
+from experiments.simulation.simulation import Simulation
+from newton_lint.findings import Buffer, alike, columns, grouped
+from newton_lint.of_newton.compat import kf_is_read
+from newton_lint.of_newton.contacts import (
+    CONDIM,
+    CONES,
+    CONVERTED,
+    DEFAULT_SOLREF,
+    FORCE_SPACE,
+    RAW,
+    SOLIMP,
+    Shapes,
+    contacts_of,
+)
+from newton_lint.of_newton.prediction import predictions
+from newton_lint.of_newton.rules import Engine, lint
+from newton_lint.prediction import Load
+
+DT = 1.0 / 960.0
+ENGINE = Engine(DT)
+ShapeConfig = newton.ModelBuilder.ShapeConfig
+PAIR = ("body_0/box_0", "body_1/box_1")
+
+
+def builder_of_the_solver() -> newton.ModelBuilder:
+    builder = newton.ModelBuilder()
+    SolverMuJoCo.register_custom_attributes(builder)
+    return builder
+
+
+def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
+    """Two boxes that can touch; ``attributes`` are the solver's custom ones, a value for each box."""
+    builder = builder_of_the_solver()
+    for index, config in enumerate((first, second)):
+        body = builder.add_body(label=f"body_{index}")
+        custom = {f"mujoco:{name}": values[index] for name, values in attributes.items()}
+        config = ShapeConfig(**{"gap": 0.001, **config})
+        builder.add_shape_box(body, cfg=config, label=f"box_{index}", custom_attributes=custom)
+    return builder.finalize(device="cpu")
+
+
+def read_mjcf(xml: str) -> newton.Model:
+    builder = builder_of_the_solver()
+    builder.add_mjcf(xml)
+    return builder.finalize(device="cpu")
+
+
+def found(model: newton.Model, **options) -> list[tuple]:
+    return [
+        (
+            *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
+            finding.used if finding.used is None else pytest.approx(finding.used),
+        )
+        for finding in lint(model, Engine(DT, **options))
+    ]
+
+
+GAP = newton.ModelBuilder().rigid_gap
+STIFF = {"ke": 2.5e5, "kd": 1e3}
+UNREAD = {"restitution": 0.5, "mu_torsional": 0.1, "mu_rolling": 0.01}
+FOUND = {
+    "what a higher priority overrules": (
+        *({"ke": 8e4, "mu": 0.3}, {"kd": 200.0}, {"geom_priority": (0, 2)}),
+        [("priority", PAIR, "ke", 8e4, 2.5e3), ("priority", PAIR, "mu", 0.3, 1.0)],
+    ),
+    "not what reaches the solver": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (0, 0)}, []),
+    "nor what has the higher priority": ({"ke": 8e4, "kd": 500.0, "mu": 0.3}, {}, {"geom_priority": (2, 0)}, []),
+    "nor what both say": ({"mu": 0.3}, {"mu": 0.3}, {"geom_priority": (0, 1)}, []),
+    "solimp entry by entry": (
+        *({}, {}, {"geom_priority": (0, 1), "geom_solimp": ((0.7, 0.95, 0.001, 0.5, 2.0), SOLIMP)}),
+        [("priority", PAIR, "solimp[0]", 0.7, SOLIMP[0])],
+    ),
+    "a solref of its own": (
+        *({}, {}, {"geom_priority": (0, 1), "solref_mode": (RAW, RAW), "solref": ((0.05, 1.0), (0.02, 1.0))}),
+        [("priority", PAIR, "solref[0]", 0.05, 0.02)],
+    ),
+    "a gap left at the default beside one that was set": (
+        *({"gap": None}, {"gap": 0.004}, {}, [("default-gap", PAIR[:1], "gap", GAP, GAP + 0.004)]),
+    ),
+    "two such gaps are no finding": ({"gap": None}, {"gap": None}, {}, []),
+    "nor are two that were set": ({"gap": 0.002}, {"gap": 0.004}, {}, []),
+    "a timeconst below two substeps": (STIFF, STIFF, {}, [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]),
+    "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, []),
+    "a solref of its own takes the place of ke and kd": (
+        *({"ke": 8e4}, {}, {"solref": ((1e-3, 1.0),) * 2, "solref_mode": (RAW, RAW), "geom_priority": (0, 1)}),
+        [("timeconst", PAIR[::-1], "timeconst", 1e-3, 2 * DT)],
+    ),
+    "a small damping ratio": (*[{"ke": 1e4, "kd": 5.0}] * 2, {}, [("dampratio", PAIR, "dampratio", 0.025, 1.0)]),
+    "a large one": (*[{"ke": 1e4, "kd": 900.0}] * 2, {}, [("dampratio", PAIR, "dampratio", 4.5, 1.0)]),
+    "0.5 is not far from 1": (*[{"ke": 1e4, "kd": 100.0}] * 2, {}, []),
+    "nor is that of a stiffness and a damping": (
+        *({}, {}, {"solref": ((-2500.0, -100.0),) * 2, "solref_mode": (RAW, RAW)}, []),
+    ),
+    "but for a small one": (
+        *({}, {}, {"solref": ((-2500.0, -2.0),) * 2, "solref_mode": (RAW, RAW)}),
+        [("dampratio", PAIR, "dampratio", 0.02, 1.0)],
+    ),
+    "what no row of a contact reads": (
+        *(UNREAD, {}, {}, [("unused", PAIR[:1], name, value, None) for name, value in UNREAD.items()]),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_what_is_found_and_what_is_not(name):
+    first, second, attributes, expected = FOUND[name]
+    assert found(two_boxes(first, second, **attributes)) == expected
+
+
+CUBE_ON_FLOOR = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" solref="{floor}" priority="{priority}"/>
+    <body pos="0 0 0.09"><freejoint/><geom name="cube" type="box" size="0.1 0.1 0.1" {cube} priority="1"/></body>
+  </worldbody>
+</mujoco>
+"""
+
+
+@pytest.mark.parametrize(
+    ("floor", "cube", "lost"),
+    [
+        ("0.05 1", 'solref="0.02 0.7" solimp="0.8 0.9 0.002"', [("solref[0]", 0.05)]),
+        ("0.05 0.5", 'solref="0.03 0.7"', [("solref[0]", 0.05), ("solref[1]", 0.5)]),
+        ("-2500 -100", 'solref="-900 -60"', []),  # of which MuJoCo Warp takes the smaller, whatever their priority
+        ("0.05 1", "", [("solref[0]", 0.05)]),
+        ("0.02 1", 'solref="0.05 1"', []),
+    ],
+)
+def test_a_solref_of_lower_priority_is_none_that_mujoco_solves_with(floor, cube, lost):
+    xml = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=0)
+    findings = [finding for finding in lint(read_mjcf(xml), ENGINE) if finding.rule == "priority"]
+    assert [(finding.parameter, pytest.approx(finding.value)) for finding in findings] == lost
+    engine = mujoco.MjModel.from_xml_string(xml)
+    data = mujoco.MjData(engine)
+    mujoco.mj_step(engine, data)
+    for finding in findings:
+        assert finding.shape == "floor" and len(data.contact.solref)
+        used = data.contact.solref[:, int(finding.parameter[-2])]
+        np.testing.assert_allclose(used, finding.used, rtol=1e-5)
+        assert not np.isclose(used, finding.value).any()
+    level = CUBE_ON_FLOOR.format(floor=floor, cube=cube, priority=1)
+    assert not [finding for finding in lint(read_mjcf(level), ENGINE) if finding.rule == "priority"]
+
+
+@pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
+def test_a_ke_without_kd_is_not_read(material, parameter):
+    model = two_boxes(material, {})
+    used = {"ke": ShapeConfig().ke, "kd": ShapeConfig().kd}[parameter]
+    assert found(model) == [("ke-without-kd", PAIR[:1], parameter, material[parameter], used)]
+    # Nothing is lost where neither is said, or where a solref is, or where both act as forces.
+    assert found(two_boxes({"ke": 0.0, "kd": 0.0}, {})) == []
+    for mode in (RAW, FORCE_SPACE):
+        assert found(two_boxes(material, material, solref=[DEFAULT_SOLREF] * 2, solref_mode=(mode, mode))) == []
+
+
+def test_a_kd_taken_for_a_share_of_ke_makes_a_timeconst_of_many_seconds():
+    """As in Newton 1.4.0's franka_cable_ik_pick_place, which gives all its shapes ke 1e4 and kd 1e-5 ke."""
+    [finding] = lint(two_boxes(*[{"ke": 1e4, "kd": 0.1}] * 2), ENGINE)
+    assert (finding.rule, finding.value) == ("dampratio", pytest.approx(5e-4))
+    assert "timeconst is 20 s" in finding.message
+
+
+def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
+    model = two_boxes({"kf": 50.0}, {})
+    unread = [("kf", PAIR[:1], "kf", 50.0, None)]
+    assert found(model, contacts="newton", cone="pyramidal") == unread
+    assert found(model, contacts="mujoco", cone="elliptic") == unread
+    assert found(model, contacts="newton", cone="elliptic") == ([] if kf_is_read() else unread)
+    assert found(two_boxes({}, {}), contacts="newton", cone="elliptic") == []
+    model = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
+    [(rule, shapes, _, _, used)] = found(model, contacts="newton", cone="elliptic", impratio=1.0)
+    if kf_is_read():  # a timeconst of 2 / (kf w) is two substeps
+        weight = 2.0 / float(model.body_mass.numpy()[0])
+        assert (rule, shapes, used) == ("kf", PAIR, pytest.approx(1.0 / (DT * weight)))
+    else:
+        assert (rule, shapes, used) == ("kf", PAIR[:1], None)
+
+
+@pytest.mark.parametrize("kf", [0.0, 50.0])
+def test_a_kf_of_0_that_is_read_takes_the_friction_and_the_creep(kf):
+    model = two_boxes({"kf": kf}, {}, geom_priority=(1, 0))
+    engine = Engine(DT, contacts="newton", cone="elliptic")
+    gone = kf == 0.0 and kf_is_read()
+    assert [finding.parameter for finding in lint(model, engine) if "friction away" in finding.message] == ["mu"] * gone
+    assert len(predictions(model, engine, Load(load_n=1.0))) == 1 - gone
+
+
+@pytest.mark.parametrize(("condim", "unread"), [(3, 2), (4, 1), (6, 0)])
+def test_spinning_and_rolling_take_rows_of_their_own(condim, unread):
+    """The larger condim of a pair counts, unless the other one outranks it."""
+    spinning = {"mu_torsional": 0.1, "mu_rolling": 0.01}
+    assert [rule for rule, *_ in found(two_boxes(spinning, {}, condim=(3, condim)))] == ["unused"] * unread
+    ranked = found(two_boxes(spinning, {}, condim=(3, condim), geom_priority=(1, 0)))
+    assert [rule for rule, *_ in ranked].count("unused") == 2
+
+
+@pytest.mark.parametrize(("capacity", "says"), [(9, "smaller"), (10, None), (40, None), (41, "larger")])
+def test_a_buffer_is_compared_with_the_measured_peak(capacity, says):
+    findings = lint(two_boxes({}, {}), ENGINE, buffers=[Buffer("contacts", capacity, 10)])
+    assert [(finding.rule, says in finding.message) for finding in findings] == ([("buffer", True)] if says else [])
+
+
+MJCF = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 1" solref="{geom} 1"/>
+    <body name="ball"><freejoint/><geom name="skin" size="0.1" solref="{geom} 1"/></body>
+  </worldbody>
+  <contact><pair geom1="floor" geom2="skin" solref="{pair}"/></contact>
+</mujoco>
+"""
+
+
+@pytest.mark.parametrize(
+    ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 0.01", ["dampratio"]), ("-100 -20", [])]
+)
+def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
+    model = read_mjcf(MJCF.format(geom=0.001, pair=pair))
+    assert [rule for rule, *_ in found(model)] == rules
+    assert [rule for rule, *_ in found(model, contacts="newton")] == ["timeconst"]  # which know of no such pair
+
+
+def test_models_without_shapes_or_the_solvers_attributes_and_an_engine_without_refsafe():
+    builder = newton.ModelBuilder()
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
+    body = builder.add_body()
+    assert lint(builder.finalize(device="cpu"), ENGINE, buffers=[Buffer("contacts", 5, 5)]) == []
+    builder.add_shape_box(body, cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
+    assert [finding.rule for finding in lint(builder.finalize(device="cpu"), ENGINE)] == ["timeconst"]
+    assert found(two_boxes(STIFF, STIFF), refsafe=False) == [], "nothing is clamped"
+
+
+def test_600_shapes_in_under_a_second():
+    builder = newton.ModelBuilder()
+    for index in range(600):
+        builder.add_shape_sphere(builder.add_body(label=f"ball_{index}"), cfg=ShapeConfig(ke=1e5, kd=2e3, gap=None))
+    builder.shape_gap[0] = 0.001
+    model = builder.finalize(device="cpu")
+    start = time.process_time()
+    findings = lint(model, ENGINE)
+    assert time.process_time() - start < 1.0
+    assert sum(len(finding.against) for finding in findings if finding.rule == "timeconst") == 600 * 599 / 2
+    assert sum(finding.rule == "default-gap" for finding in findings) == 599
+    assert len(alike(findings)) == 2
+
+
+def test_shapes_that_cannot_touch_are_left_alone():
+    builder = builder_of_the_solver()
+    body = builder.add_body(label="body")
+    for priority in (0, 1):
+        builder.add_shape_box(
+            body, cfg=ShapeConfig(ke=8e4 * (1 + priority), kd=0.0, kf=5.0, restitution=0.5),
+            custom_attributes={"mujoco:geom_priority": priority},
+        )  # fmt: skip
+    assert lint(builder.finalize(device="cpu"), ENGINE) == []
+
+
+def test_the_constants_are_newtons():
+    from newton._src.solvers.mujoco import constants
+
+    modes = (constants.SOLREF_MODE_FORCE_SPACE, constants.SOLREF_MODE_RAW, constants.SOLREF_MODE_MJCF_DEFAULT)
+    assert modes == (FORCE_SPACE, RAW, CONVERTED)
+    builder = builder_of_the_solver()
+    assert builder.custom_attributes["mujoco:condim"].default == CONDIM
+    assert CONES[int(builder.custom_attributes["mujoco:cone"].default)] == "pyramidal"
+    np.testing.assert_allclose(builder.custom_attributes["mujoco:geom_solimp"].default, SOLIMP)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_the_real_scenes(scene):
+    findings = lint(SCENES[scene].model(), SCENES[scene].engine)
+    groups = {(group.first.rule, group.subject, group.first.parameter): group for group in grouped(findings)}
+    stiffness = groups["priority", "cube", "ke"]
+    assert (stiffness.against, stiffness.count) == ("fr3_leftfinger, fr3_rightfinger", 8)
+    assert columns(stiffness)["used"] == (2.5e3 if scene == "as-shipped" else 2.5e5)
+    assert (("default-gap", "cube", "gap") in groups) == (scene == "as-shipped")
+    assert (("timeconst", "fr3_leftfinger", "timeconst") in groups) == (scene == "fixed")
+
+
+def test_the_contacts_are_those_that_the_solver_has():
+    """Contacts of the cube on the ground, where neither shape has priority, so that both sides mix."""
+    simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
+    simulation.frame()
+    contacts = contacts_of(Shapes(simulation.model))
+    places = {frozenset(pair): index for index, pair in enumerate(zip(contacts.first, contacts.second, strict=True))}
+    data, geom_shapes = simulation.solver.mjw_data, simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
+    count = int(data.nacon.numpy()[0])
+    geoms = geom_shapes[data.contact.geom.numpy()[:count]]
+    assert count
+    where = [places[frozenset(pair)] for pair in geoms.tolist()]
+    np.testing.assert_allclose(contacts.solref[where], data.contact.solref.numpy()[:count], rtol=1e-5)
+    np.testing.assert_allclose(contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5)
+    np.testing.assert_allclose(contacts.mu[where], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
+    np.testing.assert_array_equal(contacts.condim[where], data.contact.dim.numpy()[:count])
+
+
+def test_the_section_has_a_row_for_each_scene_and_each_finding():
+    rows = measure(Conditions(device="cpu", quick=True)).rows
+    for scene in SCENES:
+        [summary] = [row for row in rows if row["case"] == scene]
+        assert summary["finding_count"] == sum(row.get("scene") == scene for row in rows) > 0
+    buffers = [row for row in rows if row.get("rule") == "buffer"]
+    assert {row["scene"] for row in buffers} == {"as-shipped"}
+    assert all(row["used_count"] < row["authored_count"] for row in buffers)

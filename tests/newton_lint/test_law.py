@@ -1,0 +1,74 @@
+"""The whole law, from the scene alone, held against MuJoCo's C engine: one case in six here, all in ``cases.py``."""
+
+import importlib.util
+import math
+import sys
+from pathlib import Path
+
+import mujoco
+import pytest
+
+from newton_lint.law import Contact, Option, Response, response_of, settled_impedance, shared_slide_m_s, solref_taken
+
+SPEC = importlib.util.spec_from_file_location("cases", Path(__file__).with_name("cases.py"))
+module = importlib.util.module_from_spec(SPEC)
+sys.modules["cases"] = module
+SPEC.loader.exec_module(module)
+RELEASE = tuple(int(each) for each in mujoco.__version__.split(".")[:2])
+CASES = [case for case in module.cases() if case.since <= RELEASE]
+CONTACT = Contact((0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0), 0.8, 2.0)
+
+
+def test_there_are_enough_cases():
+    assert len(CASES) > 60
+
+
+@pytest.mark.parametrize("case", CASES[::6], ids=str)
+def test_a_prediction_is_the_engines(case):
+    predicted, measured = case.predicted_mm_s(), case.measured_mm_s()
+    if math.isinf(predicted):
+        assert measured > 50.0
+    else:
+        assert predicted == pytest.approx(measured, rel=0.1, abs=1e-3)
+
+
+@pytest.mark.parametrize("slope", [0.6, 1.1])
+@pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
+def test_what_is_beyond_the_cone_slides(cone, slope):
+    case = module.Case("incline", (("cone", cone), ("slope", slope)))
+    assert math.isinf(case.predicted_mm_s()) == (slope > 1.0)
+
+
+@pytest.mark.parametrize(("integrator", "share"), [(0, -0.5), (1, 0.0), (2, -0.5), (3, -0.5), (4, 0.5)])
+def test_what_a_step_adds(integrator, share):
+    response = response_of(CONTACT, Option(0.004, integrator, "elliptic"))
+    assert response.acceleration_s == pytest.approx(0.0095 + share * 0.004)
+
+
+def test_a_solref_that_mixes_forms_is_the_default():
+    taken = [solref_taken(each) for each in ((0.01, 1.0), (0.01, 0.0), (-5.0, 1.0), (-100.0, -10.0))]
+    assert taken == [(0.01, 1.0), (0.02, 1.0), (0.02, 1.0), (-100.0, -10.0)]
+
+
+@pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
+def test_points_share_a_load_up_to_their_cones(cone):
+    response = response_of(CONTACT, Option(0.002, cone=cone))
+    points = [(response, 10.0), (response, 1.0)]
+    slide = shared_slide_m_s(points, 0.4)
+    assert slide == pytest.approx(response.slide_m_s(0.2))
+    assert shared_slide_m_s(points, 8.7) > 1.9 * response.slide_m_s(4.0)
+    assert math.isinf(shared_slide_m_s(points, 8.8001))
+
+
+def test_a_pyramid_lets_go_of_an_edge_at_half_its_cone():
+    pyramid = Response(0.01, 1e-3, edge_count=4, mu=1.0)
+    assert pyramid.force_n(4e-3, 10.0) == pytest.approx(4.0)
+    assert pyramid.force_n(8e-3, 10.0) == pytest.approx((8.0 + 10.0) / 3.0)
+    assert pyramid.force_n(1.0, 10.0) == 10.0
+
+
+def test_a_contact_settles_where_its_spring_holds_the_force():
+    d = settled_impedance(CONTACT, Option(0.002, cone="elliptic"), 5.0)
+    assert 0.9 < d < 0.95
+    assert settled_impedance(CONTACT, Option(0.002, cone="elliptic"), 0.0) == pytest.approx(0.9)
+    assert settled_impedance(CONTACT, Option(0.002, cone="elliptic"), 1e3) == pytest.approx(0.95)

@@ -1,0 +1,91 @@
+"""Holds, prescriptions and pages of a pinch and an incline."""
+
+import importlib.util
+import json
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+from newton_lint.command import main
+from newton_lint.fix import edited
+
+SPEC = importlib.util.spec_from_file_location("cases", Path(__file__).with_name("cases.py"))
+cases = importlib.util.module_from_spec(SPEC)
+sys.modules["cases"] = cases
+SPEC.loader.exec_module(cases)
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(kind: str, **changes) -> str:
+        path = tmp_path / f"{kind}.xml"
+        path.write_text(cases.Case(kind, tuple(changes.items())).text)
+        return str(path)
+
+    return write
+
+
+def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
+    pinch = written("pinch")
+    assert main([pinch, "--hold", "held", "--json", "--ignore", "slip"]) == 0
+    hold = json.loads(capsys.readouterr().out)["hold"]
+    assert hold["load_n"] == pytest.approx(0.5 * 9.81, rel=1e-3) and hold["point_count"] == 8
+    assert hold["mm_s"] == pytest.approx(3.68, rel=0.01) and not hold["slides"]
+    assert main([pinch, "--hold", "held", "--below", "5", "--ignore", "slip"]) == 0
+    assert main([pinch, "--hold", "held", "--below", "1", "--ignore", "slip"]) == 1
+    assert "held creeps at 3.68 mm/s, by 4.9 N on 8 contact points" in capsys.readouterr().out
+    assert main([pinch, "--hold", "held", "--lift", "9.81", "--json", "--ignore", "slip"]) == 0
+    assert json.loads(capsys.readouterr().out)["hold"]["mm_s"] == pytest.approx(2.0 * hold["mm_s"], rel=1e-3)
+    assert main([written("incline", slope=1.3), "--hold", "held"]) == 1
+    assert "error slides" in capsys.readouterr().out
+    assert main([pinch, "--hold", "cube"]) == 2 and "has no body cube" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("kind", "changes"), [("pinch", {}), ("incline", {"cone": "pyramidal", "mu": 1.5})])
+def test_a_prescription_reaches_its_bound_and_is_written(kind, changes, written, capsys):
+    scene = written(kind, **changes)
+    assert main(["prescribe", scene, "--hold", "held", "--below", "0.05", "--fix"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"impratio=\"\d+\" on option \(\w+\.xml:3\): written", out)
+    assert Path(f"{scene}.orig").read_text() != Path(scene).read_text()
+    assert main([scene, "--hold", "held", "--below", "0.05"]) == 0
+    assert main(["prescribe", scene, "--hold", "held", "--below", "0.05"]) == 0
+    assert "as it is" in capsys.readouterr().out
+
+
+def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
+    """As fast as it is simulated to, where all points bear alike, between fingers and on a slope."""
+    for kind, changes in (("pinch", {"grip": 60}), ("incline", {"cone": "pyramidal", "solref": "0.05 1"})):
+        assert main([written(kind, **changes), "--json"]) == 1
+        [slip] = [each for each in json.loads(capsys.readouterr().out)["findings"] if each["rule"] == "slip"]
+        measured = cases.Case(kind, tuple(changes.items())).measured_mm_s()
+        assert slip["value"] == pytest.approx(measured, rel=0.1)
+        assert slip["changes"][0]["attributes"] == {"cone": "elliptic", "impratio": "10"}
+    assert main([written("incline", mu=0.1)]) == main([written("pinch", impratio=100)]) == 0
+
+
+def test_what_nothing_holds_is_said(written, capsys):
+    assert main(["prescribe", written("incline", slope=1.3), "--hold", "held"]) == 1
+    assert "larger μ or a firmer grip" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        main(["prescribe", written("pinch")])
+
+
+def test_an_edit_changes_what_it_has_to(tmp_path):
+    text = b"<mujoco  model='a>b'>\n <geom\n  solref = '1 1' name=\"x\"/><geom name='y'/></mujoco>"
+    first, second = text.index(b"<geom"), text.rindex(b"<geom")
+    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, -1: {"cone": "elliptic"}}
+    assert edited(text, tags) == (
+        b'<mujoco  model=\'a>b\'>\n  <option cone="elliptic"/>\n <geom\n  solref = "2 1" name="x"/>'
+        b"<geom name='y' priority=\"1\"/></mujoco>"
+    )
+
+
+def test_a_page_shows_what_was_tried(written, tmp_path, capsys):
+    scene = written("pinch")
+    assert main(["page", scene, "--hold", "held", "-o", str(tmp_path / "page")]) == 0
+    text = (tmp_path / "page" / "index.html").read_text(encoding="utf-8")
+    assert "held creeps at 3.68 mm/s" in text and text.count("<svg") == 6 and "left/left_pad on held/box" in text
+    assert main(["page", written("incline"), "-o", str(tmp_path / "page")]) == 0

@@ -1,0 +1,116 @@
+"""The cure: what is chosen among all recorded combinations, and when an explanation or a price is said."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import pytest
+
+from measured_report.claims.claim import FAILS, HOLDS, Claim
+from measured_report.editions.project import Project
+from measured_report.records.reading import load_record
+from measured_report.values.results import Results
+from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
+from report.sections.cure.ways import BEST, TERM
+
+Change = Callable[[dict], Mapping]
+BELOW = {"noise": noise, "cure_cost": cure_cost, "cure_limits": cure_limits}
+"""Sections that section cure reads, in their order."""
+
+
+def results_of(section: str, change: Change, others: Mapping[str, Results]) -> Results:
+    path = Project("1.4.0").record_path(section)
+    record = load_record(path)
+    return Results(replace(record, rows=[{**row, **change(row)} for row in record.rows]), path, others)
+
+
+def claims_with(**changes: Change) -> dict[str, Claim]:
+    """The claims of section cure, with rows of it and of those that it reads changed."""
+    others: dict[str, Results] = {}
+    for name, module in BELOW.items():
+        others[name] = results_of(name, changes.get(name, lambda row: {}), others)
+        module.derive(others[name])
+    found = cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
+    return {claim.name: claim for claim in found.claims}
+
+
+@pytest.fixture(scope="module")
+def claims() -> dict[str, Claim]:
+    return claims_with()
+
+
+def at(way, **cells: float) -> Change:
+    return lambda row: cells if row["case"] == f"{way.setting}-3cm-{way.parts}" else {}
+
+
+def test_what_slips_less_without_having_been_tested_is_named_and_not_recommended(claims):
+    rows = load_record(Project("1.4.0").record_path("cure")).rows
+    shaken = [row for row in rows if row.get("shake") == "3cm" and row["kind"] == "run"]
+    slips = {row["case"]: row["slip_mm"] for row in shaken if row["slip_mm"] is not None}
+    best = slips[f"{BEST.setting}-3cm-{BEST.parts}"]
+    told, untested = claims["what_to_use"], claims["less_untested"]
+    assert (told.outcome, told.numbers["slip"].value) == (HOLDS, best)
+    assert not told.numbers["is_tied"]
+    assert untested.outcome == HOLDS and untested.numbers["least"].value == min(slips.values()) < best
+    assert untested.numbers["total"].value == len(shaken)
+    assert 0 < untested.numbers["count"].value <= sum(slip < best for slip in slips.values())
+
+
+def test_alike_within_the_noise_is_a_tie(claims):
+    slip = claims["what_to_use"].numbers["slip"].value
+    assert claims_with(cure=at(TERM, slip_mm=slip + 0.001))["what_to_use"].numbers["is_tied"]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"cure_limits": lambda row: {"kept": False} if row["way"] == "best" else {}},
+        {"cure_cost": lambda row: {"frame_ms": 2.0 * row["frame_ms"]} if row["case"] == "best" else {}},
+        {"cure": at(TERM, slip_mm=0.001)},
+        {"cure": at(BEST, slip_mm=20.0)},
+    ],
+    ids=["it loses cubes", "it is slow", "the term slips less", "it slips"],
+)
+def test_it_is_not_recommended_where(changes):
+    assert claims_with(**changes)["what_to_use"].outcome != HOLDS
+
+
+def test_a_part_of_which_no_gain_is_seen_is_named(claims):
+    told = claims["each_takes_its_part"]
+    assert (told.outcome, told.numbers["idle"]) == (FAILS, "compensated positions")
+
+
+@pytest.mark.parametrize("times", [0.05, 20.0])
+def test_an_explanation_covers_most_of_its_effect_and_no_more_than_there_is(claims, times):
+    row = next(row for row in load_record(Project("1.4.0").record_path("cure")).rows if at(TERM, found=1.0)(row))
+    scaled = {name: times * row[name] for name in ("step_x_mm", "step_z_mm")}
+    assert claims["term_uncovers_step"].outcome == HOLDS
+    assert claims_with(cure=at(TERM, **scaled))["term_uncovers_step"].outcome == FAILS
+
+
+def test_the_budget_says_both_tolerances(claims):
+    runs = [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row["kind"] == "run"]
+    kept = [(row["remainder_mm"], row["slip_mm"]) for row in runs if row["slip_mm"] and row["slip_mm"] < 80.0]
+    numbers = {name: quantity.value for name, quantity in claims["budget_closes"].numbers.items()}
+    assert numbers["count"] == len(kept)
+    assert numbers["closed"] == sum(rest <= max(0.02, 0.05 * slip) for rest, slip in kept)
+    assert numbers["relative"] == sum(rest <= 0.05 * slip for rest, slip in kept)
+    assert numbers["little"] == sum(slip <= 0.04 for _, slip in kept)
+    assert claims["rest_is_far_shake"].numbers["every"].value == numbers["count"] - numbers["closed"]
+
+
+def test_a_price_is_seen_beyond_the_noise_alone():
+    def told(times: float) -> Claim:
+        results = results_of(
+            "cure_cost", lambda row: {"frame_ms": times * row["frame_ms"]} if row["case"] == "term" else {}, {}
+        )
+        return next(claim for claim in cure_cost.derive(results).claims if claim.name == "term_costs_nothing")
+
+    assert (told(1.0).outcome, told(1.2).outcome) == (HOLDS, FAILS)
+    assert told(1.2).numbers["worst"].value > told(1.0).numbers["unseen"].value
+
+
+def test_runs_that_a_claim_leaves_out_are_counted():
+    results = results_of("firm_grasp", lambda row: {}, {})
+    told = next(claim for claim in firm_grasp.derive(results).claims if claim.name == "slip_by_law")
+    count, others, kept = (told.numbers[name].value for name in ("count", "others", "kept"))
+    assert (count, others, count + others) == (30, 7, kept)
