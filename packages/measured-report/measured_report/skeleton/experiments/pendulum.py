@@ -17,7 +17,7 @@ MODEL = """
 """
 START_RAD = 1.57
 REPEAT_COUNT = 8
-JITTER_RAD = 1e-3
+JITTER_RAD = 1e-4
 """How much farther each repeat is let go than the one before."""
 
 
