@@ -105,4 +105,6 @@ def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
     }
     outcome = at_least(numbers["count"], 1, why="one at least")
     words = {"way": name_of(there[0].case.replace("-3cm", ""))}
-    return Claim("less_untested", outcome, numbers | words | {"are_stiff": numbers["stiff"].value == numbers["count"].value})
+    return Claim(
+        "less_untested", outcome, numbers | words | {"are_stiff": numbers["stiff"].value == numbers["count"].value}
+    )
