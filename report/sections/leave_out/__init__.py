@@ -129,9 +129,9 @@ def _each_helps(results: Results, faster: Faster) -> Claim:
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
     reads = all_of(*(outcome for found in alone.values() for outcome in found)).reads
     spreads = [value for name, value in results.derived.items() if re.fullmatch("cpu_.*_spread", name) and value.value]
-    spread = extreme(results, "cpu_spread", "largest of these ranges on the CPU", max, spreads) if spreads else ""
-    outcome = replace(outcome, reads=reads).having_read(*([spread] if spread else []))
-    return Claim("each_helps", outcome, {"helping": cases_html(helping), "spread": spread})
+    widest = [extreme(results, "cpu_spread", "largest of these ranges on the CPU", max, spreads)] if spreads else []
+    outcome = replace(outcome, reads=reads).having_read(*widest)
+    return Claim("each_helps", outcome, {"helping": cases_html(helping), "spread": widest[0] if widest else ""})
 
 
 def _is_faster(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Outcome:
