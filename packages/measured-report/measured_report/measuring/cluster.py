@@ -100,7 +100,7 @@ def _over_ssh(cluster: ClusterAddress) -> Iterator[SpecCluster]:
         # The scheduler outlives this process for a while where nobody could stop it.
         scheduling = {"protocol": "tls", "port": 0, "idle_timeout": "60s", **NO_DASHBOARD}
         working = {"memory_limit": 0, "death_timeout": str(CONNECT_S), **NO_DASHBOARD}
-        each = [
+        each: list[dict[str, Any]] = [
             {"address": host, "connect_options": {}, "remote_python": _python_in(folder), "kwargs": {"host": address}}
             for (host, folder), address in zip(cluster.hosts, addresses, strict=True)
         ]
@@ -122,7 +122,7 @@ async def _tell(hosts: Iterable[str], command: str, text: str = "") -> list[str]
 
     async def tell(host: str) -> str:
         async with asyncssh.connect(host, connect_timeout=CONNECT_S) as connection:
-            return (await connection.run(command, input=text, check=True)).stdout
+            return str((await connection.run(command, input=text, check=True)).stdout)
 
     return await asyncio.gather(*map(tell, hosts))
 
