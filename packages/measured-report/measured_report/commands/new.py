@@ -86,7 +86,7 @@ def _files(folder: Path) -> dict[str, bytes]:
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
         "@GENERATOR@": GENERATOR + version,
-        "@SOURCE@": f"\n[tool.uv.sources]\n{source}\n" if source else "",
+        "# @SOURCE@\n": f"\n[tool.uv.sources]\n{source}\n" if source else "",
     }
     found = {}
     for path in sorted(SKELETON.rglob("*")):

@@ -43,7 +43,9 @@ def measure(conditions: Conditions) -> Measurement:
     for case, integrator, jitter, said in runs:
         times, energies = swing(integrator, START_RAD + jitter, seconds)
         error = max(abs(energy - energies[0]) for energy in energies)
-        rows.append({"case": case, **said, "integrator": integrator, "duration_s": seconds, "energy_error_mj": 1e3 * error})
+        rows.append(
+            {"case": case, **said, "integrator": integrator, "duration_s": seconds, "energy_error_mj": 1e3 * error}
+        )
         if not said:
             changes = [1e3 * (energy - energies[0]) for energy in energies]
             traces[case] = {"time_s": times, "energy_change_mj": changes}
