@@ -43,7 +43,7 @@ def main() -> int:
 
 def new(folder: Path) -> None:
     """Write a report into a folder that is empty or not there."""
-    if folder.is_dir() and any(folder.iterdir()) or folder.is_file():
+    if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty; name a folder that is not there")
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder, {})
@@ -85,7 +85,7 @@ def _files(folder: Path) -> dict[str, bytes]:
     said = {
         "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
-        "@GENERATOR@": GENERATOR + version,
+        f'"{GENERATOR}"': f'"{GENERATOR}{version}"',
         "# @SOURCE@\n": f"\n[tool.uv.sources]\n{source}\n" if source else "",
     }
     found = {}
