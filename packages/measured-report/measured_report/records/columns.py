@@ -22,7 +22,7 @@ from measured_report.files.config import config
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
 _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
-UNITS = _LENGTHS | _TIMES | _OTHERS
+UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
 """Unit by the end of a column's name; the longest end that fits counts."""
 
 PLAIN = "1"
@@ -31,7 +31,7 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
-SAID = ("given_beside", "better", "resolution", "rate_of", "grows_with")
+SAID = ("given_beside", "better", "resolution", "rate_of", "grows_with", "trials")
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
@@ -60,6 +60,7 @@ class Column:
     resolution: float = 0.0
     rate_of: str = ""
     grows_with: str = ""
+    trials: str = ""
 
     @property
     def is_setting(self) -> bool:

@@ -26,7 +26,8 @@ def write_root_files(site: Site) -> None:
     names = {"address": site.address, "pages": sorted(pages), "citation": site.citation, "id": _id("")}
     for file in TEMPLATES if site.address else TEMPLATES[:-1]:  # a map of a site takes whole addresses
         site.draft.write(file, site.templates.layout(f"{file}.j2", {**names, "entries": entries}))
-    site.draft.copy("license.txt", ROOT / "LICENSE")
+    if (ROOT / "LICENSE").is_file():
+        site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := extras().card(site.editions, site.cache):
         site.draft.write(CARD, card)
     cache = Cache(site.cache.root) if site.cache.root else None
@@ -40,7 +41,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
     for release, edition in editions.items():
         if not edition.chapters:
             continue
-        name, place = config().edition(release), places[release]
+        name, place = config().name_of(release), places[release]
         dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
         text = claims[0].text if claims else ""
@@ -48,7 +49,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         for flip in flips_between(before.chapters, edition.chapters) if before else ():
             title, text = (
                 f"{name}: {flip.after.text}",
-                f"{config().edition(before.project.release)}: {flip.before.text}",
+                f"{config().name_of(before.project.release)}: {flip.before.text}",
             )
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
             yield _entry(f"{release}/{flip.claim}", title, text, where, dates[flip.section])
