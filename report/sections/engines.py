@@ -127,11 +127,11 @@ def _lines(results: Results) -> list[Line]:
             found[what] = results.value(f"{key}_{what}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s")
         lines.append(Line(name, engine, release, law, **found))
 
-    for engine, name, package in (("c", "MuJoCo C", "mujoco"), ("warp", "MuJoCo Warp", "mujoco-warp")):
+    for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
         plain = [of_turntable(f"plain-{engine}", column) for column in ("growth_per_s", "predicted_growth_per_s")]
         walks = [*plain, of_turntable(f"half-step-{engine}", "growth_per_s")]
         sinks = [of_capsule(engine, column) for column in ("steady_creep_mm_s", "predicted_creep_mm_s")]
-        add(engine, (name, name, packages[package]), "mujoco", walks, sinks)
+        add(engine, (name, name, f"Newton {packages['newton']}"), "mujoco", walks, sinks)
     for model, (name, law) in MODELS.items():
         step = "0ms" if law == "stribeck" else LONG
         long, short, pinch = (
