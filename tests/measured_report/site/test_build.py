@@ -156,7 +156,7 @@ print(*check_site(Path("site")), sep="\\n", end="")
 
 def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     files = {
-        "report.toml": f"packages = {json.dumps([*toy.packages])}\n",
+        "report.toml": f"edition = 'newton'\npackages = {json.dumps([*toy.packages][1:])}\n",
         "report/__init__.py": "",
         "report/sections/__init__.py": "",
         "templates/pages/results.md.j2": "# Results\n",
@@ -168,7 +168,7 @@ def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     done = program("-c", BARE, cwd=toy.project.root, PYTHONPATH=str(ROOT / "packages/measured-report"))
     assert (done.stdout, done.stderr) == ("", "")
     page = (toy.project.site / "results.html").read_text()
-    assert 'data-claim="toy.helps"' in page and "Measured with 1.4.0." in page
+    assert 'data-claim="toy.helps"' in page and "Measured with newton 1.4.0." in page
     assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()
 
 

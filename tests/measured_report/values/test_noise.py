@@ -6,7 +6,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from measured_report.values.noise import Floor, cell_noise, derived_noise, is_beyond, tolerance
+from measured_report.records.columns import Column
+from measured_report.values.noise import Floor, binomial_noise, cell_noise, derived_noise, is_beyond, tolerance
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
@@ -23,6 +24,23 @@ def test_the_noise_is_what_nearly_all_pairs_stay_within_and_what_is_beyond_it_mo
     assert not is_beyond(0.0, 6.0, 6.005), "rounding"
     assert Floor(spread=0.01, magnitude=5.0).at(1.0) == 0.01
     assert Floor(spread=0.01, magnitude=5.0).at(10.0, -20.0) == pytest.approx(0.04)
+
+
+@pytest.mark.parametrize(
+    ("successes", "trials", "end"),
+    [(81, 263, 0.3662), (15, 148, 0.1605), (0, 20, 0.1611), (1, 29, 0.1718), (20, 20, 1 - 0.1611)],
+)
+def test_the_noise_of_a_share_is_of_wilson_s_interval(successes, trials, end):
+    """Ends from Newcombe (1998), Statistics in Medicine 17, 857-872, table I, method 3; the last by symmetry."""
+    share = successes / trials
+    assert binomial_noise(share, trials) / 2**0.5 == pytest.approx(abs(end - share), abs=5e-5)
+
+
+def test_19_of_20_against_17_of_20_is_no_difference_and_against_6_of_20_is_one(monkeypatch):
+    about = Column("success_count", "1", 0.0, 1e18, frozenset(), trials="trial_count")
+    monkeypatch.setattr("measured_report.values.noise.column_of", lambda name: about)
+    found = [cell_noise("success_count", {"success_count": k, "trial_count": 20}, {}) for k in (19, 17, 6)]
+    assert not is_beyond(max(found[:2]), 19, 17) and is_beyond(2 * max(found[0], found[2]), 19, 6)
 
 
 @given(SIZES, SIZES, st.floats(1e-6, 0.5), st.floats(1e-6, 0.5))

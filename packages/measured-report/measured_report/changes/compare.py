@@ -53,7 +53,7 @@ def compare(before: Edition, after: Edition) -> Comparison:
     sides = before.chapters, after.chapters
     known = [repeats_of(side[NOISE].results.record) if NOISE in side else None for side in sides]
     repeats = [each or next(filter(None, known), Repeats({})) for each in known]
-    shared = [name for name in before.chapters if name in after.chapters and name != NOISE]
+    shared = [name for name in before.chapters if name in after.chapters]
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),

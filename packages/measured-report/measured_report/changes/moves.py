@@ -11,7 +11,7 @@ from measured_report.claims.claim import NEAR_NOISE
 from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of, is_number, parameters
-from measured_report.values.noise import EDGES, Repeats, is_beyond, is_lost
+from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
@@ -190,6 +190,8 @@ def _noise(
     """Return the noise of a number, and whether it is a chosen one."""
     values, edges = [cell[column] for cell in cells], [column + edge for edge in EDGES]
     chosen = CHOSEN_SHARE * max(map(abs, values))
+    if all(cell.get(column_of(column).trials) for cell in cells):
+        return max(cell_noise(column, cell, {}) or 0.0 for cell in cells), False
     if all(column_of(column).is_exact(cell) for cell in cells):
         return 0.0, False
     if all(cell.get(edge) is not None for edge in edges for cell in cells):
@@ -202,15 +204,15 @@ def _noise(
 
 
 def rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:
-    """Return rows by what tells them apart; those that nothing tells apart are left out."""
+    """Return rows by what tells them apart; those that nothing does are left out, and repeats, which are the noise."""
     rules = config().changes
     names = (*rules.keys, *rules.untold_keys)
+    rows = [row for row in chapter.results.rows if not (chapter.name == NOISE and "of" in row)]
     keys = [
-        tuple((name, part) for name in names if name in row and (part := _plain(row[name])) is not None)
-        for row in chapter.results.rows
+        tuple((name, part) for name in names if name in row and (part := _plain(row[name])) is not None) for row in rows
     ]
     counts = Counter(keys)
-    return {key: row for key, row in zip(keys, chapter.results.rows, strict=True) if counts[key] == 1}
+    return {key: row for key, row in zip(keys, rows, strict=True) if counts[key] == 1}
 
 
 def _plain(cell: Any) -> Any:

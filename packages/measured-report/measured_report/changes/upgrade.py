@@ -14,6 +14,7 @@ from measured_report.deriving.editions import Edition
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.measuring.measure import seconds_known
+from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import package_changes
 from measured_report.records.record import Record
 
@@ -21,8 +22,13 @@ from measured_report.records.record import Record
 def seconds_expected(project: Project, device: str, sections: Sequence[str]) -> float:
     """Return how long the sections may take [s], by what they took before."""
     rules = config().changes
-    guess = rules.deciding_seconds.get(project.profile, 0.0) * len(sections) / max(1, len(rules.deciding))
+    guess = rules.deciding_seconds.get(project.profile, 0.0) * len(sections) / max(1, len(deciding(project)))
     return seconds_known(project, device, sections) or guess
+
+
+def deciding(project: Project) -> Sequence[str]:
+    """Name the sections that tell most of an edition: those that report.toml names, or else all."""
+    return config().changes.deciding or all_sections(project.root)
 
 
 def base_of(project: Project) -> str | None:
@@ -39,7 +45,7 @@ def base_of(project: Project) -> str | None:
 
 
 def _lacking(project: Project) -> list[str]:
-    return [section for section in config().changes.deciding if not project.record_path(section).exists()]
+    return [section for section in deciding(project) if not project.record_path(section).exists()]
 
 
 def unmeasured(project: Project) -> list[Fault]:
@@ -79,7 +85,7 @@ def _other_packages(before: Edition, after: Edition) -> str:
 
 
 def _deciding(edition: Edition) -> list[Record]:
-    names = config().changes.deciding
+    names = deciding(edition.project)
     return [chapter.results.record for name, chapter in edition.chapters.items() if name in names]
 
 

@@ -26,7 +26,7 @@ from measured_report.changes.compare import compare
 from measured_report.changes.history import flip_history
 from measured_report.changes.history import history as history_of
 from measured_report.changes.query import Query
-from measured_report.changes.upgrade import base_of, seconds_expected, unmeasured, verdict
+from measured_report.changes.upgrade import base_of, deciding, seconds_expected, unmeasured, verdict
 from measured_report.commands.building import build_site
 from measured_report.commands.options import refuse_lacking_ends
 from measured_report.deriving.editions import editions_of
@@ -70,12 +70,11 @@ def upgrade(project: Project, arguments: argparse.Namespace) -> int:
 
 def _with_deciding(project: Project, stack: Stack, device: str | None, *, renews: bool) -> Project:
     """Measure the deciding sections of a stack that are missing or, if ``renews``, stale; return its report."""
-    deciding = config().changes.deciding
     side = project.of(str(stack.label))
     lacking = _lacking(side, device, renews=renews)
     if lacking and not device:
         quick = replace(project, profile="quick")
-        full, short = (seconds_expected(each, "cpu", deciding) / 60 for each in (project, quick))
+        full, short = (seconds_expected(each, "cpu", deciding(each)) / 60 for each in (project, quick))
         raise UsageError(f"{NO_CUDA}, in about {full:.0f} min, and with PROFILE=quick in about {short:.0f}")
     if lacking:
         minutes = max(seconds_expected(side, device, lacking) / 60, 1)
@@ -94,8 +93,7 @@ def _with_deciding(project: Project, stack: Stack, device: str | None, *, renews
 def _lacking(side: Project, device: str | None, *, renews: bool) -> list[str]:
     """Name the deciding sections that an edition lacks or, if ``renews`` and there is a device, has stale."""
     unfit = {state.section for state in states_of(side) if state.kind != "fresh"} if device and renews else ()
-    sections = config().changes.deciding
-    return [section for section in sections if section in unfit or not side.record_path(section).exists()]
+    return [section for section in deciding(side) if section in unfit or not side.record_path(section).exists()]
 
 
 @contextmanager

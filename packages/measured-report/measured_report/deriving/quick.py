@@ -22,7 +22,7 @@ def marks_of(quick: Releases, full: Releases) -> dict[str, dict[str, Markup]]:
         others = (each for each in differing if each != release and release not in full)
         known = [(release, "otherwise"), *((each, "perhaps otherwise") for each in others)]
         found[release] = {
-            name: MARK.format(config().edition(place), said, word)
+            name: MARK.format(config().name_of(place), said, word)
             for place, word in reversed(known)
             for name, said in differing.get(place, {}).items()
         }

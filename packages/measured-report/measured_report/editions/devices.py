@@ -5,6 +5,7 @@ import subprocess
 from contextlib import suppress
 from pathlib import Path
 
+from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 from measured_report.records.code import files, roots_of
@@ -30,13 +31,13 @@ def needs_gpu(section: str, root: Path = ROOT) -> bool:
     """Whether a section's numbers depend on the device: one with ``NEEDS_GPU = False`` stands with those of a GPU."""
     graph = files().graph(roots_of(root))
     file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
-    return bool(graph.source(file).top.get("NEEDS_GPU", True))
+    return bool(graph.source(file).top.get("NEEDS_GPU", config().needs_gpu))
 
 
 def measuring_device(asked: str | None, profile: str) -> str | None:
     """The device to measure on; None where it has to be asked for, since full measurements take hours on a CPU."""
-    if asked == "cpu":
-        return asked
+    if asked == "cpu" or not (asked or config().needs_gpu):
+        return "cpu"
     if has_cuda():
         return "cuda"
     if asked:

@@ -34,6 +34,8 @@ class Declared:
     """The column of the time that makes this rate, whose share of noise it has."""
     grows_with: str = ""
     """The column that says how long it added up; in a longer run it is noisier in proportion."""
+    trials: str = ""
+    """The column that says of how many trials this many, or this share, succeeded: its noise is binomial."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,7 @@ class Changes:
     """The table ``changes``: what comparing editions takes to know of this report's sections and rows."""
 
     deciding: tuple[str, ...] = ()
-    """Sections that tell most in least time, the longest first, which ends soonest with several at once."""
+    """Sections that tell most in least time, the longest first, which ends soonest with several at once; none: all."""
     deciding_seconds: Mapping[str, float] = field(default_factory=dict)
     """How long they take on two cores of a CPU [s], by profile, where no record says."""
     headline: str = ""
@@ -81,22 +83,25 @@ class Changes:
 class Config:
     """The fields of ``report.toml``, as they are without it."""
 
+    edition: str = ""
+    """The package whose releases are editions."""
     packages: tuple[str, ...] = ()
-    """Whose versions are part of what a record depends on; the first is the one whose releases are editions."""
+    """Other packages whose versions are part of what a record depends on; it is read with ``edition`` before them."""
     requirement: str = ""
-    """The first package as pyproject.toml asks for it, with its extras and without a version."""
+    """That package as pyproject.toml asks for it, with its extras and without a version."""
     edition_name: str = ""
-    """What people call the first package."""
+    """What people call it."""
     short_names: Mapping[str, str] = field(default_factory=dict)
     """What other packages are called in the label of an edition, where not by their names."""
     host: str = "measured_report.measuring.host"
-    """The module that says how this report measures on a host; the one named here says what it may have."""
+    """The module that says how this report measures on a host; the one named here says what it may have, and measures
+    on the CPU."""
     commands: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """Programs that the command line offers besides, by name; ``commands.programs.Program`` has their fields."""
     case: str = ""
     """The dataclass, as ``module:name``, whose fields are what a run was set to."""
     noise_section: str = "noise"
-    """The section whose rows are runs of one and the same case, as ``of`` says."""
+    """The section that has repeats: rows that are runs of one and the same case, as ``of`` says."""
     repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """What columns say of runs that repeat to the last bit, all but times."""
     cost_terms: tuple[str, ...] = ()
@@ -129,14 +134,19 @@ class Config:
     @property
     def package(self) -> str:
         """The package whose releases are editions."""
-        return self.packages[0]
+        return self.edition
+
+    @property
+    def needs_gpu(self) -> bool:
+        """Whether what a section measures depends on the device, where it does not say."""
+        return self.host != Config.host
 
     @property
     def option(self) -> str:
         """The variable of make that names an edition."""
-        return self.package.upper()
+        return self.package.upper().replace("-", "_")
 
-    def edition(self, release: str) -> str:
+    def name_of(self, release: str) -> str:
         """What people call an edition."""
         return f"{self.edition_name} {release}".strip()
 
@@ -174,6 +184,9 @@ def config(root: Path = ROOT) -> Config:
     path = root / FILE
     try:
         found = read_toml(path) if path.is_file() else {}
+        if "edition" in found:
+            found["packages"] = [found["edition"], *found.get("packages", ())]
+            found.setdefault("edition_name", found["edition"])
         found["columns"] = [Declared(**table) for table in found.get("columns", ())]
         found["changes"] = Changes(**_frozen(found.get("changes", {})))
         return Config(**_frozen(found))

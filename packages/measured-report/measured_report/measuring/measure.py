@@ -97,8 +97,9 @@ def seconds_each(project: Project, device: str) -> Mapping[str, float]:
 
 
 def _batches_at_once(project: Project, device: str) -> int:
-    """How many batches are measured at once: one, but for quick runs on a CPU, of which each takes one core."""
-    return (os.cpu_count() or 1) if device == "cpu" and project.profile == "quick" else 1
+    """How many batches are measured at once: one; on a CPU quick ones and those that need no GPU take a core each."""
+    is_light = project.profile == "quick" or not config().needs_gpu
+    return (os.cpu_count() or 1) if device == "cpu" and is_light else 1
 
 
 def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:

@@ -58,11 +58,15 @@ def _source() -> str:
 def checkout_source(folder: Path) -> str:
     """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
     module = config().package.replace("-", "_")
-    code = _digest(sorted((folder / module).rglob("*.py")), folder)
+    code = _digest(sorted([*(folder / module).rglob("*.py"), *(folder / "src" / module).rglob("*.py")]), folder)
     commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
     if not commit:
         return f"x{code}"
-    return f"g{commit}{EDITED}.{code}" if git(folder, "status", "--porcelain", "--", module) else f"g{commit}"
+    return (
+        f"g{commit}{EDITED}.{code}"
+        if git(folder, "status", "--porcelain", "--", module, f"src/{module}")
+        else f"g{commit}"
+    )
 
 
 def wheel_source(path: Path) -> str:

@@ -46,7 +46,7 @@ class Citation:
             "title": f"{{{_plain(self.title)}}}",
             "year": date[:4],
             "month": str(int(date[5:7] or 0)) if date else "",
-            "note": _plain(f"{config().edition(edition.project.release)}, measured {date}" if date else ""),
+            "note": _plain(f"{config().name_of(edition.project.release)}, measured {date}" if date else ""),
             "url": address or sources,
         }
         lines = [f"  {name} = {{{text}}}," for name, text in fields.items() if text]

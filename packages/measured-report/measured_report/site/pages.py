@@ -134,7 +134,7 @@ class Site:
         origins = {}
         for results in self.records:
             record = results.record
-            said = (config().edition(record.origin.release), record.machine_text, record.time_text)
+            said = (config().name_of(record.origin.release), record.machine_text, record.time_text)
             origins[results.source] = ", ".join(said)
         for release, place in places.items():
             names = {

@@ -40,7 +40,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
     for release, edition in editions.items():
         if not edition.chapters:
             continue
-        name, place = config().edition(release), places[release]
+        name, place = config().name_of(release), places[release]
         dates = {name: _date(chapter.results.record.measured["date"]) for name, chapter in edition.chapters.items()}
         claims = [claim for chapter in edition.chapters.values() for claim in chapter.section.claims]
         text = claims[0].text if claims else ""
@@ -48,7 +48,7 @@ def _entries(editions: Mapping[str, Edition], places: Mapping[str, str]) -> Iter
         for flip in flips_between(before.chapters, edition.chapters) if before else ():
             title, text = (
                 f"{name}: {flip.after.text}",
-                f"{config().edition(before.project.release)}: {flip.before.text}",
+                f"{config().name_of(before.project.release)}: {flip.before.text}",
             )
             where = f"{place}{edition.chapters[flip.section].page.file}#{flip.section}"
             yield _entry(f"{release}/{flip.claim}", title, text, where, dates[flip.section])

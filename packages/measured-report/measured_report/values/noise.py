@@ -56,6 +56,19 @@ def tolerance(values: Sequence[float]) -> float:
     return max(seen, math.sqrt(2) * normal.inv_cdf((1 + PAIRS) / 2) * deviation)
 
 
+def binomial_noise(share: float, trials: float) -> float:
+    """How far apart the shares of successes of two times so many trials may come out, where one of them is ``share``.
+
+    Either is off by no more than its interval is wide on the wider side, and both are independent, as in Newcombe
+    (1998), Statistics in Medicine 17, 873-890, method 10. The interval is Wilson's (1927), Journal of the American
+    Statistical Association 22, 209-212, with ``CONFIDENCE``.
+    """
+    z2 = NormalDist().inv_cdf((1 + CONFIDENCE) / 2) ** 2
+    middle = (share + z2 / (2 * trials)) / (1 + z2 / trials)
+    half = math.sqrt(z2 * (share * (1 - share) / trials + z2 / (4 * trials**2))) / (1 + z2 / trials)
+    return math.sqrt(2) * (abs(share - middle) + half)
+
+
 @dataclass(frozen=True)
 class Floor:
     """How far apart runs of one case may come out in one column."""
@@ -147,13 +160,17 @@ def is_lost(row: Mapping[str, Any]) -> bool:
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
     """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
 
-    A time is the median of frames that a row has the spread of; other numbers have the floor of their column, or of
-    rounding where the engine repeats itself; what was set or counted is exact.
+    A time is the median of frames that a row has the spread of, and successes are as binomial as their trials; other
+    numbers have the floor of their column, or of rounding where the engine repeats itself; what was set or counted is
+    exact.
     """
     value, about = row[column], column_of(column)
     timed = about.rate_of or column
     if value is None:
         return None
+    if trials := row.get(about.trials):
+        count = trials if about.is_count else 1
+        return binomial_noise(value / count, trials) * count
     if about.is_exact(row) or isinstance(value, int):
         return 0.0
     low, high = (row.get(timed + edge) for edge in EDGES)
