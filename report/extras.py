@@ -23,7 +23,7 @@ from report.story.found import Found
 
 __all__ = ["Extras", "card", "name_of", "scripts"]
 MEDIA = Path(__file__).with_name("media")
-LAB = ROOT / "assets/lab/dist"
+LAB = ROOT / "assets/lab"
 """The engine that a page runs, and the scripts that do."""
 CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
 """What the picture of links shows of each release, by its name there."""
@@ -84,7 +84,9 @@ class Extras(extras.Extras):
     @property
     def files(self) -> Mapping[str, Path]:
         """The program of the lab."""
-        return {f"lab/{file.name}": file for file in LAB.iterdir()} if "lab" in self.edition.chapters else {}
+        if "lab" not in self.edition.chapters:
+            return {}
+        return {f"lab/{file.name}": file for file in (*LAB.glob("dist/*"), LAB / "lab.css")}
 
 
 def card(editions: Mapping[str, Edition], cache: DerivedCache) -> bytes | None:
@@ -109,4 +111,4 @@ def _slips(edition: Edition) -> dict[str, Quantity | None]:
 
 
 def scripts() -> Sequence[str]:
-    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("*.js")))
+    return (script(), *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")))

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -211,6 +212,32 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
             make(part)
             part.rename(base / name)
     return base / name
+
+
+SIMULATING = ("tests/experiments", "tests/assets/fix", "tests/newton_lint/of_newton")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the files whose tests are the slowest, so that no process ends long after the others."""
+    slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
+    items.sort(key=lambda item: (item.path != ROOT / "tests/test_planted.py", -slow[item.path]))
+    for item in items:
+        if any(item.path.is_relative_to(ROOT / folder) for folder in SIMULATING):
+            item.fixturenames.insert(0, "kernels")
+
+
+@pytest.fixture(scope="session")
+def kernels(tmp_path_factory) -> None:
+    """Those of the scene, compiled once for all processes of this run of the tests."""
+
+    def make(_: Path) -> None:
+        import warp as wp  # most tests need none of it
+
+        from experiments.simulation.kernels import compile_for
+
+        compile_for(wp.get_device("cpu"))
+
+    made_once(tmp_path_factory, "kernels", make)
 
 
 @pytest.fixture(scope="session")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from measured_report.editions.environment import _locked
 from measured_report.files.root import ROOT
 
 SCRIPT = re.compile(r"^        run: \|\n((?:          .*\n)+)", re.MULTILINE)
@@ -62,6 +63,17 @@ def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_pat
     assert said.startswith(comment) and ("it took a while" in said) == (not answer)
     called = (tmp_path / "log").read_text()
     assert called == "python|build.py|upgrade|--newton|1.9.0|--with||--profile|quick|--format|markdown|\n"
+
+
+def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_credentials():
+    for workflow in (ROOT / ".github/workflows").glob("*.yml"):
+        text = workflow.read_text()
+        used = re.findall(r"uses: (\S+)", text)
+        assert used and all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used), workflow
+        checkouts = re.findall(r"uses: actions/checkout@.*\n        with:\n          persist-credentials: false\n", text)
+        assert len(checkouts) == text.count("actions/checkout@"), workflow
+        assert not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv, and its digests"
+    assert re.fullmatch(r"uv==[0-9.]+( --hash=sha256:[0-9a-f]{64}){5,}", _locked(ROOT, "uv"))
 
 
 @pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
@@ -25,6 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), *map(str, (ROOT / "packages").iterdir()), str(ROOT / "tests")]
 
+from alterations import alterations  # noqa: E402
 from batches import is_running  # noqa: E402
 from damage import RECORD_WAYS, TRACE_WAYS, damage  # noqa: E402
 from torture_study import studies  # noqa: E402
@@ -94,18 +95,20 @@ class World:
     root: Path
 
     @classmethod
-    def made(cls, root: Path) -> "World":
+    def made(cls, root: Path, records: Mapping[str, Collection[str]]) -> "World":
+        """Copy it, with these records of each release; none named: with all."""
         root.mkdir(parents=True)
         for name in FOLDERS:
             shutil.copytree(ROOT / name, root / name)
         for path in ROOT.glob("[!.]*"):
             if path.is_file():
                 shutil.copy(path, root / path.name)
-        results = f"results/newton-{RELEASE}"
-        (root / results).mkdir(parents=True)
-        for path in (ROOT / results).iterdir():
-            if path.suffix == ".toml" or path.name.partition(".")[0] in SECTIONS:
-                shutil.copy(path, root / results)
+        for release, sections in records.items():
+            results = f"results/newton-{release}"
+            (root / results).mkdir(parents=True)
+            for path in (ROOT / results).iterdir():
+                if path.suffix == ".toml" or not sections or path.name.partition(".")[0] in sections:
+                    shutil.copy(path, root / results)
         (root / "site").mkdir()
         for name, text in PROBE.items():
             (root / name).write_text(text.replace("\\n", "\n"), encoding="utf-8")
@@ -455,13 +458,14 @@ TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
     "writers": writers,
     "disks": disks,
     "shown": shown_damages,
+    "alterations": lambda *rest: alterations(*rest, RELEASE),
     "places": places,
     "studies": studies,
     "inputs": inputs,
 }
 """Each goes on where a trial is, and yields it whenever it got farther."""
-COUNTED = {"page", "rerun", "publish", "setups", "studies"}
-"""Those that go on in the middle; the others begin anew."""
+COUNTED = {"page": 1, "rerun": 1, "publish": 1, "setups": 1, "studies": 1, "alterations": 20}
+"""Those that go on in the middle, and how often each is tried for a moment; the others begin anew."""
 
 
 def main() -> int:
@@ -473,14 +477,14 @@ def main() -> int:
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what is started is started a thousand times
     key = commit()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
-        world = World.made(Path(folder).resolve() / "project")
+        world = World.made(Path(folder).resolve() / "project", {RELEASE: SECTIONS})
         for name in arguments.only:
             trial = None if arguments.again else _kept(name)
             if not trial or trial.commit != key or not (trial.is_whole or name in COUNTED):
                 trial = Trial(name, commit=key)
-            elif trial.is_whole and (name not in COUNTED or trial.tried >= arguments.moments):
+            elif trial.is_whole and trial.tried >= arguments.moments * COUNTED.get(name, 0):
                 continue
-            trial.is_whole, trial.of = False, arguments.moments if name in COUNTED else 0
+            trial.is_whole, trial.of = False, arguments.moments * COUNTED.get(name, 0)
             for _ in TRIALS[name](world, trial, arguments.moments):
                 _keep(name, trial)
             trial.is_whole = True

@@ -1,7 +1,7 @@
 // Writes dist/: the engine, packed, with what runs in it; the page's script and the front page's. The same sources and
 // packages give the same bytes.
 
-import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 import { build } from "esbuild";
@@ -24,5 +24,4 @@ for (const name of ["engine", "worker", "lab", "stage", "try"]) {
     plugins: [robot],
   });
 }
-copyFileSync(here("src/lab.css"), here("dist/lab.css"));
 writeFileSync(here("dist/engine.bin"), gzipSync(readFileSync(here("node_modules/@mujoco/mujoco/mujoco.wasm")), { level: 9 }));

@@ -1,6 +1,5 @@
 """The page that measures, in a real browser and from a real server."""
 
-import shutil
 import threading
 from collections.abc import Iterator
 from functools import partial
@@ -12,8 +11,6 @@ import pytest
 sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
 axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-pytestmark = pytest.mark.skipif(not BROWSER, reason="there is no browser to look at the site with")
 FRONT_BYTES = 10_000
 """Most that the front page may fetch for the trial before Run is pressed."""
 
@@ -29,14 +26,6 @@ def address(site: Path) -> Iterator[str]:
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield f"http://127.0.0.1:{server.server_port}/"
     server.shutdown()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator["sync_api.Browser"]:
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield browser
-        browser.close()
 
 
 @pytest.fixture

@@ -2,12 +2,12 @@
 
 import gzip
 import os
+import resource
 import shutil
-import tracemalloc
 from argparse import Namespace
 
 import pytest
-from conftest import MODULE, ROWS
+from conftest import EXPERIMENT, MODULE, ROWS, derived
 
 from measured_report.changes.faults import faults_of
 from measured_report.commands import building
@@ -16,8 +16,9 @@ from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.stack import stack_of
 from measured_report.files.atomic import RecordError, recover
 from measured_report.pages.prose import Templates
+from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
-from measured_report.records.record import write_record
+from measured_report.records.record import units_of, write_record
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.site.check import check_site
 
@@ -60,12 +61,11 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
 
 def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy):
     trace = trace_path(toy.record_path, "stiff")
-    trace.write_bytes(gzip.compress(b"a,b\n" + b"1,2\n" * 6_000_000))
-    tracemalloc.start()
+    trace.write_bytes(gzip.compress(b"a,b\n" + b"1,2\n" * 6_000_000, compresslevel=1))
+    before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     with pytest.raises(RecordError, match="cells"):
         load_trace(trace)
-    assert tracemalloc.get_traced_memory()[1] < 400 << 20
-    tracemalloc.stop()
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
 
 
 ODD = {
@@ -83,3 +83,35 @@ def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_
     toy.measure(odd(ROWS))
     assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) in (0, 1)
     assert check_site(toy.project.site) in ([], ["index.html: there is no claim on any page"])
+
+
+def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_its_section_stands(toy, capsys):
+    toy.write(
+        "templates/front.md.j2", '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n'
+    )
+    toy.measure([{**row, "note": "as text"} for row in ROWS])
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    [line] = capsys.readouterr().err.splitlines()
+    assert line.startswith("damaged: front: nothing can be said (templates/front.md.j2: 'str object' has no attribute")
+    assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
+
+
+def test_finding_4_a_link_to_a_section_that_is_left_out_leads_nowhere(toy):
+    toy.write("templates/front.md.j2", "# A report\n\nMore is [there](#toy).\n")
+    toy.record_path.write_text("{")
+    toy.build()
+    assert "More is <a>there</a>" in toy.front
+    assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
+
+
+def test_finding_4_noise_that_no_page_can_show_is_no_measure_of_other_numbers(toy):
+    rows = [{"case": f"run-{number}", "of": "soft", "slip_mm": 6.0 + number} for number in range(5)]
+    toy.write("experiments/noise.py", EXPERIMENT)
+    toy.write("templates/sections/noise.md.j2", "# Noise\n")
+    path, identity = toy.project.record_path("noise"), identity_of("noise", "full", toy.project.root, toy.packages)
+    write_record(path, toy.record(rows, section="noise", identity=identity, units=units_of(rows)))
+    for derive in ("return Section()", "raise KeyError(results.rows[0].case)"):
+        module = "from measured_report.parts.section import Section\norder = 2\n\ndef derive(results):\n    "
+        toy.write("report/sections/noise.py", module + derive)
+        edition = derived(toy.project)
+        assert bool(edition.chapters["toy"].results.floors) == ("noise" in edition.chapters) == ("return" in derive)

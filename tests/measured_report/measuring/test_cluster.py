@@ -1,9 +1,14 @@
 """Sections measured by a cluster's workers, which are killed, stopped and have other code."""
 
+import asyncio
 import os
+import re
 import signal
+import socket
+import ssl
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +19,7 @@ from batches import begun, is_running, rows_of, run_of
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
+import asyncssh
 from distributed import LocalCluster
 
 from measured_report.files.errors import ReportError
@@ -147,3 +153,61 @@ def test_measuring_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_w
     log.write_text("")
     assert not Scheduler([run_of(toy, batches.slow_after(str(log), "ab", 0.0))], LocalExecutor(machine("cpu"))).run()
     assert begun(log) == ["slow"] and [row["case"] for row in rows_of(toy)] == ["a", "b", "slow"]
+
+
+@pytest.fixture
+def hosts(tmp_path, monkeypatch):
+    """A file with a host that ssh reaches: this one, through a server of the test's own."""
+    key, home = asyncssh.generate_private_key("ssh-ed25519"), tmp_path / "home" / ".ssh"
+    home.mkdir(parents=True)
+    key.write_private_key(home / "id")
+    (home / "id").chmod(0o600)
+    (home / "authorized").write_bytes(key.export_public_key())
+    loop, started = asyncio.new_event_loop(), threading.Event()
+
+    async def answer(process: asyncssh.SSHServerProcess) -> None:
+        number, *_ = process.get_extra_info("peername")[1:]
+        environment = {**os.environ, "SSH_CONNECTION": f"127.0.0.1 {number} 127.0.0.1 22"}
+        own = await asyncio.create_subprocess_shell(
+            process.command, stdin=-1, stdout=-1, stderr=-1, env=environment, start_new_session=True
+        )
+        await process.redirect(own.stdin, own.stdout, own.stderr)
+        process.exit(await own.wait())
+
+    async def serve() -> None:
+        options = {"server_host_keys": [key], "authorized_client_keys": str(home / "authorized")}
+        server = await asyncssh.listen("127.0.0.1", 0, process_factory=answer, **options)
+        port = server.sockets[0].getsockname()[1]
+        (home / "known_hosts").write_text(f"[127.0.0.1]:{port} {key.export_public_key().decode()}")
+        (home / "config").write_text(f"Host node\n  HostName 127.0.0.1\n  Port {port}\n  IdentityFile {home}/id\n")
+        started.set()
+
+    monkeypatch.setenv("HOME", str(home.parent))
+    loop.create_task(serve())
+    thread = threading.Thread(target=loop.run_forever, daemon=True)
+    thread.start()
+    started.wait()
+    (tmp_path / "hosts.txt").write_text("node\n")
+    yield tmp_path / "hosts.txt"
+    loop.call_soon_threadsafe(loop.stop)
+    thread.join()
+
+
+def test_finding_6_over_ssh_only_who_has_the_key_of_the_run_is_let_in(hosts):
+    before = {*Path("/tmp").glob("measured-report-*.pem")}
+    with clusters.connected(read_cluster(f"ssh:{hosts}"), "cpu") as client:
+        [key] = {*Path("/tmp").glob("measured-report-*.pem")} - before
+        assert key.stat().st_mode & 0o777 == 0o600 and "PRIVATE KEY" in key.read_text()
+        client.wait_for_workers(1, timeout=20.0)
+        assert client.submit(os.getpid).result() != os.getpid()
+        addresses = [client.scheduler.address, *client.nthreads()]
+        assert all(re.match(r"tls://127\.0\.0\.1:", address) for address in addresses)
+        for address in addresses:
+            place = "127.0.0.1", int(address.rpartition(":")[2])
+            unknown = ssl.create_default_context()
+            unknown.check_hostname, unknown.verify_mode = False, ssl.CERT_NONE
+            with socket.create_connection(place, timeout=5.0) as plain, pytest.raises((ssl.SSLError, ConnectionError)):
+                unknown.wrap_socket(plain).recv(1)
+        for command in Path("/proc").glob("[0-9]*/cmdline"):
+            assert b"PRIVATE KEY" not in command.read_bytes()
+    assert not key.exists()

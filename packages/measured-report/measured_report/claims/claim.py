@@ -152,7 +152,8 @@ def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
     """Where they are less apart than their noise, measured again it may be on the other side."""
     if abs(a.value - bound.value) >= math.hypot(a.noise or 0.0, bound.noise or 0.0):
         return None
-    return Outcome("unknown", "it is nearer to the bound than its noise", is_near=True)
+    reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
+    return Outcome("unknown", reason, is_near=True)
 
 
 def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:

@@ -81,13 +81,30 @@ class Edition:
     def texts(self, page: Page, templates: Templates, names: Mapping[str, Any]) -> list[Prose]:
         """Put a page's own texts into words; ``names`` are what they can name besides the sections and ``extras``."""
         found = {text.name.rpartition("/")[2].partition(".")[0]: text for text in map(templates.text, page.texts)}
-        told = {anchor: self._worded(anchor, text, names) for anchor, text in found.items()}
+        told = {
+            anchor: self._worded(anchor, text, self._told_or_left_out(anchor, names)) for anchor, text in found.items()
+        }
         levels = [1, *[2] * len(found)]  # the first has the title of the page
-        return [self._prose(*each, told, names) for each in zip(levels, found.items(), strict=False)]
+        return [self._prose_or_bare(*each, told, names) for each in zip(levels, found.items(), strict=False)]
 
-    def _worded(self, anchor: str, text: Text, names: Mapping[str, Any]) -> Section:
+    def _prose_or_bare(
+        self, level: int, named: tuple[str, Text], told: Mapping[str, Section], names: Mapping[str, Any]
+    ) -> Prose:
+        """Put one text into words; where what was measured can't be said so, as if nothing had been."""
+        anchor, text = named
+        try:
+            return self._prose(level, named, told, names)
+        except ReportError as error:
+            is_untold = any(state.section == anchor for state in self.left_out)
+            if not (is_untold or isinstance(error, ResultsError)):
+                raise
+            if not is_untold:
+                self.left_out.append(State(anchor, "damaged", notes=(f"{anchor}: nothing can be said ({error})",)))
+            bare = {**told, anchor: self._worded(anchor, text, Section())}
+            return replace(self, chapters={})._prose(level, named, bare, names)
+
+    def _worded(self, anchor: str, text: Text, section: Section) -> Section:
         """What a text tells, in its words."""
-        section = self._told_or_left_out(anchor, names)
         if not section.claims:  # where what it is about was not measured there is nothing to tell
             section = replace(section, unmeasured=[word for _, word in text.words])
         story = f"{config().story.replace('.', '/')}/"
@@ -178,6 +195,16 @@ def _remarked(chapter: Chapter, marks: Mapping[str, Any], templates: Templates) 
 def derive_edition(project: Project, templates: Templates, cache: DerivedCache | None = None) -> Edition:
     """Derive what the results of one release make by themselves: what compares releases has its results alone."""
     states = [_with_noise(project, state) for state in states_of(project)]
+    edition = _derived(project, states, templates, cache)
+    unfit = [state for state in edition.left_out if state.section == NOISE]
+    if unfit and any(state.record for state in states if state.section == NOISE):
+        # What no page can show of the noise is no measure of other numbers.
+        states = [unfit[0] if state.section == NOISE else state for state in states]
+        edition = _derived(project, states, templates, cache)
+    return edition
+
+
+def _derived(project: Project, states: Sequence[State], templates: Templates, cache: DerivedCache | None) -> Edition:
     floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
     there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
     measured = [(state, Results(state.record, project.record_path(state.section), floors=floors)) for state in there]

@@ -174,16 +174,25 @@ def _installer(root: Path, name: str) -> Iterator[str]:
         if not uv:
             remove(tools)  # of one that was killed
             _run([sys.executable, "-m", "venv", str(tools)], name)
-            _run([str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "uv"], name)
+            pinned = tools / "uv.txt"
+            pinned.write_text(_locked(root, "uv"), encoding="utf-8")
+            pip = [str(tools / "bin" / "python"), "-m", "pip", "install", "--quiet", "--require-hashes", "--no-deps"]
+            _run([*pip, "--only-binary", ":all:", "--requirement", str(pinned)], name)
         yield uv or str(tools / "bin" / "uv")
     finally:
         remove(tools)
 
 
+def _locked(root: Path, name: str) -> str:
+    """The requirement of a package as the lock has it: its version, and the digests of its files."""
+    lock = (root / "uv.lock").read_text(encoding="utf-8")
+    [entry] = [each for each in lock.split("[[package]]\n") if each.startswith(f'name = "{name}"\n')]
+    version, digests = re.search('^version = "(.+)"$', entry, re.MULTILINE)[1], re.findall("sha256:[0-9a-f]{64}", entry)
+    return " ".join([f"{name}=={version}", *(f"--hash={digest}" for digest in digests)])
+
+
 def _from_lock(root: Path, uv: str, new: Path) -> list[list[str]]:
-    # Environments of other releases need uv, and what the documents say to type.
-    own_uv = [uv, "pip", "install", "--python", str(new / "bin" / "python"), "uv"]
-    return [[uv, "sync", "--frozen", "--project", str(root)], own_uv]
+    return [[uv, "sync", "--frozen", "--project", str(root)]]
 
 
 def _from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> list[list[str]]:

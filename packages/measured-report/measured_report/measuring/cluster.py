@@ -5,21 +5,25 @@ batches must be alone on their host.
 """
 
 import argparse
+import asyncio
 import contextlib
 import logging
 import os
 import pickle
+import secrets
 import shlex
 import sys
 import time
 import uuid
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+import asyncssh
 import dask
 import distributed
-from distributed import Client, Future, KilledWorker, LocalCluster, SSHCluster
+from distributed import Client, Future, KilledWorker, LocalCluster, Security, SpecCluster
+from distributed.deploy import ssh
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -37,7 +41,11 @@ SETTINGS = {
     "distributed.worker.memory.terminate": False,
     # Dask ends for good what has no worker so long after it lost one, even where the next one is just starting.
     "distributed.deploy.lost-worker-timeout": "365d",
+    # Its web servers can't be left out; they listen on the host alone, and have nothing to say.
+    "distributed.scheduler.http.routes": [],
+    "distributed.worker.http.routes": [],
 }
+NO_DASHBOARD = {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
 QUIET = logging.CRITICAL  # what is wrong is said here
 CONNECT_S = 30.0
 
@@ -49,11 +57,14 @@ def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
     with dask.config.set(SETTINGS), contextlib.ExitStack() as stack:
         try:
             if cluster.scheduler:
+                if cluster.is_open:
+                    said = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
+                    print(f"CLUSTER={cluster.asked}: {said}", file=sys.stderr, flush=True)
                 client = Client(cluster.scheduler, timeout=CONNECT_S)
             else:
                 started = _over_ssh(cluster) if cluster.hosts else _on_this_host(cluster, device)
                 client = Client(stack.enter_context(started))
-        except (OSError, ValueError, RuntimeError) as error:  # asyncssh's errors are among them
+        except (OSError, ValueError, RuntimeError, asyncssh.Error) as error:
             said = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={cluster.asked}: no workers could be started or reached: {said:.200}") from None
         yield stack.enter_context(client)
@@ -72,16 +83,48 @@ def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
     return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
 
 
-def _over_ssh(cluster: ClusterAddress) -> SSHCluster:
+@contextlib.contextmanager
+def _over_ssh(cluster: ClusterAddress) -> Iterator[SpecCluster]:
+    """Start processes that know each other by a key made for this run, and listen where ssh reaches their host.
+
+    The key is a file on each host that only its user can read: what is on a command line can be seen by all.
+    """
+    security, place = Security.temporary(), f"/tmp/measured-report-{secrets.token_hex(16)}.pem"
     hosts = [host for host, _ in cluster.hosts]
-    pythons = [_python_in(folder) for _, folder in cluster.hosts]
-    return SSHCluster(
-        [hosts[0], *hosts],
-        remote_python=[pythons[0], *pythons],
-        worker_options={"memory_limit": 0, "death_timeout": str(CONNECT_S)},
+    roles = [f"{role}.{what}" for role in ("client", "scheduler", "worker") for what in ("key", "cert")]
+    files = {f"distributed.comm.tls.{name}": place for name in ("ca-file", *roles)}
+    try:
+        pem = security.tls_client_key + security.tls_client_cert
+        told = asyncio.run(_tell(hosts, f'umask 077; cat > {place}; echo "$SSH_CONNECTION"', pem))
+        addresses = [said.split()[2] for said in told]
         # The scheduler outlives this process for a while where nobody could stop it.
-        scheduler_options={"port": 0, "dashboard": False, "idle_timeout": "60s"},
-    )
+        scheduling = {"protocol": "tls", "port": 0, "idle_timeout": "60s", **NO_DASHBOARD}
+        working = {"memory_limit": 0, "death_timeout": str(CONNECT_S), **NO_DASHBOARD}
+        each: list[dict[str, Any]] = [
+            {"address": host, "connect_options": {}, "remote_python": _python_in(folder), "kwargs": {"host": address}}
+            for (host, folder), address in zip(cluster.hosts, addresses, strict=True)
+        ]
+        scheduler = {"cls": ssh.Scheduler, "options": {**each[0], "kwargs": {**each[0]["kwargs"], **scheduling}}}
+        workers = {
+            number: {"cls": ssh.Worker, "options": {**one, "kwargs": {**one["kwargs"], **working}}}
+            for number, one in enumerate(each)
+        }
+        settings = {"distributed.comm.require-encryption": True, **files}
+        with dask.config.set(settings), SpecCluster(workers, scheduler, security=security, name="ssh") as started:
+            yield started
+    finally:
+        with contextlib.suppress(OSError, asyncssh.Error):  # a host that is gone keeps the key of what is no more
+            asyncio.run(_tell(hosts, f"rm -f {place}"))
+
+
+async def _tell(hosts: Iterable[str], command: str, text: str = "") -> list[str]:
+    """Run a command on each host, with a text as its input, and return what it prints."""
+
+    async def tell(host: str) -> str:
+        async with asyncssh.connect(host, connect_timeout=CONNECT_S) as connection:
+            return str((await connection.run(command, input=text, check=True)).stdout)
+
+    return await asyncio.gather(*map(tell, hosts))
 
 
 def _python_in(folder: str) -> str:

@@ -8,6 +8,7 @@ from measured_report.files.errors import UsageError
 
 HOST = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
 SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
+LOOPBACK = re.compile(r"tcp://(127\.[0-9.]+|localhost|\[::1\]):")
 PROCESS_LIMIT = 256
 
 
@@ -22,6 +23,11 @@ class ClusterAddress:
     """Hosts to log in to, and the folder of the project on each; empty where it is as here."""
     scheduler: str = ""
     """Address of Dask's scheduler, where one is there already."""
+
+    @property
+    def is_open(self) -> bool:
+        """Whether anyone who reaches its scheduler is let in."""
+        return self.scheduler.startswith("tcp://") and not LOOPBACK.match(self.scheduler)
 
     @property
     def is_here(self) -> bool:

@@ -26,12 +26,14 @@ from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter, toke
 from measured_report.pages.passages import Passage, PassageTag
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
+from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"
 """Templates of HTML, and what else lies beside every page. A report's own of the same name counts instead of it, which
 may extend ``layout/NAME``."""
 TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
 """In a text that was converted; alone in its paragraph it may be a block."""
+PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
 BLOCK = ("<figure", "<p", "<div", "</div")
 
 
@@ -157,7 +159,9 @@ def _named(template: str) -> Iterator[None]:
     except jinja2.TemplateSyntaxError as error:
         raise ReportError(f"templates/{error.name or template}:{error.lineno}: {error.message}") from None
     except jinja2.TemplateError as error:
-        raise ReportError(f"templates/{template}: {error.message}") from None
+        # What is asked of a text or of nothing, as if it were a number, a record has otherwise than was thought.
+        kind = ResultsError if PLAIN.match(error.message or "") else ReportError
+        raise kind(f"templates/{template}: {error.message}") from None
 
 
 @jinja2.pass_context

@@ -41,6 +41,7 @@ STYLE: dict[str, Any] = {
     **dict.fromkeys(("axes.edgecolor", "axes.labelcolor", "axes.titlecolor", "text.color"), INK),
     **dict.fromkeys(("xtick.color", "ytick.color", "hatch.color"), INK),
     "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-99, 99),  # a factor aside of an axis is read as a number of its own
     "axes.titlesize": 10,
     "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
     "axes.titlelocation": "left",

@@ -56,15 +56,12 @@ class Data:
         return [row for path in files for row in self.file(str(path.relative_to(self.folder)))["rows"]]
 
     @cached_property
-    def texts(self) -> set[str]:
-        """What records say in words with a number in them."""
-        return {cell for row in self.rows for cell in row.values() if isinstance(cell, str) and re.search(r"\d", cell)}
-
-    @cached_property
     def names(self) -> re.Pattern:
-        """What cases with a number in their names are called, in whole and in parts."""
+        """What has a number in it and is none: names of cases, in whole and in parts, and what records say in words."""
         whole = {extras().name_of(row["case"]) for row in self.rows if "case" in row}
-        names = {part for name in whole for part in (name, *name.split(", ")) if re.search(r"\d", part)}
+        texts = {" ".join(cell.split()) for row in self.rows for cell in row.values() if isinstance(cell, str)}
+        parts = (part for name in whole for part in (name, *name.split(", ")))
+        names = {name for name in (*parts, *texts) if re.search(r"\d", name)}
         longest_first = sorted(names, key=len, reverse=True)
         return re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)")
 
@@ -136,7 +133,7 @@ def _check_cells(page: PageReader, data: Data) -> list[str]:
     return [
         f"the number {number[0]} leads nowhere in the cell: {cell.strip()}"
         for cell, rest in left
-        if (number := re.search(r"\d\S*", rest)) and not any(text in cell for text in data.texts)
+        if (number := re.search(r"\d\S*", rest))
     ]
 
 

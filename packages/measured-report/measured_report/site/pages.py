@@ -170,7 +170,8 @@ class Site:
             content.page.file: layout({**known, "content": content, "drawn": self._drawn(content, place, pictures)})
             for content in names["contents"]
         }
-        for file, html in {**_connected(pages, edition.chapters), **edition.extras.pages(self.templates)}.items():
+        connected = _connected(pages, edition.chapters, bool(edition.left_out))
+        for file, html in {**connected, **edition.extras.pages(self.templates)}.items():
             self.draft.write(f"{place}{file}", self._seen_from(place, html))
         for path in (*(LAYOUT / name for name in ("style.css", "page.js")), *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
@@ -261,8 +262,10 @@ def _draw(
     return pictures
 
 
-def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str, str]:
+def _connected(pages: Mapping[str, str], sections: Collection[str], lacks: bool) -> dict[str, str]:
     """Pages by file, with links to what is not on their own page leading to the page that it is on.
+
+    Where the edition ``lacks`` a section, what would lead to a place that is not there is no link.
 
     The front page has the ids of all sections for old links alone.
     """
@@ -272,6 +275,8 @@ def _connected(pages: Mapping[str, str], sections: Collection[str]) -> dict[str,
 
     def connect(file: str, link: re.Match) -> str:
         name = link[1]
+        if lacks and name not in places:
+            return ""  # to a part of what is not there: the words stay, and lead nowhere
         return link[0] if name in ids[file] or name not in places else f' href="{places[name]}#{name}"'
 
     return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}

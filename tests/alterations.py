@@ -1,0 +1,113 @@
+"""Alterations: a record as other hardware, a bug or a hand might have made it, one column or its rows at a time.
+
+Whatever is altered, the pages stand, without a number that no record has, and what can't be shown is named in one line.
+``make torture`` tries that on whole records, and a test on small ones.
+"""
+
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from random import Random
+from typing import Any
+
+from measured_report.editions.project import own_release
+from measured_report.files.cache import FOLDER as CACHE
+from measured_report.files.staging import remove
+from measured_report.records.columns import REASON, columns_of, is_number, units_of
+from measured_report.site.check import check_site
+
+Row = dict[str, Any]
+
+NUMBERS: Mapping[str, Callable[[Any, Random], Any]] = {
+    "null": lambda cell, chance: None,
+    "zero": lambda cell, chance: type(cell)(0),
+    "negative": lambda cell, chance: -cell,
+    "text": lambda cell, chance: "7.77 mm",
+    "huge": lambda cell, chance: cell * 10**6,
+    "tiny": lambda cell, chance: cell * 1e-9,
+    "other": lambda cell, chance: type(cell)(cell * chance.uniform(0.5, 2.0)),
+}
+"""What may be in the place of a number, by name."""
+WORDS: Mapping[str, Callable[[Any, Random], Any]] = {
+    "null": lambda cell, chance: None,
+    "text": lambda cell, chance: chance.choice(("x", "7.77 mm", "<b>1.23</b>", "{{ 7 }}", "=1+1", "", "a.b/c d", "0")),
+    "yes or no": lambda cell, chance: chance.random() < 0.5,
+    "number": lambda cell, chance: 7.77,
+}
+"""What may be in the place of a text, or of yes or no."""
+ROWS: Mapping[str, Callable[[list[Row], Random], list[Row]]] = {
+    "lost rows": lambda rows, chance: [row for row in rows if chance.random() < 0.5],
+    "one row": lambda rows, chance: [chance.choice(rows)],
+    "reversed": lambda rows, chance: rows[::-1],
+    "in another order": lambda rows, chance: chance.sample(rows, len(rows)),
+    "a row twice": lambda rows, chance: [*rows, chance.choice(rows)],
+    "rows alike": lambda rows, chance: [{**rows[0], "case": row["case"]} for row in rows],
+}
+"""What may have become of all rows, by name."""
+
+
+def altered(record: Mapping[str, Any], chance: Random) -> tuple[str, dict[str, Any]]:
+    """The JSON of a record with something in it altered, and what that is in words."""
+    rows = [dict(row) for row in record["rows"]]
+    if chance.random() < 0.25:
+        words, change = chance.choice(list(ROWS.items()))
+        rows = change(rows, chance)
+    else:
+        words, rows = _column_altered(rows, chance)
+    return words, {**record, "rows": rows, "units": units_of(rows)}
+
+
+def _column_altered(rows: list[Row], chance: Random) -> tuple[str, list[Row]]:
+    """One column altered, in all rows or in one; a number that goes has its reason beside it, or seldom none."""
+    column = chance.choice(columns_of(rows))
+    there = [row for row in rows if row.get(column) is not None]
+    kinds = NUMBERS if any(is_number(row[column]) for row in there) else WORDS
+    name, change = chance.choice([*kinds.items(), ("gone", None)])
+    hit = [chance.choice(there)] if there and chance.random() < 0.4 else there
+    for row in hit:
+        if change is None:
+            del row[column]
+        elif is_number(row[column]) or kinds is WORDS:
+            row[column] = change(row[column], chance)
+        if row.get(column, 0) is None and chance.random() < 0.9:
+            row[column + REASON] = "the sensor was off"
+    return f"{column} {name}{' in one row' * (len(hit) < len(there))}", rows
+
+
+AT_ONCE = 4
+"""So many records are altered at once: what takes the time is the page of the others."""
+
+
+def alterations(world, trial, moments: int, release: str) -> Iterator:
+    """Records altered at random, of all sections of the own release and of another one."""
+    trial.name = f"altered records, {AT_ONCE} at once: no traceback, no false number, each shown or named in one line"
+    whole = type(world).made(world.root.parent / "whole", {own_release(): (), release: ()})
+    whole.run("page")
+    cache, kept = whole.root / CACHE, whole.root.parent / "kept"
+    cache.rename(kept)
+    paths = sorted(whole.root.glob("results/*/*.json"))
+    while trial.tried < trial.of:
+        chance = Random(trial.tried)
+        before = {path: path.read_bytes() for path in chance.sample(paths, AT_ONCE)}
+        words = {}
+        for path, content in before.items():
+            words[path], record = altered(json.loads(content), chance)
+            path.write_text(json.dumps(record), encoding="utf-8")
+        remove(cache)
+        shutil.copytree(kept, cache, copy_function=os.link)  # what is written there takes the place of the link
+        done = whole.run("page")
+        lines = done.stderr.splitlines()
+        is_said = done.returncode == bool(lines) and all(line.startswith("damaged: ") for line in lines)
+        found = [] if is_said else [f"status {done.returncode}: {done.stderr[-300:]}"]
+        found += check_site(whole.root / "site")[:2]
+        for path in before:
+            place = f"{path.parent.name}/{path.name}"
+            shown, named = whole.root / "site/data" / place, [line for line in lines if place in line]
+            is_shown = shown.is_file() and shown.read_bytes() == path.read_bytes()
+            own = [] if is_shown or len(named) == 1 else [f"not shown, and named in {len(named)} lines"]
+            trial(f"{place}, {words[path]}", *own, *found)
+            found = []  # it is of all of them, and counts once
+        for path, content in before.items():
+            path.write_bytes(content)
+        yield trial
