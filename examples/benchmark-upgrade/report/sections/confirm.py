@@ -18,8 +18,8 @@ label = "tasks that changed"
 
 DIAL, LOCK, PEG, PUSH = "dial-turn-v3", "door-lock-v3", "peg-insert-side-v3", "stick-push-v3"
 PANELS = {
-    DIAL: ("success_count", "dial-turn: successes of 50"),
-    PEG: ("success_count", "peg-insert-side: successes of 50"),
+    DIAL: ("success_count", "dial-turn: successes"),
+    PEG: ("success_count", "peg-insert-side: successes"),
     LOCK: ("step_median", "door-lock: steps to success"),
     PUSH: ("untouched_mm", "stick-push: thermos, untouched [mm]"),
 }
