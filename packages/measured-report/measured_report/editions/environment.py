@@ -59,7 +59,7 @@ def add_group(group: str, root: Path = ROOT) -> None:
 def add_cluster(python: Path, root: Path = ROOT) -> None:
     """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
     asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
-    takes = read_toml(root / "pyproject.toml")["project"]["optional-dependencies"]["cluster"]
+    takes = read_toml(root / "pyproject.toml")["project"].get("optional-dependencies", {}).get("cluster", ())
     names = [NAME.match(requirement)[0] for requirement in takes]
     if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
         return
