@@ -10,8 +10,9 @@ import pytest
 
 from measured_report.files.root import ROOT
 
-GIVEN = re.search(r"^override GIVEN := ((?:.*\\\n)*.*)", (ROOT / "Makefile").read_text(), re.MULTILINE)[1]
-NAMES = GIVEN.replace("\\\n", " ").split()
+SHARED = (ROOT / "packages/measured-report/measured_report/skeleton/report.mk").read_text()
+GIVEN = re.search(r"^override GIVEN := ((?:.*\\\n)*.*)", SHARED, re.MULTILINE)[1]
+NAMES = GIVEN.replace("\\\n", " ").replace("$(EDITION)", "NEWTON").replace("$(OWN)", "FAST LAB").split()
 WORDS = ["$(shell touch {})", "$$(touch {})", "`touch {}`", "'; touch {}; '"]
 
 

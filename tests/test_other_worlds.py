@@ -4,9 +4,13 @@
 """
 
 import pytest
-from worlds import AS_MEASURED, SCENARIOS, kept, otherwise, outcomes_of, project_of
+from worlds import AS_MEASURED, SCENARIOS, Scenario, as_measured, kept, otherwise, outcomes_of, project_of
 
+from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import own_release
+from measured_report.pages.prose import Templates
+from measured_report.records.columns import REASON
+from measured_report.site.pages import undrawn
 
 pytestmark = pytest.mark.words
 
@@ -47,3 +51,17 @@ def test_what_a_scenario_does_not_show_does_not_hold(scenario, names, before):
     assert "holds" not in found.values()
     # A scenario may have claims of its own, as where stiff pads still help when the cube does not slip.
     assert found.keys() >= among(before, names).keys()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("column", ["integrator", "shake_amplitude_m", "shake_duration_s"])
+def test_a_parameter_that_every_record_lacks_stops_no_build(column):
+    """It has a reason in its place; sections that are about it may be left out."""
+
+    def rows(records, place):
+        lost = {column: None, column + REASON: "as a test"}
+        return [{**row, **(lost if column in row else {})} for row in as_measured(records, place)]
+
+    with project_of(Scenario("lacking", rows), [own_release()]) as project:
+        editions = editions_of(project, templates := Templates(project.templates))
+        assert len(undrawn(editions, templates, project.release)) > 10

@@ -26,13 +26,16 @@ def files() -> dict[str, str]:
     return {path.partition("/")[0]: textwrap.dedent(text).strip() + "\n" for path, text in FILE.findall(README)}
 
 
+MAKEFILES = (ROOT / "Makefile", ROOT / "packages/measured-report/measured_report/skeleton/report.mk")
+
+
 def text_of(section: str) -> str:
     path = ROOT / "report/sections" / f"{section}.py"
     return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def test_what_it_names_is_there_and_needs_no_uv_but_the_own():
-    targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    targets = set(re.findall(r"^([a-z]+):", "\n".join(path.read_text() for path in MAKEFILES), re.MULTILINE))
     named = set(re.findall(r"(?:`|^ {4})make ([a-z]+)", README, re.MULTILINE))
     assert named and named <= targets
     texts = [README, *(path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md"))]

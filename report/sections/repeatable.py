@@ -16,10 +16,10 @@ label = "to the last bit"
 WAYS = {
     "plain": "as shipped",
     "sorted": "Newton's contacts sorted",
-    "ordered": "and MuJoCo Warp asked to order contacts and rows",
-    "all": "and its sums",
+    "ordered": "MuJoCo Warp asked to order its contacts and rows",
+    "all": "MuJoCo Warp asked to order its sums as well",
 }
-SO = {"sorted": WAYS["sorted"], "ordered": f"{WAYS['sorted']}, {WAYS['ordered']}", "all": "all that both offer"}
+SO = {"sorted": WAYS["sorted"], "ordered": f"{WAYS['sorted']} and {WAYS['ordered']}", "all": "all that both offer"}
 """The same in a sentence."""
 
 
@@ -40,6 +40,6 @@ def _some_way_repeats(results: Results, rows: Mapping[str, Row]) -> Claim:
     tried = [rows[way].differing_world_count for way in SO]
     least = extreme(results, "differing_least", "least number of worlds that differ, of all ways", min, tried)
     lost = [words for way, words in WAYS.items() if rows[way].differing_world_count.value is None]
-    lacking = Markup("; ").join(words.removeprefix("and ") for words in lost)
+    lacking = Markup("; ").join(lost)
     numbers = {"way": SO.get(exact, ""), "least": least, "worlds": rows["plain"].worlds, "lacking": lacking}
     return Claim("some_way_repeats", at_most(least, 0, why="the same to the last bit"), numbers)

@@ -8,16 +8,21 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from pathlib import Path
 from textwrap import indent
 
+import mujoco
+import newton
+import numpy as np
 import pytest
+import warp as wp
 from conftest import needs_boxes_in_c
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS
 from experiments.facts.fix_files import fix_files, without_patch
 from experiments.facts.trace import Trace
-from experiments.simulation.simulation import simulate
+from experiments.simulation.simulation import Simulation, run, simulate
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 
@@ -103,21 +108,26 @@ def test_the_script_needs_newton_alone_and_holds_the_robot_of_this_report():
     assert strings == [(ROOT / AS_SHIPPED.asset).read_text(encoding="utf-8")]
 
 
-FIX_BLOCK = re.compile(r'data-answer="fix".*?<pre[^>]*><code[^>]*>(.*?)</code></pre>', re.DOTALL)
+CODE = re.compile(r"<pre[^>]*><code[^>]*>(.*?)</code></pre>", re.DOTALL)
 BEFORE = "    return robot\n"
 """Where the robot of the scene is whole."""
 
 
-def fix_block(page: str) -> str:
-    """The lines to paste, as a page has them."""
-    return html.unescape(re.sub("<[^>]+>", "", FIX_BLOCK.search(page)[1]))
+def block_with(page: Path, word: str) -> str:
+    """The first lines to paste that have a word in them, as a page has them."""
+    blocks = (html.unescape(re.sub("<[^>]+>", "", code)) for code in CODE.findall(page.read_text(encoding="utf-8")))
+    return next(block for block in blocks if word in block)
+
+
+def fix_block(page: Path) -> str:
+    return block_with(page, "shape_material_ke")
 
 
 @pytest.mark.slow
 @needs_boxes_in_c
 def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
     scene = (site / "download/scene_as_shipped.py").read_text(encoding="utf-8")
-    block = fix_block((site / "index.html").read_text(encoding="utf-8"))
+    block = fix_block(site / "index.html")
     assert scene.count(BEFORE) == 1
     pasted = scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}")
     (tmp_path / "scene.py").write_text(pasted, encoding="utf-8")
@@ -131,5 +141,62 @@ def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
 
 
 def test_every_release_has_the_same_lines_to_paste(site):
-    pages = [site / "index.html", *site.glob("newton-*/index.html")]
-    assert len({fix_block(page.read_text(encoding="utf-8")) for page in pages}) == 1
+    pages = [*site.glob("**/index.html"), site / "fix.html"]
+    assert len({fix_block(page) for page in pages}) == 1
+
+
+class InMjcf(Simulation):
+    """The scene through MuJoCo's C engine, its pads as lines of MJCF have them."""
+
+    lines = ""
+
+    def _build_solver(self):
+        solver = super()._build_solver()
+        geoms = self.lines.replace("<geom", '<geom type="box" size="0.01 0.01 0.01"')
+        pads = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
+        assert [pads.geom(name).priority[0] for name in ("left_pad", "right_pad")] == [1, 1]
+        model = solver.mj_model
+        fingers = [geom for geom in range(model.ngeom) if "finger" in model.body(model.geom_bodyid[geom]).name]
+        assert model.geom_solref[fingers] == pytest.approx(np.tile([0.02, 1.0], (8, 1)))
+        model.geom_solref[fingers] = pads.geom_solref[0]
+        return solver
+
+
+@pytest.mark.slow
+@needs_boxes_in_c
+def test_the_lines_of_mjcf_hold_the_cube_as_the_other_block_does(site, monkeypatch):
+    monkeypatch.setattr(InMjcf, "lines", block_with(site / "index.html", "left_pad"))
+    case = replace(AS_SHIPPED, backend="mujoco", state_sync=True)
+    [[trace]] = run([InMjcf([case], wp.get_device("cpu"))])
+    rows = json.loads((site / "data/newton-1.4.0/fix.json").read_text(encoding="utf-8"))["rows"]
+    noise = json.loads((site / VALUES).read_text(encoding="utf-8"))["noise"]["slip_floor"]["value"]
+    [said] = [row["slip_mm"] for row in rows if row["case"] == "fixed-mujoco-c"]
+    assert abs(metrics.slip_mm(metrics.displacement(trace)) - said) <= noise
+
+
+class Pasted(Simulation):
+    """The scene with the solver that a block makes, beside the scene's own options."""
+
+    block = ""
+
+    def _build_solver(self):
+        options = "nconmax=64, njmax=96, use_mujoco_contacts=False, iterations=15, ls_iterations=100, cone='elliptic'"
+        assert self.block.count("model, ...,") == 1
+        names = {"newton": newton, "model": self.model}
+        exec(self.block.replace("...,", f"{options}, update_data_interval=0,"), names)
+        names["solver"].reset(self.state)
+        return names["solver"]
+
+
+@pytest.mark.slow
+def test_the_block_of_the_cure_does_what_was_measured(site, monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "assets/fix")
+    monkeypatch.setattr(Pasted, "block", block_with(site / "cure.html", "compensated_positions"))
+    case = replace(LEAN, frame_count=330)
+    cured = replace(case, integrator="euler", impratio=400.0, compensated=True)
+    cured = replace(cured, contact_bias=True, bias_centred=True, bias_normal=True)
+    [[pasted]] = run([Pasted([case], wp.get_device("cpu"))])
+    [own] = simulate([cured], device="cpu")
+    moved = [1e3 * metrics.displacement(trace).vector_m[-1] for trace in (pasted, own)]
+    assert moved[0] == pytest.approx(moved[1], abs=1e-4)
+    assert abs(moved[0]).max() < 0.1

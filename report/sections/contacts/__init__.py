@@ -97,7 +97,7 @@ def _slide_claims(results: Results, runs: Mapping[str, Row]) -> Iterator[Claim]:
     for name, case in (("slide_accounts", "as-shipped"), ("slide_accounts_when_stiff", "stiff-pads")):
         slide, along = runs[case].slide_mm, runs[case].along_mm
         off = size_share(results, f"slide_departure_{case}", formula, gaps[case], along)
-        numbers = {"slide": slide, "along": along, "duration": runs[case].shake_duration_s, "bound": bound}
+        numbers = {"slide": slide, "along": along, "bound": bound}
         is_more = greater(slide, along, noise=floor).said
         yield Claim(name, at_most(off, bound), numbers | {"is_more": is_more})
 

@@ -104,4 +104,7 @@ def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
         "least": there[0].slip_mm,
     }
     outcome = at_least(numbers["count"], 1, why="one at least")
-    return Claim("less_untested", outcome, numbers | {"way": name_of(there[0].case.replace("-3cm", ""))})
+    words = {"way": name_of(there[0].case.replace("-3cm", ""))}
+    return Claim(
+        "less_untested", outcome, numbers | words | {"are_stiff": numbers["stiff"].value == numbers["count"].value}
+    )

@@ -1,6 +1,7 @@
 """What the scene has and does not use, what each of it costs, and that nothing changes without it."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from measured_report.values.results import Results, Row
 from report.names import cases_html
 from report.sections.leave_out.tables import audit_table, cost_figure, cost_table
 from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
-from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio
+from report.shared.arithmetic import DEVICES, difference, extreme, largest_size, noise_floor, ratio
 from report.shared.timing import cell, frame_spread
 
 order = 150
@@ -50,7 +51,7 @@ def derive(results: Results) -> Section:
             _buffers_on_cpu(results, timed, faster),
             _less_memory(results, timed),
             _same_slip_on_gpu(results, runs, differences),
-            _each_helps(faster),
+            _each_helps(results, faster),
             _same_bits(results, runs),
         ],
     )
@@ -121,13 +122,16 @@ def _same_slip_on_gpu(results: Results, runs: Runs, differences: Mapping[tuple[s
     return Claim("same_slip_on_gpu", outcome, numbers)
 
 
-def _each_helps(faster: Faster) -> Claim:
+def _each_helps(results: Results, faster: Faster) -> Claim:
     """Tell whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
     alone = {case: [faster[key] for key in faster if key[1] == case] for _, case, _ in faster if case != ALL}
     helping = [case for case, found in alone.items() if HOLDS in found]
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
     reads = all_of(*(outcome for found in alone.values() for outcome in found)).reads
-    return Claim("each_helps", replace(outcome, reads=reads), {"helping": cases_html(helping)})
+    spreads = [value for name, value in results.derived.items() if re.fullmatch("cpu_.*_spread", name) and value.value]
+    widest = [extreme(results, "cpu_spread", "largest of these ranges on the CPU", max, spreads)] if spreads else []
+    outcome = replace(outcome, reads=reads).having_read(*widest)
+    return Claim("each_helps", outcome, {"helping": cases_html(helping), "spread": widest[0] if widest else ""})
 
 
 def _is_faster(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Outcome:

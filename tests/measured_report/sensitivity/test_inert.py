@@ -46,6 +46,18 @@ def test_no_words_name_what_their_test_has_not_read(perturbation):
     assert set().union(*(survey.unread() for survey in surveys(perturbation))) == listed("unread.txt")
 
 
+def test_captions_name_what_a_test_of_their_section_has_read(perturbation):
+    """Each line of the list is a plain value of what is drawn, of which nothing else is said."""
+    found = set().union(*(survey.unread_captions() for survey in surveys(perturbation)))
+    assert found == listed("captions.txt")
+
+
+@pytest.mark.slow
+def test_titles_of_figures_change_with_what_they_draw(perturbation):
+    own = [survey for survey in surveys(perturbation) if survey.release == "1.4.0"]
+    assert set().union(*(survey.fixed_titles() for survey in own)) == listed("fixed.txt")
+
+
 @pytest.mark.slow
 def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""

@@ -152,7 +152,8 @@ def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
     """Where they are less apart than their noise, measured again it may be on the other side."""
     if abs(a.value - bound.value) >= math.hypot(a.noise or 0.0, bound.noise or 0.0):
         return None
-    return Outcome("unknown", "it is nearer to the bound than its noise", is_near=True)
+    reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
+    return Outcome("unknown", reason, is_near=True)
 
 
 def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
@@ -169,9 +170,22 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
 
 
-def greater(a: Number, b: Number, *, noise: Number, why: str = "") -> Outcome:
-    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell."""
+def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
+    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell.
+
+    The ``noise`` that nobody names is the larger one of theirs.
+    """
+    if noise is None:
+        noise = _noise_of(a, b)
     return _judged(lambda a, b, noise: _trend([b.value, a.value], noise.value), a, b, noise, why=why)
+
+
+def _noise_of(*numbers: Number) -> Quantity:
+    """Return the largest noise of these; no number where that of one is not known."""
+    quantities = [number for number in numbers if isinstance(number, Quantity)]
+    unknown = any(each.noise is None for each in quantities if each.value is not None)
+    most = max((each.noise or 0.0 for each in quantities), default=0.0)
+    return Quantity(None if unknown else most, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
 
 
 def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:

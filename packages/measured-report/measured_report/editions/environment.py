@@ -59,7 +59,7 @@ def add_group(group: str, root: Path = ROOT) -> None:
 def add_cluster(python: Path, root: Path = ROOT) -> None:
     """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
     asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
-    takes = read_toml(root / "pyproject.toml")["project"]["optional-dependencies"]["cluster"]
+    takes = read_toml(root / "pyproject.toml")["project"].get("optional-dependencies", {}).get("cluster", ())
     names = [NAME.match(requirement)[0] for requirement in takes]
     if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
         return
@@ -92,6 +92,20 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     if stack.checkout or not (folder / READY).exists():
         _make(folder, f"{option}={stack.asked}", source, partial(_from_requirements, root, stack, rest), root)
     _refuse_other(folder / "bin" / "python", stack, root)
+    return folder / "bin" / "python"
+
+
+def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
+    """The Python of the environment ``.venv-<name>``, which has these requirements and nothing of the project's.
+
+    It is made when it is not there; UsageError, one line, where it can't be.
+    """
+
+    def install(uv: str, new: Path) -> list[list[str]]:
+        return [[uv, "pip", "install", "--python", str(new / "bin" / "python"), *requirements]]
+
+    folder = root / f".venv-{name}"
+    _make(folder, name, "\n".join(requirements).encode(), install, root)
     return folder / "bin" / "python"
 
 

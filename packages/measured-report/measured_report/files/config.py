@@ -104,6 +104,8 @@ class Config:
     """The section that has repeats: rows that are runs of one and the same case, as ``of`` says."""
     repeating: Mapping[str, Sequence[str]] = field(default_factory=dict)
     """What columns say of runs that repeat to the last bit, all but times."""
+    units: Mapping[str, str] = field(default_factory=dict)
+    """Units by the end of a column's name, besides those that ``records/columns.py`` knows."""
     cost_terms: tuple[str, ...] = ()
     """Columns that two rows must share for their costs to be compared."""
     columns: tuple[Declared, ...] = ()

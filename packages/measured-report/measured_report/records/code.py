@@ -74,6 +74,10 @@ def cached_sources(root: Path = ROOT) -> Iterator[None]:
             kept.put(SOURCES, made_by, dict(list(_known.items())[-1000:]))
 
 
+HERE = str(Path(__file__).resolve().parents[2])
+"""The folder that this program lies in."""
+
+
 class Graph:
     """The definitions of the modules below some folders, and what their names mean."""
 
@@ -96,7 +100,9 @@ class Graph:
 
     def module(self, parts: Sequence[str]) -> str:
         """The file of a module; empty where it is none of this project."""
-        for place in ("/".join([root, *parts]) for root in self.roots):
+        # Where this program is installed lie other packages beside it, which are none of the project's.
+        roots = [root for root in self.roots if root != HERE or parts[0] == "measured_report"]
+        for place in ("/".join([root, *parts]) for root in roots):
             folder, _, last = place.rpartition("/")
             there = self._names_in(folder)
             if last in there and "__init__.py" in self._names_in(place):
@@ -184,7 +190,7 @@ class Graph:
 
 def roots_of(root: Path) -> tuple[str, ...]:
     """The folders below which a project's modules are found: its own, its packages', and those of this program."""
-    folders = [root, *sorted((root / "packages").glob("*")), Path(__file__).resolve().parents[2]]
+    folders = [root, *sorted((root / "packages").glob("*")), HERE]
     return tuple(dict.fromkeys(map(str, folders)))
 
 

@@ -22,7 +22,7 @@ from measured_report.files.config import config
 _LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
 _TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
 _OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "bytes_per_world": "B", "count": "1"}
-UNITS = _LENGTHS | _TIMES | _OTHERS
+UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
 """Unit by the end of a column's name; the longest end that fits counts."""
 
 PLAIN = "1"

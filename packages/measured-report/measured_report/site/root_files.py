@@ -26,7 +26,8 @@ def write_root_files(site: Site) -> None:
     names = {"address": site.address, "pages": sorted(pages), "citation": site.citation, "id": _id("")}
     for file in TEMPLATES if site.address else TEMPLATES[:-1]:  # a map of a site takes whole addresses
         site.draft.write(file, site.templates.layout(f"{file}.j2", {**names, "entries": entries}))
-    site.draft.copy("license.txt", ROOT / "LICENSE")
+    if (ROOT / "LICENSE").is_file():
+        site.draft.copy("license.txt", ROOT / "LICENSE")
     if card := extras().card(site.editions, site.cache):
         site.draft.write(CARD, card)
     cache = Cache(site.cache.root) if site.cache.root else None

@@ -1,0 +1,119 @@
+"""New reports: ``measured-report new DIR`` writes one that works, and ``measured-report update`` renews what it wrote.
+
+What is written is the folder ``skeleton`` of this package. A file that was changed since, or removed, stays so.
+"""
+
+import argparse
+import hashlib
+import json
+import re
+import shutil
+import sys
+from collections.abc import Mapping
+from importlib import metadata
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.records.provenance import git
+
+SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
+GENERATOR = "measured-report"
+WRITTEN = ".measured-report.json"
+"""In a report: the digests of the files as they were written."""
+SOURCE = re.compile(rf"(?m)^{GENERATOR} = \{{.*\}}$")
+
+
+def main() -> int:
+    """Write or update a report; the exit status, with one line for whatever can be mended."""
+    parser = argparse.ArgumentParser(prog=GENERATOR, description="A report that measures itself.", allow_abbrev=False)
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    for command, said, folder in ((new, "write a report", None), (update, "renew what new wrote, unless changed", ".")):
+        added = commands.add_parser(command.__name__, help=said, description=said)
+        added.add_argument("folder", metavar="DIR", type=Path, nargs="?" if folder else None, default=folder)
+        added.set_defaults(run=command)
+    arguments = parser.parse_args()
+    try:
+        arguments.run(Path(arguments.folder).resolve())
+    except (ReportError, OSError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    return 0
+
+
+def new(folder: Path) -> None:
+    """Write a report into a folder that is empty or not there."""
+    if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
+        raise UsageError(f"{folder} is not empty; name a folder that is not there")
+    folder.mkdir(parents=True, exist_ok=True)
+    _write(folder, {})
+    print(f"wrote {folder}; cd {folder.name} && make report measures, and builds site/index.html")
+
+
+def update(folder: Path) -> None:
+    """Renew what was written and is still as it was, and name what was changed; the generator is then this one."""
+    path = folder / WRITTEN
+    if not path.is_file():
+        raise UsageError(f"{folder} has no {WRITTEN}: {GENERATOR} new did not write it")
+    written = json.loads(path.read_text(encoding="utf-8"))
+    kept = _write(folder, written)
+    project = folder / "pyproject.toml"
+    if "pyproject.toml" in kept and (source := _source(folder)):
+        project.write_text(SOURCE.sub(lambda _: source, project.read_text(encoding="utf-8")), encoding="utf-8")
+    print(f"updated {folder}" + "".join(f"\nkept as you have it: {name}" for name in kept))
+
+
+def _write(folder: Path, written: Mapping[str, str]) -> list[str]:
+    """Write all files but those that are no longer as they were ``written``, which are returned."""
+    files, digests, kept = _files(folder), dict(written), []
+    for name, content in files.items():
+        path, digest = folder / name, hashlib.sha256(content).hexdigest()
+        now = hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+        if now != written.get(name):
+            kept += [name] if now not in (None, digest) else []
+            continue
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+        digests[name] = digest
+    (folder / WRITTEN).write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
+    return kept
+
+
+def _files(folder: Path) -> dict[str, bytes]:
+    """The files of a report in this folder, by their names below it."""
+    version = "" if (source := _source(folder)) else f"=={metadata.version(GENERATOR)}"
+    said = {
+        "@NAME@": re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "report",
+        "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
+        f'"{GENERATOR}"': f'"{GENERATOR}{version}"',
+        "# @SOURCE@\n": f"\n[tool.uv.sources]\n{source}\n" if source else "",
+    }
+    found = {}
+    for path in sorted(SKELETON.rglob("*")):
+        if path.is_file() and "__pycache__" not in path.parts:
+            text = path.read_text(encoding="utf-8")
+            for mark, word in said.items():
+                text = text.replace(mark, word)
+            name = path.relative_to(SKELETON).as_posix().replace("dot.", ".")
+            found[name] = text.encode()
+    return found
+
+
+def _source(folder: Path) -> str:
+    """The line of pyproject.toml that says where this generator is from; empty where that is an index.
+
+    A wheel is copied into the report, so that it is there wherever the report is.
+    """
+    told = json.loads(metadata.distribution(GENERATOR).read_text("direct_url.json") or "{}")
+    if "vcs_info" in told:
+        below = f', subdirectory = "{told["subdirectory"]}"' if told.get("subdirectory") else ""
+        return f'{GENERATOR} = {{ git = "{told["url"]}", rev = "{told["vcs_info"]["commit_id"]}"{below} }}'
+    place = Path(unquote(urlparse(told.get("url", "")).path))
+    if told and not told["url"].startswith("file:"):
+        return f'{GENERATOR} = {{ url = "{told["url"]}" }}'
+    if place.suffix == ".whl":
+        (folder / "wheels").mkdir(exist_ok=True)
+        if place.is_file() and place.parent != folder / "wheels":
+            shutil.copy(place, folder / "wheels")
+        return f'{GENERATOR} = {{ path = "wheels/{place.name}" }}'
+    return f'{GENERATOR} = {{ path = "{place}" }}' if told else ""
