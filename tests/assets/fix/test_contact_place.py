@@ -1,0 +1,223 @@
+"""The exact term against differences of the engine's own rows, in C and in Warp, and on a ball that rolls and spins."""
+
+from collections.abc import Iterator
+from itertools import islice
+from types import SimpleNamespace
+
+import mujoco
+import mujoco_warp as mjw
+import numpy as np
+import pytest
+import warp as wp
+
+from assets.fix import contact_place
+from experiments.simulation import contact_bias_c, contact_place_c
+
+STATES_OF_A_KIND = 3
+"""For each cone and dimension, so that there are 24 of each pair."""
+DEPTH_M = 1e-4
+GEOMS = {
+    "plane": 'type="plane" size="5 5 1"',
+    "sphere": 'type="sphere" size="0.1"',
+    "capsule": 'type="capsule" size="0.07 0.15"',
+    "ellipsoid": 'type="ellipsoid" size="0.1 0.15 0.2"',
+    "cylinder": 'type="cylinder" size="0.1 0.12"',
+    "box": 'type="box" size="0.1 0.13 0.16"',
+    "mesh": 'type="mesh" mesh="block"',
+}
+CORNERS = " ".join(f"{x} {y} {z}" for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1))
+BY_FORMULA = [("plane", other) for other in ("sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh")]
+BY_FORMULA += [("sphere", other) for other in ("sphere", "capsule", "cylinder", "box")]
+BY_FORMULA += [("capsule", "capsule"), ("capsule", "box")]
+BY_SEARCH = [("sphere", "ellipsoid"), ("sphere", "mesh"), ("capsule", "ellipsoid")]
+BY_SEARCH += [("capsule", "cylinder"), ("ellipsoid", "ellipsoid"), ("ellipsoid", "cylinder"), ("ellipsoid", "box")]
+BY_SEARCH += [("cylinder", "cylinder"), ("cylinder", "box")]
+"""Their contacts come from an iteration that ends before the last digits, so that differences take longer steps."""
+NOTHING_M_S2 = 1e-6
+"""A ball's distance from a plane has no rate at all."""
+KINDS = [(cone, dim) for cone in ("elliptic", "pyramidal") for dim in (1, 3, 4, 6)]
+
+
+def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
+    """Two bodies in space, or one at a tilted plane."""
+    joint, tilt = ("", 'euler="20 30 10"') if first == "plane" else ("<freejoint/>", "")
+    return mujoco.MjModel.from_xml_string(f"""<mujoco>
+      <option cone="{cone}" gravity="0 0 0" ccd_tolerance="1e-12" ccd_iterations="500">
+        <flag multiccd="disable"/>
+      </option>
+      <default><geom margin="0.1"/></default>
+      <asset>
+        <mesh name="block" vertex="{CORNERS}"/>
+      </asset>
+      <worldbody>
+        <body {tilt}>{joint}<geom {GEOMS[first]} condim="{dim}"/></body>
+        <body><freejoint/><geom {GEOMS[second]} condim="{dim}"/></body>
+      </worldbody>
+    </mujoco>""")
+
+
+def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
+    """Random orientations of two bodies that just touch, with velocities of some rad/s and m/s."""
+    random, data = np.random.default_rng(seed), mujoco.MjData(model)
+    for _ in range(200):
+        for joint in range(model.njnt):
+            quaternion = random.normal(size=4)
+            data.qpos[7 * joint + 3 : 7 * joint + 7] = quaternion / np.linalg.norm(quaternion)
+        way = random.normal(size=3)
+        if model.njnt == 1:
+            mujoco.mj_kinematics(model, data)
+            way = data.geom_xmat[0].reshape(3, 3) @ (0.1 * way[0], 0.1 * way[1], 1.0)
+        way /= np.linalg.norm(way)
+        near, far = 0.0, 3.0
+        for _ in range(40):
+            data.qpos[-7:-4] = 0.5 * (near + far) * way
+            mujoco.mj_fwdPosition(model, data)
+            inside = min((contact.dist for contact in data.contact), default=1.0) < -DEPTH_M
+            near, far = (0.5 * (near + far), far) if inside else (near, 0.5 * (near + far))
+        data.qvel[:] = random.normal(0.0, 2.0, model.nv)
+        mujoco.mj_fwdPosition(model, data)
+        mujoco.mj_fwdVelocity(model, data)
+        if data.ncon:
+            yield data
+
+
+def velocities(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> np.ndarray | None:
+    """J q̇ of the first contact's rows a time later, at the same velocity; None where contacts come or go."""
+    moved = mujoco.MjData(model)
+    moved.qpos[:], moved.qvel[:] = data.qpos, data.qvel
+    mujoco.mj_integratePos(model, moved.qpos, data.qvel, time_s)
+    mujoco.mj_fwdPosition(model, moved)
+    if moved.ncon != data.ncon:
+        return None
+    found = np.zeros(moved.nefc)
+    mujoco.mj_mulJacVec(model, moved, found, moved.qvel)
+    return found[rows_of(model, moved.contact[0])]
+
+
+def rows_of(model: mujoco.MjModel, contact) -> slice:
+    is_pyramid = model.opt.cone != contact_bias_c.ELLIPTIC and contact.dim > 1
+    return slice(contact.efc_address, contact.efc_address + (2 * contact.dim - 2 if is_pyramid else contact.dim))
+
+
+def rates(model: mujoco.MjModel, data: mujoco.MjData, step_s: float) -> np.ndarray | None:
+    """d(J q̇)/dt of the first contact's rows by central differences of fourth order."""
+    found = [velocities(model, data, factor * step_s) for factor in (1, -1, 2, -2)]
+    if any(each is None for each in found):
+        return None
+    return (8.0 * (found[0] - found[1]) - (found[2] - found[3])) / (12.0 * step_s)
+
+
+def is_corner(kind: int, out: np.ndarray) -> bool:
+    """Whether a geom with this normal, in its own frame, is touched at an edge or a corner."""
+    if kind == contact_place_c.CYLINDER:
+        return 1e-6 < abs(out[2]) < 1.0 - 1e-6
+    return kind in (contact_place_c.BOX, mujoco.mjtGeom.mjGEOM_MESH) and np.abs(out).max() < 1.0 - 1e-6
+
+
+def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
+    """Whether at most one of both is touched at a corner, and a mesh at none but by a plane."""
+    contact = data.contact[0]
+    normals = [data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3] for geom in contact.geom]
+    kinds = model.geom_type[contact.geom]
+    corners = [is_corner(*each) for each in zip(kinds, normals, strict=True)]
+    return not all(corners) and not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
+
+
+def smooth_states(model: mujoco.MjModel, seed: int, step_s: float) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
+    """States whose rows have a rate, which differences over two steps agree on, and that rate."""
+    for data in states(model, seed):
+        coarse, fine = rates(model, data, step_s), rates(model, data, 0.5 * step_s)
+        if coarse is None or fine is None or not is_smooth(model, data):
+            continue
+        if np.linalg.norm(coarse - fine) <= 3e-4 * np.linalg.norm(fine) + NOTHING_M_S2:
+            yield data, fine
+
+
+@pytest.mark.parametrize(("first", "second"), BY_FORMULA + BY_SEARCH)
+def test_the_twin_in_c_is_the_rate_of_the_row(first, second):
+    step_s = 2e-3 if (first, second) in BY_SEARCH else 1e-5
+    for number, (cone, dim) in enumerate(KINDS):
+        model = pair(first, second, cone, dim)
+        found, held = smooth_states(model, number, step_s), 0
+        for data, wanted in islice(found, STATES_OF_A_KIND):
+            data.efc_aref[:] = 0.0
+            contact_place_c.subtract_bias(model, data, normal=True)
+            missed = data.efc_aref[rows_of(model, data.contact[0])] + wanted
+            assert np.linalg.norm(missed) <= 1e-3 * np.linalg.norm(wanted) + NOTHING_M_S2
+            held += 1
+        assert held == STATES_OF_A_KIND
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
+def test_the_kernel_adds_what_the_twin_adds(cone):
+    with wp.ScopedDevice("cpu"):
+        for first, second in [("plane", "cylinder"), ("sphere", "box"), ("capsule", "ellipsoid")]:
+            model = pair(first, second, cone, 6)
+            model.geom_margin[:] = 0.0
+            m = mjw.put_model(model)
+            for data in islice(states(model, 0), 5):
+                d = mjw.put_data(model, data, nconmax=20, njmax=100)
+                mjw.fwd_position(m, d)
+                mjw.fwd_velocity(m, d)
+                d.efc.aref.zero_()
+                contact_place.apply(m, d, wp.array([True], dtype=bool), centred=False, normal=True)
+                data.contact.dist[:1], data.contact.pos[:1] = d.contact.dist.numpy()[0], d.contact.pos.numpy()[0]
+                data.contact.frame[:1] = d.contact.frame.numpy()[0].ravel()
+                data.efc_aref[:] = 0.0
+                contact_place_c.subtract_place(model, data, normal=True)
+                wanted = data.efc_aref[rows_of(model, data.contact[0])]
+                found = d.efc.aref.numpy()[0][d.contact.efc_address.numpy()[0][: len(wanted)]]
+                assert np.linalg.norm(found - wanted) <= 1e-3 * np.linalg.norm(wanted)
+
+
+BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast"/><worldbody>
+  <geom type="plane" size="5 5 1"/><body pos="0 0 0.03"><freejoint/><geom type="sphere" size="0.03" mass="0.2"/></body>
+</worldbody></mujoco>"""
+STEP_COUNT = 500
+
+
+def ball() -> tuple[mujoco.MjModel, mujoco.MjData]:
+    """A ball that rolls at 1 m/s and spins at 20 rad/s."""
+    model = mujoco.MjModel.from_xml_string(BALL)
+    data = mujoco.MjData(model)
+    data.qvel[:] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+def in_c(control) -> np.ndarray:
+    model, data = ball()
+    mujoco.set_mjcb_control(control)
+    try:
+        mujoco.mj_step(model, data, STEP_COUNT)
+    finally:
+        mujoco.set_mjcb_control(None)
+    return data.qpos.copy()
+
+
+def in_warp(*installed: bool, **options) -> np.ndarray:
+    """Position of the ball in two worlds, of which some have the term; shape [2, 7]."""
+    model, data = ball()
+    with wp.ScopedDevice("cpu"):
+        m, d = mjw.put_model(model), mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
+        if installed:
+            contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options)
+        for _ in range(STEP_COUNT):
+            mjw.step(m, d)
+        return d.qpos.numpy()
+
+
+@pytest.mark.slow
+def test_a_ball_that_rolls_and_spins_goes_straight_and_no_deeper():
+    bare, plain = in_warp(), in_c(None)
+    with_term = in_warp(True, False, normal=True)
+    assert with_term[1].tobytes() == bare[1].tobytes()
+    assert with_term[0].tobytes() != bare[0].tobytes()
+    exact = in_c(lambda model, data: contact_place_c.subtract_bias(model, data, normal=True))
+    for place, before in ((with_term[0], bare[0]), (exact, plain)):
+        assert place[0] == pytest.approx(1.0, abs=2e-3)
+        assert abs(place[1]) <= 0.5e-3
+        assert abs(place[2] - before[2]) <= 0.1e-3
+    points = in_c(lambda model, data: contact_bias_c.subtract_bias(model, data))
+    assert abs(points[1]) > 10e-3
