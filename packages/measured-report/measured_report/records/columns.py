@@ -27,7 +27,7 @@ UNITS = _LENGTHS | _TIMES | _OTHERS | dict(config().units)
 
 PLAIN = "1"
 """The unit of a number whose column names none."""
-LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e9}
+LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
