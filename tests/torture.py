@@ -118,8 +118,12 @@ class World:
         return [sys.executable, "build.py", *arguments]
 
     def execute(self, *command: str | Path, **options) -> subprocess.CompletedProcess:
+        """Run it to its end, or to the end of its time, which is a status of its own: 124, as timeout(1) has it."""
         usual = {"cwd": self.root, "capture_output": True, "text": True, "check": False, "timeout": 600}
-        return subprocess.run(command, **usual | options)
+        try:
+            return subprocess.run(command, **usual | options)
+        except subprocess.TimeoutExpired as late:
+            return subprocess.CompletedProcess(command, 124, "", f"no end after {late.timeout:g} s")
 
     def run(self, *arguments: str, **options) -> subprocess.CompletedProcess:
         return self.execute(*self.command(*arguments), **options)
