@@ -188,7 +188,7 @@ def _largest_part(*cells: float) -> float:
 
 def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
     """Nowhere else it walks as fast, and there half the step does not help; by MJX, which ran where the others did."""
-    [mine] = [line for line in lines if line.engine == "MJX"]
+    mine = next(line for line in lines if line.name == "MJX")
     others = [line.walk for line in lines if line.law != "mujoco" and line.walk.value is not None]
     worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
     times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
