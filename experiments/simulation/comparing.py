@@ -1,7 +1,8 @@
 """Times of frames of the shake, cases compared in turn in one process, all from the state that a pilot is in."""
 
 import gc
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -83,14 +84,25 @@ def _moment_of(simulation: Simulation) -> Any:
 
 
 class Frames:
-    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only."""
+    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only.
 
-    def __init__(self, simulation: Simulation, case: Case, pilot: Pilot):
+    Args:
+        switch: What is in force while the frames are captured.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        case: Case,
+        pilot: Pilot,
+        switch: Callable[[Simulation], AbstractContextManager] = nullcontext,
+    ):
         self.simulation, self.case, self.pilot = simulation, case, pilot
         self.frame_count = max(1, min(BLOCK_FRAME_COUNT, LARGE_BATCH // simulation.world_count))
         simulation.vary(case)
         pilot.put(simulation, case)
-        _run(simulation, WARMUP_COUNT)
+        with switch(simulation):
+            _run(simulation, WARMUP_COUNT)
         self.parts = simulation.parts, simulation.part_beside
         self.reason = batch_invalid_reason(simulation)
 
