@@ -48,9 +48,8 @@ def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value], resol
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    return table_of(
-        "case", map(case_html, names), columns, **{f"on_{device}": found for device, found in resolutions.items()}
-    )
+    on_cuda, on_cpu = (resolutions[device] for device in DEVICES)
+    return table_of("case", map(case_html, names), columns, on_cuda=on_cuda, on_cpu=on_cpu)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
