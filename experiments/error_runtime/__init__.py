@@ -83,7 +83,11 @@ def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dic
     points = [point for point in settings(conditions.profile, cpu_too=conditions.is_cuda) if point.case.name in names]
     points.sort(key=lambda point: point.case.name != REFERENCE)
     pilot = pilot_at_shake(PADS.values(), device)
-    warps = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
+    warps = {
+        point: WarpShake(replace(point, case=replace(point.case, frame_count=1)), pilot, device)  # keeps the last frame
+        for point in points
+        if not point.is_native
+    }
     starts = dict(zip(PADS, starts_of(pilot, TIMED_FRAME_COUNT), strict=True))
     shakes = {point: warps.get(point) or NativeShake(point.case, starts[point.pads]) for point in points}
     blocks = [block_of(shake) for shake in shakes.values()]

@@ -51,7 +51,11 @@ def derive(results: Results) -> Section:
 def _faster(results: Results, gains: dict[int, Value]) -> Claim:
     least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", min, *gains.values())
     one, some, many = gains.values()
-    return Claim("faster", at_least(least, 1.0, why="as fast"), {"one": one, "some": some, "many": many})
+    some_worlds, many_worlds = (
+        cell(results, results.row.get(f"whole-{count}"), "worlds", f"a batch of {count}") for count in CURE_WORLDS[1:]
+    )
+    numbers = {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
+    return Claim("faster", at_least(least, 1.0, why="as fast"), numbers)
 
 
 def _explained(results: Results, apart: list[Value]) -> Claim:
