@@ -32,7 +32,7 @@ MOMENT_COUNT = 8
 MOMENT_FRAME_STEP = 7
 """Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
 BLOCK_FRAME_COUNT = 4
-"""Frames of a block of few worlds; one of many, whose frames take long, has fewer."""
+"""Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
 LARGE_BATCH = 8192
 """From so many worlds on a block is one frame."""
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
@@ -98,7 +98,8 @@ class Frames:
         switch: Callable[[Simulation], AbstractContextManager] = nullcontext,
     ):
         self.simulation, self.case, self.pilot = simulation, case, pilot
-        self.frame_count = max(1, min(BLOCK_FRAME_COUNT, LARGE_BATCH // simulation.world_count))
+        most = LARGE_BATCH // simulation.world_count if simulation.device.is_cuda else 1
+        self.frame_count = max(1, min(BLOCK_FRAME_COUNT, most))
         simulation.vary(case)
         pilot.put(simulation, case)
         with switch(simulation):
