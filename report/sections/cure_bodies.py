@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterable, Mapping
 
 from measured_report.claims.claim import Claim, all_of, at_least, at_most
-from measured_report.parts.section import Section
+from measured_report.files.root import ROOT
+from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_count, extreme, share, size_difference, size_share
@@ -13,6 +14,7 @@ order = 148
 page = "cure"
 label = "other bodies and the cure"
 
+PLACE_FILE = ROOT / "assets/fix/contact_place.py"
 TABLE = ("carried", "caught")
 """Motions on the table: turning with it, and put down at rest."""
 FREE = ("impact", "roll", "slide")
@@ -32,7 +34,8 @@ def derive(results: Results) -> Section:
             _spinning_ball_goes_straight(results, runs),
             _rolls_no_deeper(results, runs),
             _tumbles_as_stiff_bodies_do(results, _of(runs, ("tumble",), "c", "limit")),
-        ]
+        ],
+        downloads=[Download(PLACE_FILE.name, PLACE_FILE.read_text(encoding="utf-8"))],
     )
 
 
