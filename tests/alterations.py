@@ -75,7 +75,7 @@ def _column_altered(rows: list[Row], chance: Random) -> tuple[str, list[Row]]:
     return f"{column} {name}{' in one row' * (len(hit) < len(there))}", rows
 
 
-AT_ONCE = 4
+AT_ONCE = 10
 """So many records are altered at once: what takes the time is the page of the others."""
 
 

@@ -30,7 +30,7 @@ def _with(*path: str | int, value: Any = GONE) -> Change:
 
 
 NO_NUMBERS = ("6.36", True, [], {}, float("nan"), float("inf"), 1e308, -1e308, 10**400, -1.0, None)
-NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext")
+NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\u200fb", "two\nlines")
 NO_MAPPINGS = (None, 3, "text", [], [1])
 VERSIONS = (
     "evil @ file:///tmp/evil.whl",
@@ -53,7 +53,7 @@ FIELDS: dict[str, Change] = {
     **{f"seconds {value!r:.20}": _with("measured", "seconds", value=value) for value in (*NO_NUMBERS, "soon")},
     **{f"date {value!r:.20}": _with("measured", "date", value=value) for value in (*NO_TEXTS, "soon", "2026-01-02")},
     **{f"commit {value!r:.20}": _with("measured", "commit", value=value) for value in (3, [], "\x00", "x" * 5000)},
-    **{f"command {value!r:.20}": _with("measured", "command", value=value) for value in (None, 3, [], "\x07")},
+    **{f"command {value!r:.20}": _with("measured", "command", value=value) for value in (None, 3, [], "\x07", "a\nb")},
     **{f"measured {value!r:.20}": _with("measured", value=value) for value in (*NO_MAPPINGS, {})},
     **{f"device {value!r:.20}": _with("machine", "device", value=value) for value in (None, 3, "tpu", [], "")},
     **{f"gpu {value!r:.20}": _with("machine", "gpu", value=value) for value in (3, True, [], {}, "\ue000", "x" * 5000)},

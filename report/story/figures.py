@@ -66,7 +66,8 @@ def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, 
         axes.plot([low, value], [place, place], color=colour, linewidth=3.5, linestyle="-", marker="")
         axes.plot([value], [place], color=colour, marker="o", markersize=6, markevery=1, linestyle="")
         beside: dict[str, Any] = {"xytext": (8, 0), "textcoords": "offset points", "fontsize": 9, "va": "center"}
-        axes.annotate(f"{write(there[name])} %", (value, place), **beside)
+        is_crossed = bound.value is not None and value < bound.value < 5.0 * value
+        axes.annotate(f"{write(there[name])} %", (bound.value if is_crossed else value, place), **beside)
     if noise.value is not None:
         axes.axvspan(low, noise.value, color=FAINT, alpha=0.6, linewidth=0, zorder=0)
         _name_above(axes, noise.value, "noise ", "right")

@@ -175,7 +175,7 @@ def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     sync_api.expect(tab.locator("#play")).to_have_text("Play")
 
 
-def test_half_a_link_stops_nothing(site, tab):
+def test_finding_7_half_a_link_stops_nothing(site, tab):
     open_page(tab, site / "index.html", "#%")
     assert tab.locator(".scheme").is_visible()
 

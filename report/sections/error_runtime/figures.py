@@ -115,7 +115,7 @@ def draw_worlds(
     if there:
         colour = COLOURS[rows[0].backend]
         axes.plot(*zip(*there, strict=True), color=colour, markevery=1)
-        axes.annotate(engine, there[len(there) // 2], xytext=(-8, 6), ha="right", color=colour, **name)
+        axes.annotate(engine, there[-2:][0], xytext=(-8, 6), ha="right", color=colour, **name)
     if one_core.value is not None:
         colour, start = COLOURS["mujoco-c"], (counts[-1], one_core.value)
         axes.axhline(one_core.value, color=colour, linestyle="--", marker="")

@@ -1,6 +1,8 @@
 """The clips: what they read out is what was kept, and what they show is where it was."""
 
 import re
+import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -107,3 +109,29 @@ def test_the_tracked_clips_are_whole_small_and_say_what_was_measured():
     for run in RUNS[FIRST]:
         assert readout[f"{run}_mm"] == pytest.approx(slips[run], abs=1e-4)
         assert row[f"{run.replace('-', '_')}_mm"] == pytest.approx(slips[run], abs=1e-4)
+
+
+def _poster_elsewhere(results: Path) -> None:
+    record = results / "clips.json"
+    record.write_text(re.sub(r'"poster":"[^"]+"', '"poster":"../../secret.jpg"', record.read_text()))
+
+
+CLIP_DAMAGES = {
+    "replaced": lambda results: next(results.glob("clips.*.mp4")).write_text("<script>alert(1)</script>"),
+    "gone": lambda results: next(results.glob("clips.*.mp4")).unlink(),
+    "elsewhere": _poster_elsewhere,
+}
+
+
+@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
+@pytest.mark.parametrize("damage", CLIP_DAMAGES.values(), ids=CLIP_DAMAGES)
+def test_finding_4_a_clip_that_is_not_the_one_that_was_made_is_named(tmp_path, damage):
+    link(tmp_path, "experiments", "report", "assets", "pyproject.toml")
+    project = Project(own_release(), root=tmp_path)
+    project.results.mkdir(parents=True)
+    for path in OWN.results.glob("clips.*"):
+        shutil.copy(path, project.results)
+    assert clips_state(project).kind != "damaged"
+    damage(project.results)
+    state = clips_state(project)
+    assert state.kind == "damaged" and "clips" in state.words and "\n" not in state.words

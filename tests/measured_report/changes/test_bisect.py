@@ -68,6 +68,14 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     assert said.startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
+def test_the_package_is_named_where_the_search_itself_measured_and_kept_its_records_aside(toy, search):
+    for release in ("1.5.9", "1.6.9", "1.7.9", "1.8.9"):
+        own = toy.project.of(release)
+        shutil.move(own.results, replace(own, aside=bisect.ASIDE).results)
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    assert "newton 1.6.9 did it" in bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+
+
 def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
     def refuse(project, stack, *others):
         raise ReportError("it does not compile")

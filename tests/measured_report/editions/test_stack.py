@@ -238,3 +238,24 @@ def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packa
     assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
     assert any(name.startswith("pandas") for name in found)
     assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)
+
+
+def test_an_environment_is_made_once(tmp_path, monkeypatch):
+    made = []
+    monkeypatch.setattr(environment, "_run", lambda command, name, **settings: made.append(list(command)))
+
+    class NoUv:
+        def __enter__(self):
+            return "uv"
+
+        def __exit__(self, *_):
+            (tmp_path / ".venv-one.new").mkdir(exist_ok=True)
+
+    monkeypatch.setattr(environment, "_installer", lambda *_: NoUv())
+    python = environment.python_with("one", ["a==1"], tmp_path)
+    assert (python, len(made)) == (tmp_path / ".venv-one/bin/python", 2)
+    assert made[1][-1] == "a==1"
+    environment.python_with("one", ["a==1"], tmp_path)
+    assert len(made) == 2
+    environment.python_with("one", ["a==2"], tmp_path)
+    assert made[3][-1] == "a==2"

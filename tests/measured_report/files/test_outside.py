@@ -1,6 +1,7 @@
 """What comes from outside: records, manifests, traces and half-finished work that somebody else may have written."""
 
 import gzip
+import json
 import os
 import resource
 import shutil
@@ -66,6 +67,21 @@ def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_i
     with pytest.raises(RecordError, match="cells"):
         load_trace(trace)
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
+
+
+@pytest.mark.parametrize("text", ["\u202e", "\u200f", "\x1b[2J", "\n", "\u2028"])
+def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_terminal(toy, text, capsys):
+    rows = [{**ROWS[0], "case": f"so{text}ft"}, ROWS[1]]
+    with pytest.raises(RecordError, match=r"^newton-1\.4\.0/toy\.json: the case of row 0 ha"):
+        write_record(toy.record_path, toy.record(rows))
+    data = toy.record_path.read_text().replace('"command": "make"', f'"command": {json.dumps("make" + text)}')
+    toy.record_path.write_text(data)
+    manifest = toy.record_path.with_name("edition.toml")
+    write_manifest(manifest.parent, Manifest(f"1.4.0{text}", "", ("toy",)))
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    said = capsys.readouterr().err
+    assert len(said.splitlines()) == 2 and not any(text in line for line in said.splitlines())
+    assert "newton-1.4.0/toy.json: command ha" in said and "newton-1.4.0/edition.toml is no whole manifest" in said
 
 
 ODD = {

@@ -193,11 +193,12 @@ def hosts(tmp_path, monkeypatch):
     thread.join()
 
 
-def test_finding_6_over_ssh_only_who_has_the_key_of_the_run_is_let_in(hosts):
+@pytest.mark.parametrize("kind", ["local", "ssh"])
+def test_finding_6_only_who_has_the_key_of_the_run_is_let_in(hosts, kind):
     before = {*Path("/tmp").glob("measured-report-*.pem")}
-    with clusters.connected(read_cluster(f"ssh:{hosts}"), "cpu") as client:
-        [key] = {*Path("/tmp").glob("measured-report-*.pem")} - before
-        assert key.stat().st_mode & 0o777 == 0o600 and "PRIVATE KEY" in key.read_text()
+    with clusters.connected(read_cluster(f"ssh:{hosts}" if kind == "ssh" else "local:1"), "cpu") as client:
+        keys = {*Path("/tmp").glob("measured-report-*.pem")} - before
+        assert [key.stat().st_mode & 0o777 for key in keys] == [0o600] * (kind == "ssh")
         client.wait_for_workers(1, timeout=20.0)
         assert client.submit(os.getpid).result() != os.getpid()
         addresses = [client.scheduler.address, *client.nthreads()]
@@ -210,4 +211,4 @@ def test_finding_6_over_ssh_only_who_has_the_key_of_the_run_is_let_in(hosts):
                 unknown.wrap_socket(plain).recv(1)
         for command in Path("/proc").glob("[0-9]*/cmdline"):
             assert b"PRIVATE KEY" not in command.read_bytes()
-    assert not key.exists()
+    assert not any(key.exists() for key in keys)

@@ -154,6 +154,31 @@ def test_finding_1_the_next_build_leaves_what_was_published_beside_the_site(toy)
     assert check_site(place) == []
 
 
+def test_finding_8_what_is_published_is_on_the_disk_before_it_is_shown(toy, tmp_path, monkeypatch):
+    synced, fsync, replace_link = set(), os.fsync, os.replace
+
+    def note(descriptor: int) -> None:
+        synced.add(str(Path(f"/proc/self/fd/{descriptor}").readlink()))
+        fsync(descriptor)
+
+    def switch(*paths) -> None:
+        assert synced, "the link is switched last"
+        replace_link(*paths)
+
+    monkeypatch.setattr(os, "fsync", note)
+    monkeypatch.setattr(os, "replace", switch)
+    publish(toy.project.site, f"dir:{tmp_path}/www")
+    version = (tmp_path / "www").resolve()
+    assert {path.name for path in version.rglob("*")} <= {Path(name).name for name in synced}
+    assert {str(version.parent), str(tmp_path)} <= synced
+
+
+def test_finding_8_no_place_and_no_branch_ends_in_a_traceback(toy, remote):
+    for target in ("dir:/", "git:origin#refs/heads/x"):
+        with pytest.raises(UsageError, match=r"^\S[^\n]*$"):
+            publish(toy.project.site, target)
+
+
 def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
     versions = place.with_name(".www.versions")
     letters = [written_by_the_user(versions / name) for name in ("mine", "0123456789abcdef")]

@@ -132,7 +132,7 @@ def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Cal
     """Say which package did it: the first alone, with the others as they were, or one of those, with the first so."""
     package, together = config().package, config().changes.together
     others = [name for names in together for name in names]
-    states = (state_of(search.project.of(str(stack.label)), search.query.section) for stack in (before, after))
+    states = (state_of(search.side(stack), search.query.section) for stack in (before, after))
     old, new = (state.record.identity.packages for state in states)
     if not others:
         return f"{package} {after.label.version} did it: it is the only package"

@@ -95,6 +95,20 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     return folder / "bin" / "python"
 
 
+def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
+    """The Python of the environment ``.venv-<name>``, which has these requirements and nothing of the project's.
+
+    It is made when it is not there; UsageError, one line, where it can't be.
+    """
+
+    def install(uv: str, new: Path) -> list[list[str]]:
+        return [[uv, "pip", "install", "--python", str(new / "bin" / "python"), *requirements]]
+
+    folder = root / f".venv-{name}"
+    _make(folder, name, "\n".join(requirements).encode(), install, root)
+    return folder / "bin" / "python"
+
+
 def environment_of(stack: Stack, root: Path = ROOT) -> Path:
     """Where the environment of a stack lies; that of a checkout serves all that is edited in it."""
     name = str(replace(stack.label, machine=""))

@@ -12,6 +12,7 @@ from msgspec import Struct
 
 from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
 from measured_report.files.config import config, parse_toml
+from measured_report.records.columns import UNPRINTABLE, name_problem
 
 NAME = "edition.toml"
 BYTE_LIMIT = 1 << 20
@@ -36,6 +37,9 @@ def read_manifest(results: Path) -> Manifest | None:
     content = read_own_file(path, BYTE_LIMIT)
     try:
         found = parse_toml(content.decode("utf-8"))
+        for text in (value for value in [*found.values(), *found.get("sections", ())] if isinstance(value, str)):
+            if problem := name_problem(text):
+                raise ValueError(f"{UNPRINTABLE.sub('?', text)!r:.80} {problem}")
         told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
         return msgspec.convert({**told, **found}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:

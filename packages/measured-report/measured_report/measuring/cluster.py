@@ -32,6 +32,7 @@ from measured_report.measuring.cluster_address import ClusterAddress, read_clust
 from measured_report.measuring.executors import Host, Task
 from measured_report.measuring.outcome import BatchOutcome, Failed, Lost
 from measured_report.measuring.process import carrying_digest, prepare
+from measured_report.records.columns import UNPRINTABLE
 from measured_report.records.identity import Identity
 
 POLL_S = 0.5
@@ -80,6 +81,7 @@ def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
         settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpus[:count])
         thread_count = max(count, len(worker.shared_processes(gpus[:count])))
     options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET, "env": settings}
+    options |= {"protocol": "tls", "security": Security.temporary()}  # others on this host are not let in
     return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
 
 
@@ -236,7 +238,8 @@ class ClusterExecutor:
             self._introduce(address)
         elif isinstance(found, Failed):
             hint = "" if name != address else "; a worker is started in the folder of the project"
-            print(f"{name} is left out: {found.reason:.300}{hint}", file=sys.stderr, flush=True)
+            said = UNPRINTABLE.sub("?", f"{name} is left out: {found.reason:.300}{hint}")
+            print(" ".join(said.split()), file=sys.stderr, flush=True)
 
     def _submit(self, task: Task | None, address: str, function: Callable, *arguments: Any) -> None:
         """Let one worker call a function, once."""

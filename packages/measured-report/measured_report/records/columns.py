@@ -39,9 +39,11 @@ UNBELIEVED = "the measurement gave "
 """How the reason begins of a number that was measured and that no record may hold, such as one that is not finite."""
 TEXT_LIMIT = 4096
 UNPRINTABLE = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ue000-\uf8ff\U000f0000-\U0010ffff]"
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ud800-\udfff\ue000-\uf8ff"
+    "\U000e0000-\U000e007f\U000f0000-\U0010ffff]"
 )
-"""Characters that no text needs: control, text turned round, halves of others, and those that mean what one likes."""
+"""Characters that no text needs: control, text turned round, what can't be seen, halves of others, and those that mean
+what one likes."""
 
 
 @dataclass(frozen=True)
@@ -160,6 +162,12 @@ def problem_in(row: Mapping[str, Any], name: str, units: Collection[str]) -> str
     if isinstance(value, bool | str) and (name in units or column_of(name).unit != PLAIN):
         return f"is {value!r:.40}, not a number"
     return cell_problem(value)
+
+
+def name_problem(value: Any) -> str:
+    """What is wrong with what is printed as a part of a line, as a name or a command, in words."""
+    is_broken = isinstance(value, str) and re.search(r"[\n\t]", value)
+    return cell_problem(value) or ("has a tab or more than one line" if is_broken else "")
 
 
 def cell_problem(value: Any) -> str:

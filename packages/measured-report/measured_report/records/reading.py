@@ -15,7 +15,7 @@ from measured_report.files.atomic import RecordError, read_own_file, short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE, config
 from measured_report.files.root import ROOT
-from measured_report.records.columns import UNPRINTABLE, cell_problem
+from measured_report.records.columns import UNPRINTABLE, name_problem
 from measured_report.records.identity import Identity
 from measured_report.records.record import SCHEMA, Record, Seal, Text, check_record
 from measured_report.records.traces import sealed_content, trace_path
@@ -93,7 +93,7 @@ def _checked(content: bytes, path: Path) -> Record:
     if record.section != path.stem:
         raise RecordError(f"{place} is a record of {record.section!r}")
     for name, value in [*record.machine.items(), *record.measured.items()]:
-        if problem := cell_problem(value):
+        if problem := name_problem(value):
             raise RecordError(f"{place}: {name} {problem}")
     check_record(record, place)
     return record

@@ -12,7 +12,7 @@ from msgspec import Meta
 
 from measured_report.files.atomic import RecordError, put_record, short_path
 from measured_report.files.config import config
-from measured_report.records.columns import COLUMN, column_of, columns_of, problem_in, units_of
+from measured_report.records.columns import COLUMN, column_of, columns_of, name_problem, problem_in, units_of
 from measured_report.records.identity import Digest, Identity
 from measured_report.records.provenance import MISSING
 
@@ -135,6 +135,8 @@ def check_record(record: Record, place: str) -> None:
         case = row.get("case")
         if not case or not isinstance(case, str):
             raise RecordError(f"{place}: row {index} has no case")
+        if problem := name_problem(case):
+            raise RecordError(f"{place}: the case of row {index} {problem}")
         for column, value in row.items():
             # Nearly all are numbers that may be there, and every build reads every record.
             if type(value) in (float, int) and column in ranges and ranges[column][0] <= value <= ranges[column][1]:

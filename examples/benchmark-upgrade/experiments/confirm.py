@@ -1,0 +1,11 @@
+"""The tasks that a release seemed to change, from seeds that had no part in choosing them."""
+
+from experiments.episodes import CHANGED, FRESH_SEEDS, row
+from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.measurement import Conditions, Measurement
+
+
+def measure(conditions: Conditions) -> Plan:
+    seeds = FRESH_SEEDS[:2] if conditions.quick else FRESH_SEEDS
+    rows = yield [Batch(task, row, (task, seeds)) for task in CHANGED]
+    return Measurement(rows)

@@ -1,0 +1,66 @@
+"""Which releases run the benchmark at all, and how much of all tasks they change."""
+
+import pandas as pd
+
+from measured_report.claims.claim import FAILS, HOLDS, Claim, decided
+from measured_report.deriving.chapters import Releases
+from measured_report.parts.section import Section, Table
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results
+from report.paired import steps_of
+
+order = 10
+page = "releases"
+label = "all tasks"
+
+
+def derive(results: Results, releases: Releases) -> Section:
+    rows = results.rows
+    trials = [row.seed_count for row in rows]
+    tasks = results.value("task_count", "tasks", lambda *found: len(found), *trials)
+    ran = [row for row in rows if row.success_count.value is not None]
+    runs = results.value("run_count", "tasks that run", lambda *_: len(ran), *trials)
+    reason = next((row.success_count.reason.partition(": ")[2] for row in rows if row not in ran), "")
+    results.value("success_total", "sum of successes", lambda *n: sum(n), *(row.success_count for row in rows))
+    numbers = {"release": results.edition, "count": runs, "all": tasks, "reason": reason}
+    claims = [Claim("runs", decided(len(ran) == len(rows), runs, tasks), numbers)]
+    if ran:
+        repeated = sum(row.repeats for row in ran)
+        same = results.value("repeat_count", "tasks whose first episode repeats", lambda *_: repeated, *trials)
+        claims.append(Claim("repeats", decided(repeated == len(ran), same), {"count": same}))
+    claims.append(_stops(releases))
+    table = _release_table(results, releases, [row.case for row in rows])
+    return Section(tables={"releases": table}, claims=claims, unmeasured=() if ran else ("repeats",))
+
+
+def _stops(releases: Releases) -> Claim:
+    """From which release on nothing runs, and why."""
+    for release, chapters in releases.items():
+        cells = [row.success_count for row in chapters["success"].results.rows] if "success" in chapters else []
+        if cells and all(cell.value is None for cell in cells):
+            reason = cells[0].reason.partition(": ")[2]
+            return Claim("stops", HOLDS.having_read(*cells), {"release": release, "reason": reason})
+    return Claim("stops", FAILS, {"release": "", "reason": ""})
+
+
+def _release_table(results: Results, releases: Releases, tasks: list[str]) -> Table:
+    columns: dict[str, dict[str, Quantity | str]] = {}
+    steps = list(steps_of(releases, "success", tasks))
+    for release, chapters in releases.items():
+        if "success" not in chapters:
+            continue
+        rows = chapters["success"].results.rows
+        found = [step for step in steps if step.releases[1] == release]
+        counts = [row.success_count for row in rows]
+        cells: dict[str, Quantity | str] = {
+            "successes": results.value(f"total_{release}", "sum of successes", lambda *n: sum(n), *counts, across=True)
+        }
+        for what, name in (("other_states", "other motion"), ("lost", "lost"), ("gained", "gained")):
+            count = sum(getattr(step, what) for step in found)
+            read = [row.success_count for step in found for row in step.rows]
+            formula = f"episodes that differ from the release before in this: {name}"
+            value = results.value(f"{what}_{release}", formula, lambda *_, n=count: n, *read, across=True)
+            cells[name] = value if found else ""
+        columns[release] = cells
+    frame = pd.DataFrame(columns).T.rename_axis("MuJoCo")
+    return Table(frame, {"first": next(iter(columns), "")})

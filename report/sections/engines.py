@@ -1,0 +1,226 @@
+"""The turntable and the pinched capsule in other engines: does each do what its contact model says?"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.section import Section
+from measured_report.values.quantities import Quantity, Value, absent
+from measured_report.values.results import Results
+from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
+
+order = 187
+page = "scenes"
+label = "other engines"
+
+LONG, SHORT = "2ms", "1ms"
+LAWS = {
+    "mujoco": "ω²((1 + Rm/n)/b − h/2)",
+    "step": "ω²h/2",
+    "sap": "ω²h/2 + σwhω²m/n",
+    "mixed": "ω²h/2 + εwhω²m/n",
+    "tamsi": "ω²h/2 + v/r, s(2 − s) = x",
+    "lagged": "ω²h/2 + v/r, s/√(1 + s²) = x",
+    "stribeck": "v/r, s³(10 − 15s + 6s²) = x",
+    "anchored": "none",
+    "": "none derived",
+}
+"""Of the walk. Each gives the sinking as well, by the same v."""
+STOPS = {
+    "mujoco": "the term",
+    "step": "shorter step",
+    "sap": "shorter step",
+    "mixed": "shorter step",
+    "tamsi": "shorter step, smaller vₛ",
+    "lagged": "shorter step, smaller vₛ",
+    "stribeck": "smaller vₛ",
+    "anchored": "nothing to stop",
+    "": "shorter step",
+}
+
+
+MODELS = {
+    "mjx": ("MJX", "mujoco"),
+    "drake-sap-point": ("Drake, SAP, points", "sap"),
+    "drake-sap-hydroelastic": ("Drake, SAP, hydroelastic", "sap"),
+    "drake-tamsi-point": ("Drake, TAMSI, points", "tamsi"),
+    "drake-tamsi-hydroelastic": ("Drake, TAMSI, hydroelastic", "tamsi"),
+    "drake-tamsi-strict": ("Drake, TAMSI, vₛ a tenth", "tamsi"),
+    "drake-lagged-point": ("Drake, lagged, points", "lagged"),
+    "drake-continuous-point": ("Drake, continuous, points", "stribeck"),
+    "dart": ("DART", "mixed"),
+    "pybullet": ("PyBullet", "step"),
+    "physx": ("PhysX, TGS", "anchored"),
+}
+NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
+"""Those of Newton's solvers that keep the box, and their laws."""
+KDS = (100, 50, 20, 10, 5, 2)
+SHAKES = {"stiff-pads": "stiff pads", **{f"pad-kd-{kd}": f"kd {kd}" for kd in KDS}}
+"""Of the test, the pads as shipped have a kd of 100."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A contact model with its numbers: walk [%/s] and sinking [µm/s], measured and by its law, at a step of 2 ms."""
+
+    name: str
+    engine: str
+    release: str
+    law: str
+    walk: Value
+    walk_law: Value
+    short_walk: Value
+    """With half the step."""
+    sink: Value
+    sink_law: Value
+
+
+def derive(results: Results) -> Section:
+    walk_bound = results.chosen(
+        "walk_bound",
+        "a place 200 mm from the axis is rounded to 15 nm in single precision, half of it in each step of 2 ms",
+        2e-3,
+        unit="%/s",
+    )
+    sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
+    lines = _lines(results)
+    columns: dict[str, Column] = {
+        "release": [line.release for line in lines],
+        "walk by law": _shown([line.walk_law for line in lines], walk_bound),
+        "walk": _shown([line.walk for line in lines], walk_bound),
+        "half the step": _shown([line.short_walk for line in lines], walk_bound),
+        "sinks by law": _shown([line.sink_law for line in lines], sink_bound),
+        "sinks": _shown([line.sink for line in lines], sink_bound),
+        "what stops it": [STOPS[line.law] for line in lines],
+        "law of the walk": [LAWS[line.law] for line in lines],
+    }
+    said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
+    engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
+    rows = [results.row[f"fet028-{shake}"] for shake in SHAKES]
+    test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
+    claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
+    claims += [_anchors_hold(results, lines, walk_bound, sink_bound), _test_lets_through(results)]
+    return Section(tables={"engines": engines, "test": test}, claims=claims)
+
+
+def _lines(results: Results) -> list[Line]:
+    """Those that other sections have, which are not measured again, and those of this one."""
+    packages, lines = results.record.identity.packages, []
+
+    def of_turntable(case: str, column: str, section: str = "turntable") -> Quantity:
+        return other_cell(results, section, case, column, unit="1/s")
+
+    def of_capsule(engine: str, column: str) -> Quantity:
+        return other_cell(results, "capsule", f"within-pads-{engine}", column, unit="mm/s")
+
+    def add(key: str, names: Sequence[str], law: str, walks: Sequence[Quantity], sinks: Sequence[Quantity]) -> None:
+        name, engine, release = names
+        percent = ("walk", "walk_law", "short_walk")
+        found = {
+            what: results.value(
+                f"{key}_{what}", "in percent of the distance", lambda rate: 100 * rate, cell, unit="%/s"
+            )
+            for what, cell in zip(percent, walks, strict=True)
+        }
+        for what, cell in zip(("sink", "sink_law"), sinks, strict=True):
+            formula = "how fast the capsule sinks"
+            found[what] = results.value(f"{key}_{what}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s")
+        lines.append(Line(name, engine, release, law, **found))
+
+    for engine, name, package in (("c", "MuJoCo C", "mujoco"), ("warp", "MuJoCo Warp", "mujoco-warp")):
+        plain = [of_turntable(f"plain-{engine}", column) for column in ("growth_per_s", "predicted_growth_per_s")]
+        walks = [*plain, of_turntable(f"half-step-{engine}", "growth_per_s")]
+        sinks = [of_capsule(engine, column) for column in ("steady_creep_mm_s", "predicted_creep_mm_s")]
+        add(engine, (name, name, packages[package]), "mujoco", walks, sinks)
+    for model, (name, law) in MODELS.items():
+        step = "0ms" if law == "stribeck" else LONG
+        long, short, pinch = (
+            results.row[f"{model}-{run}"] for run in (f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}")
+        )
+        laws = [long.predicted_growth_per_s, pinch.predicted_creep_mm_s]
+        if law == "mujoco":  # the equations are MuJoCo's
+            laws = [of_turntable("plain-c", "predicted_growth_per_s"), of_capsule("c", "predicted_creep_mm_s")]
+        halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
+        walks = [long.growth_per_s, laws[0], halved]
+        add(model.replace("-", "_"), (name, long.engine, long.release), law, walks, (pinch.creep_mm_s, laws[1]))
+    turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
+    long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
+    tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
+    unmeasured = absent("mm/s", "the capsule was not run with this solver")
+    for solver, (name, law) in NEWTONS.items():
+        measured = [of_turntable(f"{solver}-{each}", "growth_per_s", "turntable_solvers") for each in (LONG, SHORT)]
+        walks = [measured[0], tangent if law else absent("1/s", "no law was derived"), measured[1]]
+        add(solver, (name, "Newton", packages["newton"]), law, walks, (unmeasured, unmeasured))
+    return lines
+
+
+def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
+    """What the table shows: nothing is seen of what is below the bound."""
+    return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
+
+
+def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
+    pairs = [(line.walk, line.walk_law, walk_bound) for line in lines]
+    pairs += [(line.sink, line.sink_law, sink_bound) for line in lines]
+    there = [pair for pair in pairs if None not in (pair[0].value, pair[1].value)]
+    seen = [cell for *both, bound in there if abs(both[1].value) > bound.value for cell in both]
+    rest = [cell for *both, bound in there if abs(both[1].value) <= bound.value for cell in (*both, bound)]
+    formula = "largest departure from the law, of it, where the law gives what can be seen"
+    largest = results.value("law_off", formula, _largest_departure, *seen, unit="%", across=True)
+    formula = "largest difference from the law where it gives less, of what can be seen"
+    part = results.value("rest_share", formula, _largest_part, *rest, unit="%", across=True)
+    engines = len({line.engine for line in lines if line.law})
+    counted = results.value("engine_count", "engines", lambda *found: engines, *seen, across=True)
+    count = results.value("law_count", "numbers that a law gives", lambda *found: len(found) // 2, *seen, across=True)
+    outcome = all_of(at_most(largest, 5.0, why="as the law says"), at_most(part, 100.0, why="nothing is seen"))
+    return Claim("as_their_laws_say", outcome, {"largest": largest, "engines": counted, "count": count})
+
+
+def _largest_departure(*cells: float) -> float:
+    """In percent, of numbers and their laws in turn."""
+    return max(100 * abs(a / b - 1) for a, b in zip(cells[::2], cells[1::2], strict=True))
+
+
+def _largest_part(*cells: float) -> float:
+    """In percent, of numbers, their laws and bounds in turn."""
+    return max(100 * abs(a - b) / bound for a, b, bound in zip(cells[::3], cells[1::3], cells[2::3], strict=True))
+
+
+def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
+    """Nowhere else it walks as fast, and there half the step does not help; by MJX, which ran where the others did."""
+    [mine] = [line for line in lines if line.engine == "MJX"]
+    others = [line.walk for line in lines if line.law != "mujoco" and line.walk.value is not None]
+    worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
+    times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
+    formula = "walk in MuJoCo's MJX with half the step, of that with the whole"
+    kept = share(results, "kept", formula, mine.short_walk, mine.walk)
+    outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
+    numbers = {"mine": mine.walk, "worst": worst, "kept": kept, "short": mine.short_walk}
+    return Claim("walks_most_in_mujoco", outcome, numbers)
+
+
+def _anchors_hold(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
+    line = next(line for line in lines if line.law == "anchored")
+    sizes = [
+        results.value(f"anchored_{name}", f"size of how fast it {name}s", abs, cell, unit=cell.unit)
+        for name, cell in (("walk", line.walk), ("sink", line.sink))
+    ]
+    outcome = all_of(*(at_most(size, bound) for size, bound in zip(sizes, (walk_bound, sink_bound), strict=True)))
+    return Claim("anchors_hold", outcome, {"walk_bound": walk_bound, "sink_bound": sink_bound})
+
+
+def _test_lets_through(results: Results) -> Claim:
+    """Tell whether the shake as shipped passes the test, and so do pads with which the cube creeps far faster."""
+    bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, unit="mm")
+    shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
+    part = share(results, "shipped_share", "slip as shipped, of the bound", shipped.slip_mm, bound)
+    times = ratio(
+        results, "soft_times", "slip with the softest that pass, of that as shipped", soft.slip_mm, shipped.slip_mm
+    )
+    numbers = {"slip": shipped.slip_mm, "share": part, "soft": soft.slip_mm, "times": times}
+    outcome = all_of(
+        at_most(soft.slip_mm, bound), at_most(shipped.slip_mm, bound), at_least(times, 10.0, why="far more")
+    )
+    numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}
+    numbers |= {"seconds": shipped.shake_duration_s, "bound": bound}
+    return Claim("test_lets_through", outcome, numbers)

@@ -1,0 +1,110 @@
+"""Other engines: their laws, how rows are made of what an engine answers, and an engine that is not there."""
+
+import json
+import math
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments import engines
+from experiments.engines import laws
+from experiments.scenes import capsule
+from measured_report.files.errors import UsageError
+from measured_report.files.root import ROOT
+
+FEET = [[x, y, -0.05, 0.5] for x in (0.04, -0.04) for y in (0.04, -0.04)]
+LOAD = laws.Load(0.16, (1.0, 0.0, 0.0), 1.0, 2.0, 0.002, 1e-3, FEET, 0.2, (3e-4, 3e-4, 3e-4), np.zeros((3, 3)))
+
+
+def test_regularized_friction_carries_the_load_at_the_speed_that_its_law_gives():
+    x, s = LOAD.share, {name: laws.LAWS[name](LOAD) / LOAD.stiction_m_s for name in ("tamsi", "lagged", "stribeck")}
+    carried = {
+        "tamsi": s["tamsi"] * (2.0 - s["tamsi"]),
+        "lagged": s["lagged"] / math.hypot(1.0, s["lagged"]),
+        "stribeck": s["stribeck"] ** 3 * (10.0 - 15.0 * s["stribeck"] + 6.0 * s["stribeck"] ** 2),
+    }
+    assert carried == pytest.approx(dict.fromkeys(carried, x))
+
+
+def test_an_impulse_moves_the_place_where_it_acts_as_the_bodys_masses_say():
+    """By hand: 1/m + y²/I + z²/I along x."""
+    [along, *_] = laws.delassus(LOAD)[:, 0, 0]
+    assert along == pytest.approx(1.0 / 0.2 + (0.04**2 + 0.05**2) / 3e-4)
+    leaning = replace(LOAD, support_inverse_mass_1_kg=np.diag([5.0, 0.0, 0.0]))
+    assert laws.delassus(leaning)[0, 0, 0] == pytest.approx(along + 5.0)
+    assert laws.mixed(LOAD) == pytest.approx(1e-5 * 0.002 * 0.16 / 4 * along)
+
+
+def test_with_sap_contacts_share_the_load_until_one_of_them_slides():
+    w = np.linalg.norm(laws.delassus(LOAD)[0]) / 3.0
+    assert laws.sap(LOAD) == pytest.approx(1e-3 * w * 0.002 * 0.16 / 4)
+    uneven = replace(LOAD, contacts=[[*place[:3], normal] for place, normal in zip(FEET, (0.01, 1, 1, 1), strict=True)])
+    assert laws.sap(uneven) == pytest.approx(1e-3 * w * 0.002 * (0.16 - 0.01) / 3)
+    assert math.isinf(laws.sap(replace(LOAD, force_n=3.0)))
+
+
+def test_a_box_goes_along_the_tangent_unless_friction_pulls_it_back():
+    assert laws.walk_per_s("rigid", LOAD, 2.0, 0.2) == pytest.approx(0.004)
+    assert laws.walk_per_s("anchored", LOAD, 2.0, 0.2) == 0.0
+    slid = laws.tamsi(LOAD)
+    assert laws.walk_per_s("tamsi", replace(LOAD, step_s=0.0), 2.0, 0.2) == pytest.approx(slid / 0.2)
+
+
+def test_rows_of_what_an_engine_answers():
+    """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
+    time_s = np.arange(41) * engines.SAMPLE_S
+    [model] = [model for model in engines.MODELS if model.law == "rigid"]
+    table, pinch = engines.turntable(4.0), engines.pinch(4.0)
+    walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
+    row = engines.growth_columns(model, table, 0.002, {"path": walking.tolist()})
+    assert (row["growth_per_s"], row["predicted_growth_per_s"]) == pytest.approx((0.01, 0.004))
+    sinking = np.stack([0.0 * time_s, 0.0 * time_s, -0.002 * time_s], axis=1)
+    assert engines.creep_columns(model, pinch, 0.002, {"path": sinking.tolist()})["creep_mm_s"] == pytest.approx(2.0)
+    for path, reason in ((walking - [0.0, 0.0, 0.02], "not on the table"), (np.full((41, 3), np.nan), "not finite")):
+        with pytest.raises(ValueError, match=reason):
+            engines.growth_columns(model, table, 0.002, {"path": path.tolist()})
+    with pytest.raises(ValueError, match="capsule is lost"):
+        engines.creep_columns(model, pinch, 0.002, {"path": (20.0 * sinking).tolist()})
+    with pytest.raises(ValueError, match="no such contact"):
+        engines.creep_columns(model, pinch, 0.002, {"reason": "no such contact"})
+
+
+def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(tmp_path, monkeypatch):
+    def offline(name, requirements):
+        raise UsageError(f"{name} cannot be installed: offline")
+
+    monkeypatch.setattr(engines, "python_with", offline)
+    assert engines.run_apart(engines.DART, [{}, {}]) == [{"reason": "engine-dart cannot be installed: offline"}] * 2
+    monkeypatch.setattr(engines, "python_with", lambda *_: sys.executable)  # which has no dartpy
+    [result] = engines.run_apart(engines.DART, [{}])
+    assert "dartpy" in result["reason"]
+
+
+def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
+    code = (
+        "import sys; sys.path.insert(0, sys.argv.pop(1)); import apart; apart.answer(lambda scene, step_s: 1 / scene)"
+    )
+    asked = [{"scene": scene, "step_s": 0, "options": {}} for scene in (0, 2)]
+    (tmp_path / "asked").write_text(json.dumps(asked))
+    call = [sys.executable, "-c", code, ROOT / "assets/engines", tmp_path / "asked", tmp_path / "answer"]
+    subprocess.run(call, check=True)
+    assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
+
+
+def test_scenes_say_what_the_engines_are_told():
+    pads = engines.pinch(1.0)["supports"]
+    assert [pad["force_n"] for pad in pads] == [engines.PRESS_N, -engines.PRESS_N]
+    reach = [abs(pad["place"][0]) - pad["half_size"][0] for pad in pads]
+    assert reach == pytest.approx([capsule.RADIUS_M] * 2)
+    foot = engines.turntable(1.0)["body"]
+    assert foot["place"][2] + foot["feet"][0][2] - foot["foot_m"] == pytest.approx(0.05)  # where the table ends
+
+
+@pytest.mark.parametrize("engine", {model.engine for model in engines.MODELS}, ids=lambda engine: engine.name)
+def test_each_engine_is_locked_and_its_script_is_there(engine):
+    assert (ROOT / engine.script).is_file()
+    assert all("==" in requirement for requirement in engine.requirements)
+    assert engine.release.split()[-1] in engine.requirements[0]

@@ -1,0 +1,36 @@
+"""The second report is built of its tracked records by the public interface alone."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from measured_report.files.root import ROOT
+
+EXAMPLE = ROOT / "examples" / "benchmark-upgrade"
+MOST_LINES, MOST_BYTES = 700, 500_000
+TRACKED = subprocess.run(["git", "ls-files", "-z", "."], cwd=EXAMPLE, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.slow
+def test_it_passes_its_own_tests_from_its_tracked_records(tmp_path):
+    there = tmp_path / "examples" / "benchmark-upgrade"
+    for name in filter(None, TRACKED.split("\0")):
+        (there / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(EXAMPLE / name, there / name)
+    (tmp_path / "packages").symlink_to(ROOT / "packages")
+    packages = os.pathsep.join(map(str, (ROOT / "packages").glob("*")))
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    done = subprocess.run(
+        command, cwd=there, env={**os.environ, "PYTHONPATH": packages}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
+
+
+def test_it_stays_small():
+    names = [name for name in TRACKED.split("\0") if name]
+    lines = sum(len((EXAMPLE / name).read_text().splitlines()) for name in names if name.endswith(".py"))
+    assert 300 < lines <= MOST_LINES
+    assert sum((EXAMPLE / name).stat().st_size for name in names if name.startswith("results/")) <= MOST_BYTES

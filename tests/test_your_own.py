@@ -1,0 +1,72 @@
+"""docs/your-own.md, line by line, with the generator's wheel alone: a page, a claim, a release, an alarm, an update."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from measured_report.files.root import ROOT
+
+DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
+FILE = re.compile(r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL)
+SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
+LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
+UV = Path(sys.executable).with_name("uv")
+MOST_PYTHON, MOST_MARKDOWN = 60, 15
+
+
+def files() -> dict[str, str]:
+    return dict(FILE.findall(DOCUMENT))
+
+
+def run(*command: str | Path, cwd: Path) -> str:
+    settings = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "MAKEFLAGS")}
+    settings["PATH"] = f"{UV.parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(command, cwd=cwd, env=settings, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def test_a_section_takes_little_to_write():
+    sources = [line for name, text in files().items() if name.endswith(".py") for line in text.splitlines()]
+    model = files()["experiments/ball.py"].partition('"""')[2].partition('"""')[0].count("\n")
+    told = files()["templates/sections/ball.md.j2"].splitlines()
+    assert len([line for line in sources if line.strip()]) - model <= MOST_PYTHON
+    assert len([line for line in told if line.strip()]) <= MOST_MARKDOWN
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not UV.exists(), reason="there is no uv to install a new report with")
+def test_the_document_works_line_by_line(tmp_path):
+    run(UV, "build", "--wheel", "--quiet", ROOT / "packages/measured-report", "-o", tmp_path, cwd=tmp_path)
+    [wheel] = tmp_path.glob("*.whl")
+    command = ["uvx", "--isolated", "--from", str(wheel), "measured-report"]
+    try:
+        run(*command, "new", "my-report", cwd=tmp_path)
+        report = tmp_path / "my-report"
+        first, second, *others = LINES.findall(DOCUMENT)
+        run(*first.split(), cwd=report)
+    except AssertionError as error:
+        if re.search(r"(?i)dns|network|connect|failed to fetch|timed out", str(error)):
+            pytest.skip("there is no index to install a new report from")
+        raise
+    run(*second.split(), cwd=report)
+    for name, text in files().items():
+        (report / name).write_text(text, encoding="utf-8")
+    run(sys.executable, "-c", SCRIPT.search(DOCUMENT)[1], cwd=report)
+    said = {line: run(*line.split(), cwd=report) for line in others}
+    assert "holds        ball.euler_rises_more" in said["make check"]
+    assert "flipped: no claim" in said["make upgrade MUJOCO=3.3.7"]
+    assert (tmp_path / "published" / "index.html").is_file()
+
+    (report / "Makefile").write_text("# mine\n" + (report / "Makefile").read_text())
+    written = json.loads((report / ".measured-report.json").read_text())
+    written["report.mk"] = "0" * 64  # as if an older generator had written another one
+    (report / "README.md").unlink()
+    updated = run(*command, "update", cwd=report)
+    assert re.findall("as you have it: (.*)", updated) == ["Makefile", "report.toml"]
+    assert (report / "Makefile").read_text().startswith("# mine") and not (report / "README.md").exists()
