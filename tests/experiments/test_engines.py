@@ -103,7 +103,7 @@ def test_scenes_say_what_the_engines_are_told():
     assert foot["place"][2] + foot["feet"][0][2] - foot["foot_m"] == pytest.approx(0.05)  # where the table ends
 
 
-@pytest.mark.parametrize("engine", dict.fromkeys(model.engine for model in engines.MODELS), ids=lambda engine: engine.name)
+@pytest.mark.parametrize("engine", dict.fromkeys(each.engine for each in engines.MODELS), ids=lambda each: each.name)
 def test_each_engine_is_locked_and_its_script_is_there(engine):
     assert (ROOT / engine.script).is_file()
     assert all("==" in requirement for requirement in engine.requirements)
