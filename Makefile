@@ -5,6 +5,23 @@ override EDITION := NEWTON
 override OWN := FAST LAB
 include packages/measured-report/measured_report/skeleton/report.mk
 
+# What every report can be asked for, by name; report.mk says what each does.
+report:
+page:
+status:
+rerun:
+upgrade:
+bisect:
+history:
+retire:
+check:
+diff:
+trace:
+publish:
+serve:
+test:
+help:
+
 .PHONY: clips verify worlds torture lint
 
 clips: $(READY) ## Render the clips from kept poses, in minutes on a GPU [EDITION DEVICE PROFILE]

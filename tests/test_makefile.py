@@ -29,6 +29,12 @@ def said(done: subprocess.CompletedProcess) -> list[str]:
     return [line for line in done.stderr.splitlines() if not line.startswith("make: ")]
 
 
+def test_the_makefile_itself_names_what_can_be_asked_for():
+    """Programs outside read that file and follow no include."""
+    [phony] = re.findall(r"^\.PHONY: (.*)", SHARED, re.MULTILINE)
+    assert set(phony.split()) <= set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+
+
 @pytest.fixture
 def python(tmp_path) -> str:
     """What stands in for Python: it prints what make passes on."""
