@@ -1,4 +1,4 @@
-"""A scene in MJCF in MuJoCo: in C with its integrator ``discrete``, or in MJX, its engine in JAX, in single precision."""
+"""A scene in MJCF in MuJoCo C with its integrator ``discrete``, or in MJX, its engine in JAX, in single precision."""
 
 import mujoco
 import numpy as np
