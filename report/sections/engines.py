@@ -1,9 +1,10 @@
 """The turntable and the pinched capsule in other engines: does each do what its contact model says?"""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
@@ -52,6 +53,8 @@ MODELS = {
     "pybullet": ("PyBullet", "step"),
     "physx": ("PhysX, TGS", "anchored"),
 }
+TIMECONSTS, STEPS = ("20ms", "10ms"), ("1ms", "2ms", "5ms", "10ms")
+"""Of the runs with MuJoCo's integrator ``discrete``."""
 NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
 """Those of Newton's solvers that keep the box, and their laws."""
 KDS = (100, 50, 20, 10, 5, 2)
@@ -100,7 +103,45 @@ def derive(results: Results) -> Section:
     test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
     claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
     claims += [_anchors_hold(results, lines, walk_bound, sink_bound), _test_lets_through(results)]
-    return Section(tables={"engines": engines, "test": test}, claims=claims)
+    walks = _discrete_walks(results)
+    claims.append(_discrete_adds_the_step(results, walks))
+    columns = {
+        f"{timeconst.replace('ms', ' ms')}{said}": [walks[timeconst, step][which] for step in STEPS]
+        for timeconst in TIMECONSTS
+        for which, said in enumerate((" by law", ""))
+    }
+    discrete = table_of("step", [step.replace("ms", " ms") for step in STEPS], columns)
+    return Section(tables={"engines": engines, "discrete": discrete, "test": test}, claims=claims)
+
+
+def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Value]]:
+    """By law and as measured, by time constant and step."""
+    walks = {}
+    for timeconst, step in product(TIMECONSTS, STEPS):
+        row, name = results.row[f"discrete-{timeconst}-turntable-{step}"], f"discrete_{timeconst}_{step}"
+        cells = {f"{name}_law": row.predicted_growth_per_s, name: row.growth_per_s}
+        formula = "in percent of the distance"
+        walks[timeconst, step] = tuple(
+            results.value(each, formula, lambda rate: 100 * rate, cell, unit="%/s") for each, cell in cells.items()
+        )
+    return walks
+
+
+def _discrete_adds_the_step(results: Results, walks: Mapping[tuple[str, str], tuple[Value, Value]]) -> Claim:
+    """Tell whether ``discrete`` walks as its law says, and so faster than the other integrators and with the step."""
+    formula = "largest departure from the law of discrete, of it"
+    cells = [cell for law, measured in walks.values() for cell in (measured, law)]
+    largest = results.value("discrete_off", formula, _largest_departure, *cells, unit="%", across=True)
+    count = results.value("discrete_count", "runs with discrete", lambda *found: len(found) // 2, *cells, across=True)
+    plain = other_cell(results, "turntable", "plain-c", "growth_per_s", unit="1/s")
+    before = results.value(
+        "implicitfast_walk", "in percent of the distance", lambda rate: 100 * rate, plain, unit="%/s"
+    )
+    short, long = (walks["20ms", step][1] for step in ("2ms", "10ms"))
+    rows = [results.row[f"discrete-20ms-turntable-{step}"] for step in ("2ms", "10ms")]
+    outcome = all_of(at_most(largest, 1.0, why="as the law says"), greater(short, before), greater(long, short))
+    numbers = {"largest": largest, "count": count, "before": before, "short": short, "long": long}
+    return Claim("discrete_adds_the_step", outcome, numbers | {"step": rows[0].step_ms, "longest": rows[1].step_ms})
 
 
 def _lines(results: Results) -> list[Line]:
