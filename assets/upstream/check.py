@@ -75,8 +75,8 @@ def patched(folder: Path) -> Path:
 def counts(python: Path, folder: Path, *tests: str) -> dict[str, int]:
     """How many tests passed, failed and were skipped, of the packages in a folder."""
     command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests]
-    last = run(command, folder).strip().splitlines()[-1]
-    return {outcome: int(count) for count, outcome in re.findall(r"(\d+) (passed|failed|skipped|errors?)", last)}
+    last = run(command, folder).strip().splitlines()[-1].partition(" in ")[0]
+    return {outcome: int(count) for count, outcome in re.findall(r"(\d+) (?!warning)([a-z]+)", last)}
 
 
 def turntable(python: Path, folder: Path) -> dict[str, list[float]]:

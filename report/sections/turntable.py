@@ -21,7 +21,8 @@ page = "cure"
 label = "box on a turntable"
 
 ENGINES = ("warp", "c")
-BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
+UPSTREAM = ("assets/upstream/mujoco_warp-4.0.0.patch", "assets/upstream/newton-1.8.0.patch", "docs/upstream.md")
+OFFERED = [ROOT / path for path in ("assets/fix/contact_bias.py", *UPSTREAM)]
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
@@ -60,7 +61,7 @@ def derive(results: Results) -> Section:
             _term_leaves_step(results, measured, resolution),
             cured,
         ],
-        downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
+        downloads=[Download(path.name, path.read_text(encoding="utf-8")) for path in OFFERED],
     )
 
 
