@@ -36,7 +36,7 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value]) -> Table:
+def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value], resolutions: Mapping[str, Value]) -> Table:
     """Make a line for each case, with its times and changes by device."""
     names = list(dict.fromkeys(case for _, case, _ in timed))
     places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
@@ -48,7 +48,8 @@ def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value]) -> Ta
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    return table_of("case", map(case_html, names), columns)
+    on_cuda, on_cpu = (resolutions[device] for device in DEVICES)
+    return table_of("case", map(case_html, names), columns, on_cuda=on_cuda, on_cpu=on_cpu)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
