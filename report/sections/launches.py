@@ -2,11 +2,11 @@
 
 from measured_report.claims.claim import Claim, at_least
 from measured_report.parts.section import Section, Table
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.shared.arithmetic import cell_or_absent, extreme, share, table_of, total
-from report.shared.timing import cell
+from report.shared.arithmetic import Column, cell_or_absent, share, table_of, total
+from report.shared.timing import cell, resolution
 
 order = 174
 page = "cost"
@@ -25,7 +25,7 @@ SWITCHED = {
     "limits": "looking for joints at their limits",
 }
 """What is left out, in words, by the name in the record."""
-SHOWN_COUNT = 25
+SHOWN_COUNT = 12
 """Kernels in the table."""
 
 
@@ -59,13 +59,13 @@ def _saved(results: Results, row: Row | None, name: str, count: int) -> Value:
 
 
 def _switched(results: Results, counts: list[int]) -> Table:
-    columns = {}
-    resolutions: list[Quantity] = []
+    columns: dict[str, Column] = {}
+    compared: list[Row | None] = []
     for count in counts:
         rows = {name: results.row.get(f"without-{name}-{count}") for name in SWITCHED}
         columns[worlds_name(count)] = [_saved(results, row, name, count) for name, row in rows.items()]
-        resolutions += [cell(results, row, "ratio_resolution", "a batch") for row in rows.values()]
-    worst = extreme(results, "resolution", "largest half interval of a ratio to whole frames", max, resolutions)
+        compared += rows.values()
+    worst = resolution(results, "resolution", *compared)
     return table_of("without", SWITCHED.values(), columns, resolution=worst)
 
 
@@ -83,7 +83,7 @@ def _kernels(results: Results, first: list[Row], counts: list[int]) -> Table:
         columns[f"time, {worlds_name(count)}"] = [
             cell_or_absent(found.get(kernel), "kernels_ms", "ms", "it was not launched") for kernel in order
         ]
-    return table_of("kernel", order, columns)
+    return table_of("kernel", [kernel.split("__locals__")[0] for kernel in order], columns)
 
 
 def _weight(row: Row | None) -> float:

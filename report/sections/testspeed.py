@@ -5,8 +5,8 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.names import worlds_name
-from report.shared.arithmetic import Column, departure, extreme, ratio, table_of
-from report.shared.timing import CURE_WORLDS, cell
+from report.shared.arithmetic import Column, departure, ratio, table_of
+from report.shared.timing import CURE_WORLDS, cell, resolution
 
 order = 172
 page = "cost"
@@ -70,12 +70,7 @@ def _table(results: Results, rates: dict[tuple[str, int], Quantity]) -> Table:
     rows = [results.row.get(f"{way}-{CURE_WORLDS[-1]}") for way in WAYS]
     for above, column in (("contacts", "contact_count"), ("rows", "row_count")):
         columns[above] = [cell(results, row, column, "a batch") for row in rows]
-    resolutions = [
-        cell(results, results.row.get(f"{way}-{count}"), "ratio_resolution", "a batch")
-        for way in WAYS
-        if way != "testspeed"
-        for count in CURE_WORLDS
-    ]
-    worst = extreme(results, "resolution", "largest half interval of a ratio to whole frames", max, resolutions)
+    compared = [results.row.get(f"{way}-{count}") for way in WAYS if way != "testspeed" for count in CURE_WORLDS]
+    worst = resolution(results, "resolution", *compared)
     buffers = [cell(results, rows[0], column, "a batch") for column in ("contact_max", "constraint_max")]
     return table_of("way", WAYS.values(), columns, resolution=worst, nconmax=buffers[0], njmax=buffers[1])
