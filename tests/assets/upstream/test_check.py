@@ -14,6 +14,9 @@ SHORT = "not test_step0 and not test_step2 and not test_step3 and not stays"
 """All new tests but for other integrators and Newton's turntable, which take a minute to compile."""
 
 
+PASSED = {"passed", "deselected", "subtests"}
+
+
 @pytest.fixture(scope="module")
 def python():
     try:
@@ -29,7 +32,8 @@ def test_the_patches_apply_to_the_released_packages_and_their_tests_pass(python,
     monkeypatch.setattr(check, "STEP_COUNT", 50)
     released, changed = (check.copied(python, tmp_path / name) for name in ("released", "changed"))
     check.patched(changed)
-    assert set(check.counts(python, changed, *check.NEW, "-k", SHORT)) == {"passed", "deselected"}
+    found = check.counts(python, changed, *check.NEW, "-k", SHORT)
+    assert found["passed"] >= 31 and found.keys() <= PASSED
     before, after = check.turntable(python, released), check.turntable(python, changed)
     assert set(before) == {"false"} and before["false"] == after["false"]
     assert check.walk_mm(after["true"]) < 0.2 * check.walk_mm(after["false"])
@@ -44,14 +48,15 @@ def test_what_was_checked_are_these_patches():
     checked = json.loads(check.CHECKED.read_text(encoding="utf-8"))
     assert checked["patches"] == check.digests()
     assert checked["own_after"] == checked["own_before"] and checked["same_when_off"]
-    assert all(set(found) == {"passed"} for found in checked["new"].values())
+    assert all(found.keys() <= PASSED for found in checked["new"].values())
 
 
 def test_the_document_has_the_numbers_that_were_measured():
     checked = json.loads(check.CHECKED.read_text(encoding="utf-8"))
     cure, table, cost, engines = map(records, ("cure", "turntable", "cure_cost", "engines"))
     shake = "newton-implicitfast-50-shipped-3cm"
-    costs = [100 * (cost[f"term-{n}"]["frame_ms"] / cost[f"as-shipped-{n}"]["frame_ms"] - 1) for n in (1, 4096, 16384)]
+    timed = [cost[f"term-{worlds}"] for worlds in (1, 4096, 16384)]
+    costs, known = [100 * (row["frame_ratio"] - 1) for row in timed], [100 * row["ratio_resolution"] for row in timed]
     discrete = [100 * engines[f"discrete-20ms-turntable-{step}"]["growth_per_s"] for step in ("2ms", "10ms")]
     walks, new = checked["walk_mm"], [found["passed"] for found in checked["new"].values()]
     said = [
@@ -60,7 +65,8 @@ def test_the_document_has_the_numbers_that_were_measured():
         f"outward by {100 * table['plain-warp']['growth_per_s']:.1f} %/s",
         f"inward by {-100 * table['term-warp']['growth_per_s']:.2f} %/s",
         f"walks by {discrete[0]:.2f} %/s at 2 ms, and by {discrete[1]:.2f} at 10 ms",
-        f"takes {costs[0]:.1f}, {costs[1]:.1f} and {costs[2]:.1f} % of a frame",
+        "takes {:.1f}, {:.1f} and {:.1f} % of a frame".format(*costs),
+        "to within {:.1f}, {:.1f} and {:.1f} %".format(*known),
         f"{checked['own_before']['passed']} pass and {checked['own_before']['skipped']} are skipped",
         f"all {new[0]} and {new[1]} pass",
         f"walks by {walks['false']:.2f} mm in a second without the term and by {walks['true']:.2f} mm with it",
