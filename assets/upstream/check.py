@@ -33,9 +33,7 @@ data = mujoco.MjData(model)
 data.qvel[:] = qvel
 mujoco.mj_forward(model, data)
 m, places = mjw.put_model(model), {}
-for option in (False, True):
-    if option and not hasattr(m.opt, "contact_jdotv"):
-        continue
+for option in (False, True) if hasattr(m.opt, "contact_jdotv") else (False,):
     m.opt.contact_jdotv = option
     d = mjw.put_data(model, data)
     for _ in range(step_count):
