@@ -117,14 +117,15 @@ def derive(results: Results) -> Section:
 
 def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Value]]:
     """By law and as measured, by time constant and step."""
+
+    def percent(name: str, cell: Quantity) -> Value:
+        return results.value(name, "in percent of the distance", lambda rate: 100 * rate, cell, unit="%/s")
+
     walks = {}
     for timeconst, step in product(TIMECONSTS, STEPS):
         row, name = results.row[f"discrete-{timeconst}-turntable-{step}"], f"discrete_{timeconst}_{step}"
-        cells = {f"{name}_law": row.predicted_growth_per_s, name: row.growth_per_s}
-        formula = "in percent of the distance"
-        walks[timeconst, step] = tuple(
-            results.value(each, formula, lambda rate: 100 * rate, cell, unit="%/s") for each, cell in cells.items()
-        )
+        law, measured = percent(f"{name}_law", row.predicted_growth_per_s), percent(name, row.growth_per_s)
+        walks[timeconst, step] = law, measured
     return walks
 
 
