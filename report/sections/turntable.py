@@ -21,8 +21,12 @@ page = "cure"
 label = "box on a turntable"
 
 ENGINES = ("warp", "c")
-UPSTREAM = ("assets/upstream/mujoco_warp-4.0.0.patch", "assets/upstream/newton-1.8.0.patch", "docs/upstream.md")
-OFFERED = [ROOT / path for path in ("assets/fix/contact_bias.py", *UPSTREAM)]
+OFFERED = [
+    ROOT / "assets/fix/contact_bias.py",
+    ROOT / "assets/upstream/mujoco_warp-4.0.0.patch",
+    ROOT / "assets/upstream/newton-1.8.0.patch",
+    ROOT / "assets/upstream/upstream.md",
+]
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
