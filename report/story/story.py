@@ -26,7 +26,10 @@ FIX = "the pads' ke and kd"
 NEWTON, PYRAMID, MUJOCO = "Newton's contacts", "the same, pyramidal cone", "MuJoCo's contacts"
 WAYS = {
     NEWTON: [("reproduction", case, "slip_mm", "mm") for case in CASES],
-    PYRAMID: [("solver", "cone-pyramidal", "slip_mm", "mm")],
+    PYRAMID: [
+        ("solver", "cone-pyramidal", "slip_mm", "mm"),
+        ("cure", "pyramidal-implicitfast-50-stiff-3cm-plain-rounded", "slip_mm", "mm"),
+    ],
     MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm", "mm") for case in CASES],
     "MuJoCo's C engine": [("reproduction", f"{case}-mujoco-c", "slip_mm", "mm") for case in CASES],
 }

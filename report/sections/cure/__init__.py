@@ -57,7 +57,9 @@ def derive(results: Results) -> Section:
     runs = [row for row in results.rows if row.kind == "run"]
     kept = [row for row in runs if row.slip_mm.value is not None and row.slip_mm.value < GRASP_MM]
     closes = _budget_closes(results, kept, (least, most))
-    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")}
+    formula = "runs whose slip and predicted slip differ in length by no more than either bound"
+    alike = _count_of(results, "alike_count", formula, _is_as_long, kept, (least, most), "predicted_slip_mm")
+    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")} | {"alike": alike}
     return Section(
         tables={"use": use_table(results), "budget": _budget_table(results)},
         figures={
@@ -179,14 +181,26 @@ def _is_little(remainder: float, slip: float, least: float, most: float) -> bool
     return slip <= 2.0 * least
 
 
-def _count_of(results: Results, name: str, formula: str, is_so: Callable, runs: Sequence[Row], bounds: Bounds) -> Value:
-    """Count the runs of which that is so, told of remainder, slip and both bounds [mm, mm, mm, share of the slip]."""
+def _is_as_long(predicted: float, slip: float, least: float, most: float) -> bool:
+    return _closes(abs(predicted - slip), slip, least, most)
+
+
+def _count_of(
+    results: Results,
+    name: str,
+    formula: str,
+    is_so: Callable,
+    runs: Sequence[Row],
+    bounds: Bounds,
+    column: str = "remainder_mm",
+) -> Value:
+    """Count the runs of which that is so, told of a column, slip and both bounds [mm, mm, mm, share of the slip]."""
 
     def count(least: float, most: float, *found: float) -> int:
         pairs = zip(found[::2], found[1::2], strict=True)
-        return sum(is_so(remainder, slip, least, 0.01 * most) for remainder, slip in pairs)
+        return sum(is_so(cell, slip, least, 0.01 * most) for cell, slip in pairs)
 
-    cells = (cell for row in runs for cell in (row.remainder_mm, row.slip_mm))
+    cells = (cell for row in runs for cell in (row[column], row.slip_mm))
     return results.value(name, formula, count, *bounds, *cells)
 
 
@@ -219,8 +233,8 @@ def _draw_budget(runs: Sequence[Row], least: float, most: float) -> Drawing:
     """The slip of each run over what is predicted of it, and in a band what counts as the same."""
     drawing, axes = new_figure(7.2, 4.4)
     line = np.geomspace(0.002, GRASP_MM, 60)
-    margin = np.maximum(least, most * line)
-    axes.fill_between(line, np.maximum(line - margin, 1e-4), line + margin, color=FAINT, linewidth=0.0, alpha=0.6)
+    low, high = np.minimum(line - least, line / (1.0 + most)), np.maximum(line + least, line / (1.0 - most))
+    axes.fill_between(line, np.maximum(low, 1e-4), high, color=FAINT, linewidth=0.0, alpha=0.6)
     axes.plot(line, line, color=INK, linewidth=0.8, marker="")
     looks = {"shipped": (colours.SHIPPED, "o"), "stiff": (colours.STIFF, "s")}
     for (pads, (colour, marker)), is_far in product(looks.items(), (False, True)):
