@@ -33,8 +33,8 @@ WAYS = {
     MUJOCO: [("upgrade", f"{case}-mujoco-contacts", "slip_mm", "mm") for case in CASES],
     "MuJoCo's C engine": [("reproduction", f"{case}-mujoco-c", "slip_mm", "mm") for case in CASES],
 }
-"""Slips with shipped pads and, where that was measured, with stiff ones, by who finds the contacts."""
-UNSEEN = Markup("not measured")
+"""Slips with shipped pads and with stiff ones, by who finds the contacts."""
+UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 
 
 def derive(releases: Releases, shown: str) -> Section:
@@ -81,12 +81,14 @@ def _needed(every: Mapping[str, Found], bound: Quantity) -> Table:
 
 def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
     """Say what to do where the cube slips so far with shipped pads, and so far with stiff ones."""
-    before, *after = slips
+    before, after = slips
     if None in (before.value, bound.value):
-        return UNSEEN
+        return FAILED if before.source else UNSEEN
     if before.value < bound.value:
         return Markup("fine: {}").format(before)
-    if after and after[0].value is not None and after[0].value >= bound.value:
+    if after.value is None:
+        return Markup("slips: {}").format(before)
+    if after.value >= bound.value:
         return Markup("slips either way: {}").format(before)
     return Markup("set ke and kd: {}").format(before)
 
@@ -94,7 +96,7 @@ def _advice(slips: Sequence[Quantity], bound: Quantity) -> Markup:
 def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
     """The releases in which the cube slips come first, and those in which it stays behind them."""
     slips = {release: _slips(found, NEWTON)[0] for release, found in every.items()}
-    there = {release: slip for release, slip in slips.items() if slip.value is not None}
+    there = {release: slip for release, slip in slips.items() if slip.source}
     slipping = [release for release, slip in there.items() if at_least(slip, bound) == HOLDS]
     fine = [release for release in there if release not in slipping]
     is_so = bool(slipping and fine) and list(there) == [*slipping, *fine]
@@ -107,7 +109,7 @@ def _fine_since(every: Mapping[str, Found], bound: Quantity) -> Claim:
 def _still_needed(every: Mapping[str, Found], bound: Quantity) -> Claim:
     """With contacts that MuJoCo finds, and with a pyramidal cone, the cube slips in every release that was measured."""
     slips = {way: [_slips(found, way)[0] for found in every.values()] for way in (MUJOCO, PYRAMID)}
-    there = {way: [slip for slip in cells if slip.value is not None] for way, cells in slips.items()}
+    there = {way: [slip for slip in cells if slip.source] for way, cells in slips.items()}
     seen = [at_least(slip, bound) for cells in there.values() for slip in cells]
     outcome = all_of(*seen) if all(there.values()) else Outcome("unknown", "not both were measured")
     return Claim("still_needed", outcome)
