@@ -47,7 +47,12 @@ def derive(releases: Releases, shown: str) -> Section:
     return Section(
         tables={"needed": _needed(every, bound)},
         figures={"suspects": _suspects(found), "mechanism": _mechanism(found)},
-        claims=[_fine_since(every, bound), _still_needed(every, bound), _with_mujoco(found, bound)],
+        claims=[
+            _fine_since(every, bound),
+            _still_needed(every, bound),
+            _with_mujoco(found, bound),
+            _coarser_moves(found),
+        ],
     )
 
 
@@ -120,3 +125,13 @@ def _with_mujoco(found: Found, bound: Quantity) -> Claim:
     before, after = _slips(found, MUJOCO)
     less = greater(before, after, noise=found.value("noise", "slip_floor", "mm"))
     return Claim("with_mujoco", all_of(at_least(before, bound), less), {"before": before, "after": after})
+
+
+def _coarser_moves(found: Found) -> Claim:
+    """Friction as soft as pressing, and steps four times as long, each move the slip as far as a cause would."""
+    shipped, *coarse = (found.cell("lab", case, "slip_mm", "mm") for case in ("as-shipped", "impratio-1", "substeps-4"))
+    bound = found.value("friction", "cause_bound", "%")
+    there = None not in (shipped.value, bound.value, *(slip.value for slip in coarse))
+    moved = there and all(abs(slip.value / shipped.value - 1.0) >= 0.01 * bound.value for slip in coarse)
+    numbers = dict(zip(("impratio", "steps"), coarse, strict=True))
+    return Claim("coarser_moves", decided(moved, shipped, *coarse, bound), numbers)

@@ -100,7 +100,8 @@ def test_what_the_story_claims_can_be_said_with_every_outcome(editions, template
             claim = replace(claim, wording=words["claim", claim.name])
             said = [replace(claim, outcome=outcome).text for outcome in (HOLDS, FAILS, Outcome("unknown", "a test"))]
             assert len(set(said)) == 3 and all(text.endswith(".") for text in said), said
-            assert claim.outcome == HOLDS, (release, claim.name)
+            is_told = claim.name != "coarser_moves" or "lab" in chapters[release]
+            assert claim.outcome.name == ("holds" if is_told else "unknown"), (release, claim.name)
 
 
 def test_releases_that_do_not_stand_in_order_have_no_first_fine_one(editions):
