@@ -23,6 +23,8 @@ MOST_STOPS = 60
 MOST_ZIPPED_BYTES = 80_000
 """Of a page without its data."""
 MOST_SITE_BYTES = 35_000_000
+MOST_WORDS = 20_000
+WORDLESS = re.compile(r"<(svg|script|math)\b.*?</\1>|<[^>]*>", re.DOTALL)
 OWN_PAGES = ("replay.html", "lab.html")
 """Pages that have a program in them."""
 MOST_ELEMENTS = 4000
@@ -227,6 +229,15 @@ def test_every_page_is_light_without_its_data(site):
     for path in site.rglob("*.html"):
         if path.name not in OWN_PAGES:
             assert len(gzip.compress(path.read_bytes())) <= MOST_ZIPPED_BYTES, path
+
+
+def test_all_pages_of_a_release_are_read_in_an_hour_or_two(site):
+    """Tables and what is folded up count; drawings, scripts and the contents beside the text do not."""
+    pages = [path.read_text(encoding="utf-8") for path in site.glob("*.html")]
+    texts = [
+        WORDLESS.sub(" ", page[page.index("<main") :].partition("</main>")[0]) for page in pages if "<main" in page
+    ]
+    assert sum(len(text.split()) for text in texts) <= MOST_WORDS
 
 
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
