@@ -240,6 +240,14 @@ def test_all_pages_of_a_release_are_read_in_an_hour_or_two(site):
     assert sum(len(text.split()) for text in texts) <= MOST_WORDS
 
 
+def test_no_markdown_is_left(site):
+    """The words of a claim are HTML."""
+    for path in site.rglob("*.html"):
+        if path.name not in OWN_PAGES:
+            page = re.sub(r"<(pre|code|script)\b.*?</\1>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+            assert re.findall(r"\]\(|[*`]\w+[*`]", WORDLESS.sub(" ", page)) == [], path
+
+
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
     open_page(tab, site / "index.html", "#friction")
     tab.wait_for_url("**/evidence.html#friction")
