@@ -10,21 +10,9 @@ page = "scenes"
 label = "robot suites, linted"
 
 RULES = (
-    *(
-        "slip",
-        "lost",
-        "timeconst",
-        "one-sided",
-        "pyramid",
-        "dampratio",
-        "solimp",
-        "condim",
-        "pair",
-        "unused",
-        "untouched",
-    ),
-    *("priority", "solref-format", "override", "refsafe"),
-)
+    "slip lost timeconst one-sided pyramid dampratio solimp condim pair unused untouched "
+    "priority solref-format override refsafe"
+).split()
 
 
 def derive(results: Results) -> Section:
