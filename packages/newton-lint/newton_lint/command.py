@@ -97,17 +97,26 @@ def _fixed(reports: Sequence[Any]) -> None:
 
 def asked_of(given: argparse.Namespace, table: dict[str, Any]):
     """What is asked for, of the command before the project's table."""
-    from newton_lint.hold import SETTLE_S, Work
     from newton_lint.prediction import Load
     from newton_lint.report import Asked
+
+    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
+    load = Load(given.acceleration, given.load)
+    return Asked(engine_of(given, table), load, work_of(given), given.below or table.get("below"), frozenset(ignore))
+
+
+def engine_of(given: argparse.Namespace, table: dict[str, Any]):
+    """The engine that is asked for."""
     from newton_lint.scene import Engine
 
-    engine = Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
-    settle = SETTLE_S if given.settle is None else given.settle
-    work = Work(given.hold, settle, given.turn, given.lift) if given.hold else None
-    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
-    below = table.get("below") if given.below is None else given.below
-    return Asked(engine, Load(given.acceleration, given.load), work, below, frozenset(ignore))
+    return Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
+
+
+def work_of(given: argparse.Namespace):
+    """The body that is to be held; None where none is asked for."""
+    from newton_lint.hold import SETTLE_S, Work
+
+    return Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
 
 
 @contextlib.contextmanager

@@ -17,11 +17,10 @@ LEVELS = {"note": "notice", "warning": "warning", "error": "error"}
 """What GitHub calls a severity."""
 USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
 """What ``used`` is called where it is not what the engine uses."""
-FORMATS = ("text", "json", "sarif", "github")
 
 
 def written(reports: Sequence[Report], form: str, everything: bool) -> str:
-    """All reports in one of ``FORMATS``."""
+    """All reports as ``text``, ``json``, ``sarif`` or ``github``."""
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1, ensure_ascii=False)

@@ -82,7 +82,8 @@ def report_of(target: Target, asked: Asked) -> Report:
 
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
-    return Scene(target.model, Source.of(target.path, target.model), engine or Engine())
+    engine = engine or Engine()
+    return Scene(engine.asked(target.model), Source.of(target.path, target.model), engine)
 
 
 def as_json(report: Report) -> dict[str, Any]:
