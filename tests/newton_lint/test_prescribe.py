@@ -101,8 +101,8 @@ def test_what_nothing_holds_is_said(written, capsys):
 def test_an_edit_changes_what_it_has_to(tmp_path):
     text = b"<mujoco  model='a>b'>\n <geom\n  solref = '1 1' name=\"x\"/><geom name='y'/></mujoco>"
     first, second = text.index(b"<geom"), text.rindex(b"<geom")
-    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, -1: {"cone": "elliptic"}}
-    assert edited(text, tags) == (
+    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, 0: {"cone": "elliptic"}}
+    assert edited(text, tags, root=0) == (
         b'<mujoco  model=\'a>b\'>\n  <option cone="elliptic"/>\n <geom\n  solref = "2 1" name="x"/>'
         b"<geom name='y' priority=\"1\"/></mujoco>"
     )

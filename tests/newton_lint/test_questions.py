@@ -1,4 +1,4 @@
-"""Questions of issue trackers: what the lint names, and whether the first change that it offers cures it in MuJoCo C."""
+"""Questions of issue trackers: what the lint names, and whether the first change that it says cures it in MuJoCo C."""
 
 import mujoco
 import numpy as np

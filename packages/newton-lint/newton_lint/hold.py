@@ -98,7 +98,7 @@ class Hold:
         """That it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
-            message = "is more than it creeps: it has not settled, and what is predicted is of a grip that has"
+            message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
             told = ("unsettled", self.name, touching, "speed", self.moves_mm_s, self.mm_s, "mm/s", message, "note")
             return [Finding(*told)]
         if not self.slides and (below_mm_s is None or self.mm_s <= below_mm_s):

@@ -98,8 +98,7 @@ def _github(report: Report) -> Iterator[str]:
         finding = group[0]
         element = finding.element
         place = f"file={element.file},line={element.line}," if element else f"file={report.target},"
-        advice = f" {finding.advice}" if finding.advice else ""
-        said = f"{sentence(group)}.{advice}".replace("%", "%25").replace("\n", "%0A")
+        said = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
         yield f"::{LEVELS[finding.severity]} {place}title=newton-lint {finding.rule}::{said}"
 
 
@@ -109,7 +108,7 @@ def _sarif(reports: Sequence[Report]) -> dict:
         {
             "ruleId": group[0].rule,
             "level": group[0].severity,
-            "message": {"text": sentence(group) + (f". {group[0].advice}" if group[0].advice else "")},
+            "message": {"text": _with_advice(group)},
             "locations": [_location(group[0], report)],
         }
         for report in reports
@@ -119,6 +118,10 @@ def _sarif(reports: Sequence[Report]) -> dict:
     run = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
     schema = "https://json.schemastore.org/sarif-2.1.0.json"
     return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+
+
+def _with_advice(group: Sequence[Finding]) -> str:
+    return f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
 
 
 def _location(finding: Finding, report: Report) -> dict:
