@@ -6,7 +6,7 @@ from measured_report.claims.claim import Claim, all_of, at_least, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.timing import CURE_WORLDS, ratio_cell, resolution
+from report.shared.timing import CURE_WORLDS, fine_enough, ratio_cell, resolution
 
 order = 144
 page = "cure"
@@ -65,7 +65,9 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
             f"{case}_longer_{count}", "this, or none where it is less", lambda a: max(a, 0.0), more, unit="%"
         )
         outcomes.append(within(longer, noise, why="the resolution of the ratio"))
-    return Claim(f"{case}_costs_nothing", all_of(*outcomes).having_read(slower), numbers)
+    return Claim(
+        f"{case}_costs_nothing", all_of(*outcomes, fine_enough(numbers["unseen"])).having_read(slower), numbers
+    )
 
 
 def _rk4_is_dear(results: Results, extra: Times) -> Claim:

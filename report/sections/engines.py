@@ -27,17 +27,10 @@ LAWS = {
     "": "none derived",
 }
 """Of the walk. Each gives the sinking as well, by the same v."""
-STOPS = {
-    "mujoco": "the term",
-    "step": "shorter step",
-    "sap": "shorter step",
-    "mixed": "shorter step",
-    "tamsi": "shorter step, smaller vₛ",
-    "lagged": "shorter step, smaller vₛ",
-    "stribeck": "smaller vₛ",
-    "anchored": "nothing to stop",
-    "": "shorter step",
-}
+HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
+"""What takes away from the walk by its law, beside a shorter step."""
+GOES_WITH_STEP = 0.75
+"""Half the step leaves at most so much of a walk that goes with the step."""
 
 
 MODELS = {
@@ -94,7 +87,7 @@ def derive(results: Results) -> Section:
         "half the step": _shown([line.short_walk for line in lines], walk_bound),
         "sinks by law": _shown([line.sink_law for line in lines], sink_bound),
         "sinks": _shown([line.sink for line in lines], sink_bound),
-        "what stops it": [STOPS[line.law] for line in lines],
+        "what helps": [_helps(line, walk_bound) for line in lines],
         "law of the walk": [LAWS[line.law] for line in lines],
     }
     said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
@@ -203,6 +196,15 @@ def _lines(results: Results) -> list[Line]:
 def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
     """What the table shows: nothing is seen of what is below the bound."""
     return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
+
+
+def _helps(line: Line, bound: Value) -> str:
+    """What takes away from the walk: a shorter step where that was seen, and what its law names."""
+    walk, short = line.walk.value, line.short_walk.value
+    if walk is not None and abs(walk) <= bound.value:
+        return "nothing to help"
+    is_shorter = None not in (walk, short) and abs(short) <= GOES_WITH_STEP * abs(walk)
+    return ", ".join(filter(None, ["shorter step" if is_shorter else "", HELPS.get(line.law, "")])) or "not known"
 
 
 def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:

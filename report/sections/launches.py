@@ -87,4 +87,5 @@ def _kernels(results: Results, first: list[Row], counts: list[int]) -> Table:
 
 
 def _weight(row: Row | None) -> float:
-    return (row.kernels_ms.value or row.launch_count.value / 1e6) if row else 0.0
+    found = (row.kernels_ms.value, row.launch_count.value) if row else (None, None)
+    return found[0] or (found[1] or 0.0) / 1e6

@@ -6,11 +6,12 @@ from typing import Any
 
 from matplotlib.axes import Axes
 
+from measured_report.claims.claim import Outcome
 from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_or_absent
+from report.shared.arithmetic import cell_or_absent, resolved
 
 CURE_WORLDS = (1, 4096, 16384)
 """How many worlds at once the remedies of the cure are timed with."""
@@ -37,6 +38,11 @@ def resolution(results: Results, name: str, *rows: Row | None) -> Value:
 def resolutions(results: Results, name: str, rows: Iterable[Row]) -> Value:
     """Derive the same of those rows that were compared."""
     return resolution(results, name, *(row for row in rows if "ratio_resolution" in row and row.ratio_resolution.value))
+
+
+def fine_enough(unseen: Quantity) -> Outcome:
+    """Tell whether times are known well enough to say that nothing is slower, from what share would be seen [%]."""
+    return resolved(unseen, 3.0, why="a slowdown that would matter")
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from measured_report.claims.claim import FAILS, HOLDS, Claim
 from measured_report.editions.project import Project
+from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results
 from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
@@ -28,14 +29,17 @@ def free(row: dict) -> Mapping:
     return {"frame_ratio": 1.0} if row["case"] == "best" else {}
 
 
-def claims_with(**changes: Change) -> dict[str, Claim]:
-    """The claims of section cure were it free, with rows of it and of those that it reads changed."""
+def section_with(**changes: Change) -> Section:
+    """Section cure were it free, with rows of it and of those that it reads changed."""
     others: dict[str, Results] = {}
     for name, module in BELOW.items():
         others[name] = results_of(name, {"cure_cost": free, **changes}.get(name, lambda row: {}), others)
         module.derive(others[name])
-    found = cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
-    return {claim.name: claim for claim in found.claims}
+    return cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
+
+
+def claims_with(**changes: Change) -> dict[str, Claim]:
+    return {claim.name: claim for claim in section_with(**changes).claims}
 
 
 @pytest.fixture(scope="module")
@@ -102,6 +106,15 @@ def test_the_budget_says_both_tolerances(claims):
     assert numbers["relative"] == sum(rest <= 0.05 * slip for rest, slip in kept)
     assert numbers["little"] == sum(slip <= 0.04 for _, slip in kept)
     assert claims["rest_is_far_shake"].numbers["every"].value == numbers["count"] - numbers["closed"]
+
+
+def test_the_caption_counts_the_points_in_the_band():
+    """A point is a slip and its prediction, both without direction; the text counts what agrees in that as well."""
+    numbers = section_with().figures["budget"].numbers
+    runs = [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row["kind"] == "run"]
+    kept = [(row["predicted_slip_mm"], row["slip_mm"]) for row in runs if row["slip_mm"] and row["slip_mm"] < 80.0]
+    in_band = sum(abs(predicted - slip) <= max(0.02, 0.05 * slip) for predicted, slip in kept)
+    assert numbers["alike"].value == in_band != numbers["closed"].value
 
 
 def test_a_price_is_seen_beyond_the_noise_alone():

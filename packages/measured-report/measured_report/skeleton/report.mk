@@ -79,7 +79,7 @@ test: $(READY) ## Run the tests; they need no GPU [EDITION]
 	$(RUN) test
 
 help: ## Print this
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { gsub("EDITION", "$(EDITION)"); printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { gsub("EDITION", "$(EDITION)"); printf "make %-9s %s\n", $$1, $$2 }' $(lastword $(MAKEFILE_LIST)) $(firstword $(MAKEFILE_LIST))
 	@echo
 	@echo 'SECTION=NAME            section to measure'
 	@echo '$(EDITION)=1.8.0            the package that is measured, in an environment of its own: a release, a checkout, a wheel,'
