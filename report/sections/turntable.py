@@ -21,12 +21,7 @@ page = "cure"
 label = "box on a turntable"
 
 ENGINES = ("warp", "c")
-OFFERED = [
-    ROOT / "assets/fix/contact_bias.py",
-    ROOT / "assets/upstream/mujoco_warp-4.0.0.patch",
-    ROOT / "assets/upstream/newton-1.8.0.patch",
-    ROOT / "assets/upstream/upstream.md",
-]
+BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
@@ -65,7 +60,7 @@ def derive(results: Results) -> Section:
             _term_leaves_step(results, measured, resolution),
             cured,
         ],
-        downloads=[Download(path.name, path.read_text(encoding="utf-8")) for path in OFFERED],
+        downloads=[Download(BIAS_FILE.name, BIAS_FILE.read_text(encoding="utf-8"))],
     )
 
 
