@@ -90,11 +90,9 @@ def _pictures(name: str, draw: Any, *given: Any) -> Any:
     """A figure for broad screens and for narrow ones."""
     from markupsafe import Markup
 
-    from measured_report.parts.figures import draw_svg
+    from measured_report.parts.figures import draw_svgs
 
-    kinds = (("", False), ("narrow-", True))
-    svgs = (draw_svg(lambda: draw(*given), name=f"{kind}{name}", is_narrow=narrow) for kind, narrow in kinds)
-    return Markup("").join(svgs)
+    return Markup("").join(draw_svgs(lambda: draw(*given), name=name))
 
 
 def _bars(scene: Scene, report: Report, best: Trial | None, found: Prescription | None):

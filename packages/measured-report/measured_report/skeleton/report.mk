@@ -12,6 +12,8 @@ override MAKE_KNOWN := $(GIVEN)
 override MAKE_UNKNOWN := $(if $(filter 0,$(MAKELEVEL)),$(filter-out $(GIVEN) SHELL MAKEFLAGS,\
         $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))))
 unexport PYTHONSAFEPATH MAKEFLAGS $(MAKE_UNKNOWN)
+# Bytecode is kept: without it each of the many processes compiles all that it imports, for 2 to 4 s.
+unexport PYTHONDONTWRITEBYTECODE
 export MAKE_KNOWN MAKE_UNKNOWN
 
 override define pass_on
