@@ -88,6 +88,23 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     assert json.loads(diff_text(found, "json", all_values=False))["status"] == 1
 
 
+@pytest.mark.parametrize(
+    ("lost", "said"),
+    [
+        (
+            {"slip_mm": None, "slip_mm_reason": "ValueError: no such array"},
+            "slip 0.33 mm → n/a (shipped pads: ValueError",
+        ),
+        ({"dropped": True}, "dropped no → yes worse"),
+    ],
+)
+def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost, said):
+    change = change_of("upgrade", lambda row: row | (lost if row["case"] == "as-shipped" else {}))
+    found = changed(measured("1.9.0", change))
+    assert found.is_alarm and not found.faults
+    assert diff_text(found, "text", all_values=False).splitlines()[3].startswith(f"alarm: {said}")
+
+
 @pytest.mark.parametrize("section", SECTIONS)
 def test_one_run_that_breaks_down_is_enough(measured, section):
     record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")

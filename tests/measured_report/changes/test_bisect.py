@@ -157,6 +157,21 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
 
 
+def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
+    reason = {"ms_per_s": None, "ms_per_s_reason": "it ended before"}
+    for release, cells in (("1.4.0", {"ms_per_s": 100.0}), ("1.5.9", {"ms_per_s": 101.0}), ("1.6.9", reason)):
+        spread = {"ms_per_s_p5": 98.0, "ms_per_s_p95": 102.0}
+        toy.of(release).measure([{**ROWS[0], **cells, **spread}, ROWS[1]])
+    editions = editions_of(toy.project, Templates(toy.project.templates))
+    releases = {release: edition.uncompared for release, edition in editions.items()}
+    lines = history(releases, Query("toy.soft.ms_per_s")).splitlines()[1:]
+    assert [" ".join(line.split()) for line in lines] == [
+        "1.4.0 100 ± 5",
+        "1.5.9 101 ± 5",
+        "1.6.9 n/a soft: it ended before",
+    ]
+
+
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):
     for asked, near in (
         ({"value": "nonsense"}, "VALUE=nonsense"),

@@ -81,18 +81,32 @@ class Move:
 
     @property
     def sure_share(self) -> float:
-        """What of the change is beyond the noise, as a share of the larger value: by how much it surely moved."""
+        """What of the change is beyond the noise, as a share of the larger value; all of what is gone."""
+        if self.share is None:
+            return 1.0
         before, after = self.values
-        larger = 0.0 if self.share is None else max(abs(before), abs(after))
+        larger = max(abs(before), abs(after))
         return max(0.0, abs(after - before) - self.least) / larger if larger else 0.0
 
     @property
     def rings(self) -> bool:
-        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold."""
+        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold.
+
+        So does such a number that one edition alone has, and whether its run was lost.
+        """
         rules = config().changes
+        if not self.is_setting and "loss" in column_of(self.column).kinds:
+            return any(name.rpartition(".")[0] == self.name.rpartition(".")[0] for name in rules.thresholds)
         threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
-        told = threshold is not None and self.share is not None
-        return told and abs(self.share) > threshold and self.is_beyond(NEAR_NOISE)
+        if threshold is None or self.share is None:
+            return threshold is not None and self.is_gone
+        return abs(self.share) > threshold and self.is_beyond(NEAR_NOISE)
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether it is a number that was asked for in both editions and is there in one."""
+        is_number = isinstance(self.before, Quantity) and isinstance(self.after, Quantity)
+        return is_number and not self.is_setting and self.values.count(None) == 1
 
     @property
     def direction(self) -> str:

@@ -68,7 +68,7 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
         f"settings: {settings_text(found.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *([group.text for group in largest(found)] or ["moved: nothing beyond the noise"]),
-        f"would have shown: {power(found) or 'nothing, for want of numbers'}",
+        f"would have shown: {power(found)}",
         *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(found, before, after)}",
     ]
