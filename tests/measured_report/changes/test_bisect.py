@@ -168,7 +168,7 @@ def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
     assert [" ".join(line.split()) for line in lines] == [
         "1.4.0 100 ± 5",
         "1.5.9 101 ± 5",
-        "1.6.9 n/a soft: it ended before",
+        "1.6.9 cannot tell soft: it ended before",
     ]
 
 

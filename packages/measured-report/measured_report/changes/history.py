@@ -9,6 +9,7 @@ from measured_report.changes.query import Answer, Query
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.records.columns import column_of
 from measured_report.values.noise import NOISE, noisiest
+from measured_report.values.quantities import Quantity
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ def history(releases: Releases, query: Query) -> str:
     """Return a line for each edition that answers or says why it can't, oldest first."""
     found = {point.release: point for point in points(releases, query)}
     lines = [
-        (release, found[release].said, found[release].mark) if release in found else (release, "n/a", why)
+        (release, found[release].said, found[release].mark) if release in found else (release, "cannot tell", why)
         for release, chapters in releases.items()
         if (why := _reason(query, chapters)) or release in found
     ]
@@ -66,9 +67,10 @@ def history(releases: Releases, query: Query) -> str:
 
 def _reason(query: Query, chapters: Chapters) -> str:
     """Say why an edition that was asked has no answer; empty where it has one, or was not asked."""
-    claim = query.claim(chapters)
-    asked = claim.outcome if claim else query.quantity(chapters)
-    return asked.reason if claim or getattr(asked, "source", "") else ""
+    claim, number = query.claim(chapters), query.quantity(chapters)
+    if claim:
+        return claim.outcome.reason
+    return number.reason if isinstance(number, Quantity) and number.source else ""
 
 
 def flip_history(releases: Releases, shown: str) -> str:

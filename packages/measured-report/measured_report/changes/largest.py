@@ -37,7 +37,7 @@ class Group:
     def text(self) -> str:
         """One line: before, after, by how much, and where."""
         lead, count = self.lead, len(self.shares)
-        ends = sorted({percent(share) for share in (self.shares[0], self.shares[-1]) if share is not None})
+        ends = list(dict.fromkeys(percent(share) for share in (self.shares[0], self.shares[-1]) if share is not None))
         places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
         if self.row_count > 1:
             rows = f"all {count} rows" if count == self.row_count else f"{count} of {self.row_count} rows"
@@ -73,9 +73,9 @@ def largest(found: Comparison) -> list[Group]:
 
 
 def _is_told(move: Move) -> bool:
-    """Whether it may lead: a number that changed or is gone, or what rings; settings are told by themselves."""
-    is_setting = move.is_setting or column_of(move.column).is_setting
-    return not (is_setting or move.is_near) and bool(move.share or move.is_gone or (move.is_real and move.rings))
+    """Whether it may lead: a number that changed or is gone by now, or what rings; settings are told by themselves."""
+    is_setting, is_lost = move.is_setting or column_of(move.column).is_setting, move.is_gone and move.values[1] is None
+    return not (is_setting or move.is_near) and bool(move.share or is_lost or (move.is_real and move.rings))
 
 
 def _rank(move: Move) -> tuple[bool, bool, float]:
