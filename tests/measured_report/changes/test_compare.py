@@ -132,6 +132,8 @@ def test_what_is_near_the_noise_has_not_flipped(toy):
         ({"peak_contact_count": 7}, {"peak_contact_count": 9}, 1),
         ({"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0}, {"ms_per_s": 109.0}, 0),
         ({"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0}, {"ms_per_s": 112.0}, 1),
+        ({"drift_mm_s": 1.0}, {"drift_mm_s": 1.03}, 0),
+        ({"drift_mm_s": 1.0, "backend": "mujoco"}, {"drift_mm_s": 1.03}, 1),  # which repeats to the last bit
         ({"substeps": 4, "drift_mm_s": 1.0}, {"substeps": 6, "drift_mm_s": 2.0}, 0),
     ],
 )

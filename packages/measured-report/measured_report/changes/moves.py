@@ -11,7 +11,7 @@ from measured_report.claims.claim import NEAR_NOISE
 from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of, is_number, parameters
-from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost
+from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost, is_repeated
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
@@ -212,6 +212,8 @@ def _noise(
         measured = max(cell[edges[1]] - cell[edges[0]] for cell in cells)
         # Of two machines of one kind one may be faster, and nothing in a record tells one from the other.
         return (chosen, True) if chosen > NEAR_NOISE * measured else (measured, False)
+    if all(is_repeated(column, cell) for cell in cells) and not any(each.knows(column) for each in repeats):
+        return 0.0, False
     case = cells[0]["case"] if section in config().changes.same_runs else ""
     found = [each.noise(case, column, value) for each, value in zip(repeats, values, strict=True)]
     return (chosen, True) if None in found or "cost" in column_of(column).kinds else (max(found), False)
