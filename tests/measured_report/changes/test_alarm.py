@@ -140,6 +140,12 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
 
 
+def test_a_number_that_would_ring_and_is_nowhere_is_named(measured):
+    found = changed(measured("1.9.0"))
+    assert found.silent == ["defaults.own-defaults.slip_mm", "speed.as-shipped.frame_ms"]
+    assert diff_text(found, "text", all_values=False).endswith(", ".join(found.silent))
+
+
 def test_what_cannot_be_shown_is_named_first(toy):
     newer = toy.of("1.8.0")
     newer.measure([SOFT])

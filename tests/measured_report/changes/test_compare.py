@@ -101,7 +101,7 @@ def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, 
     said = capsys.readouterr().out
     flips, _, moves = said.partition("toy: 1 values moved (1 better)")
     assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in flips
-    assert "soft  slip_mm: 6.4 → 0.40 mm" in moves and "stiff" not in said
+    assert "soft  slip_mm: 6.4 → 0.40 mm" in moves and "stiff  " not in said
     newer.measure(ROWS)
     assert findings.diff(toy.project, arguments) == 0
     newer.measure([SOFT, {**STIFF, "slip_mm": 900.0, "dropped": True}])
