@@ -100,9 +100,12 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
 )
 def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost, said):
     change = change_of("upgrade", lambda row: row | (lost if row["case"] == "as-shipped" else {}))
-    found = changed(measured("1.9.0", change))
+    project = measured("1.9.0", change)
+    found = changed(project)
     assert found.is_alarm and not found.faults
     assert diff_text(found, "text", all_values=False).splitlines()[3].startswith(f"alarm: {said}")
+    advice = verdict(found, derived(project.of("1.8.0")), derived(project))[-1]
+    assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
 
 
 @pytest.mark.parametrize("section", SECTIONS)
