@@ -27,7 +27,7 @@ class Group:
     lead: Move
     """The largest of those that ring, or else of all."""
     shares: Sequence[float | None]
-    """Of all of them, from the least to the largest; None of what is no number in both editions."""
+    """Of all of them, from the least to the largest; None where there is a number in one edition alone."""
     row_count: int
     """In so many rows the column compares."""
     others: list[str] = field(default_factory=list)
@@ -37,7 +37,7 @@ class Group:
     def text(self) -> str:
         """One line: before, after, by how much, and where."""
         lead, count = self.lead, len(self.shares)
-        ends = list(dict.fromkeys(percent(share) for share in (self.shares[0], self.shares[-1]) if share is not None))
+        ends = [] if lead.share is None else list(dict.fromkeys(map(percent, (self.shares[0], self.shares[-1]))))
         places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
         if self.row_count > 1:
             rows = f"all {count} rows" if count == self.row_count else f"{count} of {self.row_count} rows"

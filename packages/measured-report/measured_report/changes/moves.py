@@ -94,9 +94,9 @@ class Move:
 
         So does such a number that one edition alone has, and whether its run was lost.
         """
-        rules = config().changes
-        if not self.is_setting and "loss" in column_of(self.column).kinds:
-            return any(name.rpartition(".")[0] == self.name.rpartition(".")[0] for name in rules.thresholds)
+        rules, run = config().changes, self.name.rpartition(".")[0]
+        if "loss" in column_of(self.column).kinds:
+            return any(name.rpartition(".")[0] == run for name in rules.thresholds)
         threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
         if threshold is None or self.share is None:
             return threshold is not None and self.is_gone
@@ -105,8 +105,8 @@ class Move:
     @property
     def is_gone(self) -> bool:
         """Whether it is a number that was asked for in both editions and is there in one."""
-        is_number = isinstance(self.before, Quantity) and isinstance(self.after, Quantity)
-        return is_number and not self.is_setting and self.values.count(None) == 1
+        sides = self.before, self.after
+        return all(isinstance(side, Quantity) for side in sides) and self.values.count(None) == 1
 
     @property
     def direction(self) -> str:
