@@ -7,7 +7,7 @@ from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from conftest import ROWS, TEMPLATE, Toy, git
+from conftest import MODULE, ROWS, TEMPLATE, Toy, git
 
 from measured_report.changes import bisect
 from measured_report.changes.bisect import Bisection, bisect_commits, bisect_releases, common_repository, first_change
@@ -66,6 +66,13 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     search = replace(search, query=Query("toy.soft.slip_mm", False))
     said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
     assert said.startswith("toy.soft.slip_mm changes between 1.5.9")
+
+
+def test_a_claim_of_a_section_that_compares_editions_is_found_where_it_is_about_each(toy, search):
+    toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+    assert said.startswith("toy.helps changes between 1.5.9 and 1.6.9")
 
 
 def test_the_package_is_named_where_the_search_itself_measured_and_kept_its_records_aside(toy, search):
