@@ -170,6 +170,7 @@ def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     assert (done.stdout, done.stderr) == ("", "")
     page = (toy.project.site / "results.html").read_text()
     assert 'data-claim="toy.helps"' in page and "Measured with newton 1.4.0." in page
+    assert '<link rel="icon" href="data:,">' in page, "or a browser asks the server for one, and complains"
     assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()
 
 
