@@ -95,8 +95,8 @@ class World:
     root: Path
 
     @classmethod
-    def made(cls, root: Path, records: Mapping[str, Collection[str]]) -> "World":
-        """Copy it, with these records of each release; none named: with all."""
+    def made(cls, root: Path, records: Mapping[str, Collection[str]], files: Mapping[str, str]) -> "World":
+        """Copy it, with these records of each release, of which none named are all, and further files by their text."""
         root.mkdir(parents=True)
         for name in FOLDERS:
             shutil.copytree(ROOT / name, root / name)
@@ -110,7 +110,7 @@ class World:
                 if path.suffix == ".toml" or not sections or path.name.partition(".")[0] in sections:
                     shutil.copy(path, root / results)
         (root / "site").mkdir()
-        for name, text in PROBE.items():
+        for name, text in files.items():
             (root / name).write_text(text.replace("\\n", "\n"), encoding="utf-8")
         return cls(root)
 
@@ -481,7 +481,7 @@ def main() -> int:
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what is started is started a thousand times
     key = commit()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
-        world = World.made(Path(folder).resolve() / "project", {RELEASE: SECTIONS})
+        world = World.made(Path(folder).resolve() / "project", {RELEASE: SECTIONS}, PROBE)
         for name in arguments.only:
             trial = None if arguments.again else _kept(name)
             if not trial or trial.commit != key or not (trial.is_whole or name in COUNTED):

@@ -124,6 +124,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
     """A path to write to, which takes the place of ``path`` once the block has ended well."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.part")
+    temporary.unlink(missing_ok=True)  # of a process that was killed, or a link that leads elsewhere
     try:
         yield temporary
         with temporary.open("rb") as file:

@@ -17,6 +17,11 @@ from measured_report.files.atomic import atomic_file, is_own_file, locked
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # from linux/fcntl.h and linux/fs.h
 
 
+def staged(folder: Path) -> re.Pattern:
+    """What matches the names of the folder's staging folders; others may begin alike, and are none."""
+    return re.compile(rf"\.{re.escape(folder.name)}-[0-9a-f]{{8}}")
+
+
 @contextmanager
 def staging_folder(folder: Path) -> Iterator[Path]:
     """Name a staging folder for what is to take the place of ``folder``; whoever has it is alone with both.
@@ -24,9 +29,8 @@ def staging_folder(folder: Path) -> Iterator[Path]:
     What is there afterwards is removed, as is what processes that were killed have left.
     """
     with locked(folder.parent):
-        ours = re.compile(rf"\.{re.escape(folder.name)}-[0-9a-f]{{8}}")  # others may begin alike, and are not ours
         for left in folder.parent.iterdir():
-            if ours.fullmatch(left.name):
+            if staged(folder).fullmatch(left.name):
                 remove(left)
         fresh = folder.with_name(f".{folder.name}-{secrets.token_hex(4)}")
         try:
