@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
-from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.cache import FOLDER as CACHE
+from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.staging import digests_below, remove
 from measured_report.site import targets
 from measured_report.site.check import check_site
@@ -117,7 +117,7 @@ def test_what_was_damaged_after_it_was_published_is_repaired_and_a_build_with_a_
     index.write_text(index.read_text() + "<script>alert(1)</script>")
     renew_sums(toy.project.site)
     remove(toy.project.root / CACHE)  # so that it may have been built elsewhere
-    with pytest.raises(ReportError, match="problems found: 1; the first: index.html: a script runs"):
+    with pytest.raises(ReportError, match=r"problems found: 1; the first: index\.html: a script runs"):
         publish(toy.project.site, f"dir:{place}")
     assert place.resolve() == before
 
@@ -267,11 +267,12 @@ def test_finding_3_the_filters_of_whoever_publishes_and_reads_change_no_byte(toy
 def test_finding_3_what_git_has_not_taken_as_it_is_goes_nowhere(toy, remote, tmp_path, monkeypatch):
     own = tmp_path / "bin/git"
     own.parent.mkdir()
-    own.write_text(f'#!/bin/sh\ncase " $* " in *" fast-import "*) sed s/Stiff/Stuff/ | exec {shutil.which("git")} "$@";; '
-                   f'*) exec {shutil.which("git")} "$@";; esac\n')  # fmt: skip
+    real = shutil.which("git")
+    altering = f'case " $* " in *" fast-import "*) sed s/Stiff/Stuff/ | {real} "$@";; *) exec {real} "$@";; esac'
+    own.write_text(f"#!/bin/sh\n{altering}\n")
     own.chmod(0o755)
     monkeypatch.setenv("PATH", f"{own.parent}:{os.environ['PATH']}")
-    with pytest.raises(UsageError, match="git has not taken .* as it is"):
+    with pytest.raises(UsageError, match=r"git has not taken .* as it is"):
         publish(toy.project.site, "")
     assert git(remote, "for-each-ref") == ""
 

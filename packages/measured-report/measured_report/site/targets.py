@@ -191,7 +191,7 @@ def _author(git: list[str]) -> dict[str, str]:
 def to_rsync(copy: Path, place: str, site: Path) -> str:
     """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
     if ":" not in place:
-        _refuse_inside(site, Path(os.path.abspath(place)))  # noqa: PTH100
+        _refuse_inside(site, Path(os.path.abspath(place)))
     place = place.rstrip("/") + "/"
     there = _rsync_names(place)
     if there and MARK not in there:  # where there is no folder yet there is nothing
