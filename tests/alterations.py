@@ -22,8 +22,8 @@ from markupsafe import Markup
 from measured_report.commands import building
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
+from measured_report.files.atomic import remove
 from measured_report.files.cache import FOLDER as CACHE
-from measured_report.files.staging import remove
 from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, columns_of, is_number, units_of
 from measured_report.site import pages

@@ -30,10 +30,9 @@ from batches import is_running  # noqa: E402
 from damage import RECORD_WAYS, TRACE_WAYS, damage  # noqa: E402
 from torture_study import studies  # noqa: E402
 
-from measured_report.files.atomic import RecordError, is_own_file  # noqa: E402
+from measured_report.files.atomic import RecordError, is_own_file, remove  # noqa: E402
 from measured_report.files.cache import FOLDER as CACHE  # noqa: E402
 from measured_report.files.cache import Cache  # noqa: E402
-from measured_report.files.staging import remove  # noqa: E402
 from measured_report.records.identity import files_digest  # noqa: E402
 from measured_report.records.reading import load_record  # noqa: E402
 from measured_report.site.check import check_site  # noqa: E402
@@ -324,24 +323,6 @@ def inputs(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     yield trial
 
 
-def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
-    """Every way to damage a record, on records that were measured."""
-    trial.name = "damaged records and traces: named with release and file, in one line"
-    chance = random.Random(0)
-    paths = [path for path in sorted(world.records()) if "slip_mm" in path.read_text()]
-    for way in SEALED_WAYS:
-        path = chance.choice(paths)
-        with damaged(path, way) as is_damaged:
-            if is_damaged:
-                try:
-                    load_record(path)
-                    said = "taken for whole"
-                except RecordError as error:
-                    said = str(error)
-                trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
-    yield trial
-
-
 @contextmanager
 def damaged(path: Path, way: str) -> Iterator[bool]:
     """Damage a record or a trace for a while; false where it has nothing to damage in that way."""
@@ -454,7 +435,6 @@ def installed(root: Path) -> dict[str, int]:
 
 
 TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
-    "damages": damages,
     "publish": lambda world, *rest: kills(world, *rest, publish_to(world), publish_to(world)),
     "page": lambda *rest: kills(*rest, PAGE, PAGE),
     "setups": setups,

@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
+from measured_report.files.atomic import remove
 from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.staging import digests_below, remove
+from measured_report.files.staging import digests_below
 from measured_report.site import targets
 from measured_report.site.check import check_site
 from measured_report.site.publish import publish

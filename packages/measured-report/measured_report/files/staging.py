@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from measured_report.files.atomic import atomic_file, is_own_file, locked
+from measured_report.files.atomic import atomic_file, is_own_file, locked, remove
 
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # from linux/fcntl.h and linux/fs.h
 
@@ -126,11 +126,3 @@ def _move_into(folder: Path, fresh: Path) -> None:
                 path.rmdir()
         elif path.relative_to(folder) not in kept:
             path.unlink()
-
-
-def remove(path: Path) -> None:
-    """Remove whatever is there: a folder, a file, or a link, but not what it leads to."""
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path, ignore_errors=True)
-    else:
-        path.unlink(missing_ok=True)

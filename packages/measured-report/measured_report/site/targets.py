@@ -11,9 +11,9 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from measured_report.files.atomic import locked, sync, sync_below
+from measured_report.files.atomic import locked, remove, sync, sync_below
 from measured_report.files.errors import UsageError
-from measured_report.files.staging import remove, replace, staged
+from measured_report.files.staging import replace, staged
 from measured_report.records.identity import files_digest
 
 ATTRIBUTES = "* -text -filter -ident -working-tree-encoding\n"
