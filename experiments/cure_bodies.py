@@ -1,9 +1,9 @@
 """Other bodies and other contacts than a grasp: do they move as they should with the term put back?
 
-On a plane a body is dropped, slides or rolls, where the contact has no acceleration that could be left out along its
-friction; a ball that rolls and spins at once has the material point accelerate sideways while its contact does not. On
-a table that turns, as in section turntable, a body stands on feet of different shapes, from the start or after it has
-slid into step.
+On a plane a body is dropped, slides, rolls or tumbles. A ball that rolls and spins at once has the material point
+accelerate sideways while its contact does not. The limit of stiff contacts, where what is left out moves nothing, says
+where bodies should end. On a table that turns, as in section turntable, a body stands on feet of different shapes, from
+the start or after it has slid into step.
 """
 
 from collections.abc import Callable, Sequence
@@ -17,18 +17,23 @@ import numpy as np
 import warp as wp
 from tqdm import tqdm
 
-from assets.fix import contact_bias
-from experiments.simulation import contact_bias_c
+from assets.fix import contact_bias, contact_place
+from experiments.simulation import contact_bias_c, contact_place_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from experiments.simulation.measurement import Conditions, Measurement, absent
 
-WAYS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}}
-"""What ``contact_bias`` is installed with; ``full`` gives the term to the normal rows as well."""
-ENGINES = ("warp", "c")
-SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 10.0, 0.05, 0.5, 9.81
+WAYS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}, "exact": {"normal": True}}
+"""What the term is installed with; ``full`` and ``exact`` give it to the normal rows as well, and ``exact`` counts with
+``contact_place`` how the contact moves. On the table it is centred, since the step's error would hide what is left."""
+LIMIT = {"timestep": 5e-5, "timeconst_s": 5e-4}
+"""Contacts so stiff that what is left out moves nothing; in C alone."""
+IN_WARP = [("roll", "sphere"), ("pivot", "sphere"), ("spin and slide", "sphere"), ("tumble", "ellipsoid")]
+IN_WARP += [("carried", "sphere"), ("carried", "cylinder"), ("carried", "mesh")]
+"""Motions that MuJoCo Warp runs too, with nothing done and with the exact term; MuJoCo C runs all."""
+SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 20.0, 0.03, 0.5, 9.81
 HEIGHT_M = 0.1
 TURN_RAD_S, PLACE_M, TABLE_M = 2.0, 0.2, 0.5
-SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 6.0, "quick": 4.0}}
+SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s", "end_radius_mm")}
 CAUGHT_S = 2.0
 """By then a body that was put down at rest turns with the table; its growth is measured after it."""
@@ -42,13 +47,18 @@ GEOMS = {
     "sphere": f'type="sphere" size="{RADIUS_M}"',
     "cylinder": f'type="cylinder" size="{RADIUS_M} {RADIUS_M}" euler="90 0 0"',
     "mesh": 'type="mesh" mesh="cube"',
+    "capsule": f'type="capsule" size="{RADIUS_M} {RADIUS_M}" euler="90 0 0"',
+    "ellipsoid": 'type="ellipsoid" size="0.03 0.04 0.05"',
+    "leaning cylinder": 'type="cylinder" size="0.03 0.06" euler="30 0 0"',
+    "leaning box": 'type="box" size="0.03 0.04 0.05" euler="20 10 0"',
 }
 FEET = {
     "sphere": 'type="sphere" size="0.01"',
     "cylinder": 'type="cylinder" size="0.01 0.01"',
     "mesh": 'type="mesh" mesh="foot"',
 }
-OPTION = '<option timestep="0.002" cone="elliptic" integrator="implicitfast"/>'
+OPTION = '<option timestep="0.002" cone="elliptic" integrator="implicitfast" impratio="{}"/>'
+IMPRATIO = {"plane": 10.0, "table": 100.0}
 MESHES = f'<asset><mesh name="cube" vertex="{CUBE}"/><mesh name="foot" vertex="{FOOT}"/></asset>'
 
 
@@ -65,7 +75,7 @@ class Motion:
 
 
 def on_plane(body: str) -> str:
-    return f"""<mujoco>{OPTION}{MESHES}<worldbody>
+    return f"""<mujoco>{OPTION.format(IMPRATIO["plane"])}{MESHES}<worldbody>
       <geom type="plane" size="5 5 1" friction="{FRICTION}"/>
       <body pos="0 0 {RADIUS_M}"><freejoint/><geom {GEOMS[body]} mass="0.2" friction="{FRICTION}"/></body>
     </worldbody></mujoco>"""
@@ -74,7 +84,7 @@ def on_plane(body: str) -> str:
 def on_table(feet: str) -> str:
     places = [(x, y) for x in (0.04, -0.04) for y in (0.04, -0.04)]
     stand = "".join(f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in places)
-    return f"""<mujoco>{OPTION}{MESHES}<worldbody>
+    return f"""<mujoco>{OPTION.format(IMPRATIO["table"])}{MESHES}<worldbody>
       <body><joint axis="0 0 1" armature="1000"/><geom type="box" size="{TABLE_M} {TABLE_M} 0.05"/></body>
       <body pos="{PLACE_M} 0 0.1"><freejoint/>
         <geom type="box" size="0.05 0.05 0.04" mass="0.2" contype="0" conaffinity="0"/>{stand}
@@ -86,6 +96,16 @@ def thrown(data: mujoco.MjData, *, height_m: float = 0.0, roll: bool = False, sp
     """Along x, from ``height_m`` above the plane, rolling or not, with a spin about the vertical [rad/s]."""
     data.qpos[2] += height_m
     data.qvel[:] = SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin
+
+
+def tumbling(data: mujoco.MjData, *, speed: float, turning: Sequence[float]) -> None:
+    """From where it just touches the plane, along x [m/s] and turning as it likes [rad/s]."""
+    model, (low, high) = data.model, (0.0, 1.0)
+    for _ in range(40):
+        data.qpos[2] = 0.5 * (low + high)
+        mujoco.mj_fwdPosition(model, data)
+        low, high = (data.qpos[2], high) if any(c.dist < 0.0 for c in data.contact) else (low, data.qpos[2])
+    data.qvel[:] = speed, 0.0, 0.0, *turning
 
 
 def carried(data: mujoco.MjData, *, at_rest: bool = False) -> None:
@@ -100,7 +120,19 @@ MOTIONS = [
         Motion("impact", body, "plane", on_plane(body), partial(thrown, height_m=HEIGHT_M))
         for body in ("sphere", "cylinder", "mesh")
     ),
-    *(Motion("roll", body, "plane", on_plane(body), partial(thrown, roll=True)) for body in ("sphere", "cylinder")),
+    *(
+        Motion("roll", body, "plane", on_plane(body), partial(thrown, roll=True))
+        for body in ("sphere", "cylinder", "capsule")
+    ),
+    *(
+        Motion("tumble", body, "plane", on_plane(body), partial(tumbling, speed=speed, turning=turning))
+        for body, speed, turning in (
+            ("ellipsoid", 0.25, (0.0, 5.0, 8.0)),
+            ("leaning cylinder", 0.2, (0.0, 3.0, 3.0)),
+            ("leaning box", 0.3, (1.0, 3.0, 3.0)),
+        )
+    ),
+    Motion("spin and slide", "sphere", "plane", on_plane("sphere"), partial(thrown, spin=SPIN_RAD_S)),
     Motion("pivot", "sphere", "plane", on_plane("sphere"), partial(thrown, roll=True, spin=SPIN_RAD_S)),
     Motion("slide", "mesh", "plane", on_plane("mesh"), thrown),
     *(Motion("carried", feet, "table", on_table(feet), carried) for feet in FEET),
@@ -110,22 +142,49 @@ MOTIONS = [
 
 def measure(conditions: Conditions) -> Measurement:
     """A row for each motion, way and engine: where the body is at the end, or how it walks on the table."""
-    runs = [(motion, way) for motion in MOTIONS for way in WAYS]
+    chosen = [
+        (motion, way) for motion in MOTIONS if (motion.name, motion.body) in IN_WARP for way in ("plain", "exact")
+    ]
     device = wp.get_device(conditions.device)
-    in_warp = run_in_warp([(*run, seconds_of(run[0], conditions)) for run in runs], device)
+    paths = run_in_warp([(*run, seconds_of(run[0], conditions)) for run in chosen], device)
+    in_warp = {(motion.name, motion.body, way): path for (motion, way), path in zip(chosen, paths, strict=True)}
     rows = []
-    for (motion, way), path in zip(runs, in_warp, strict=True):
-        for engine in ENGINES:
-            row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}", "motion": motion.name, "body": motion.body}
-            row |= {"way": way, "backend": engine, "contact_bias": way != "plain"}
+    for motion, way in ((motion, way) for motion in MOTIONS for way in WAYS):
+        path = in_warp.get((motion.name, motion.body, way))
+        for engine in ("c",) if path is None else ("warp", "c"):
+            row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}".replace(" ", "-"), "motion": motion.name}
+            row |= {"body": motion.body, "way": way, "backend": engine, "contact_bias": way != "plain"}
             try:
-                found = path if engine == "warp" else run_in_c(motion, WAYS[way], seconds_of(motion, conditions))
-                if not np.isfinite(found).all():
-                    raise RunFailed("not finite")
-                rows.append(row | (plane_columns(found) if motion.place == "plane" else table_columns(found)))
+                found = path if engine == "warp" else run_in_c(motion, way, seconds_of(motion, conditions))
+                rows.append(row | columns_of(motion, found))
             except RunFailed as failed:
                 rows.append(row | absent(COLUMNS[motion.place], str(failed)))
+    for motion in (motion for motion in MOTIONS if motion.place == "plane"):
+        row = {
+            "case": f"{motion.name}-{motion.body}-limit-c".replace(" ", "-"),
+            "motion": motion.name,
+            "body": motion.body,
+        }
+        found = run_in_c(motion, "plain", seconds_of(motion, conditions), **LIMIT)
+        rows.append(row | {"way": "limit", "backend": "c", "contact_bias": False} | columns_of(motion, found))
     return Measurement(rows)
+
+
+def options_of(motion: Motion, way: str) -> dict[str, bool] | None:
+    """What the term is installed with for a motion; None without it."""
+    options = WAYS[way]
+    return options | {"centred": True} if options and way == "exact" and motion.place == "table" else options
+
+
+def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:
+    """What a path shows.
+
+    Raises:
+        RunFailed: It is no path, or leaves the table.
+    """
+    if not np.isfinite(path).all():
+        raise RunFailed("not finite")
+    return plane_columns(path) if motion.place == "plane" else table_columns(path)
 
 
 def seconds_of(motion: Motion, conditions: Conditions) -> float:
@@ -160,14 +219,19 @@ def started(motion: Motion) -> tuple[mujoco.MjModel, mujoco.MjData]:
     return model, data
 
 
-def run_in_c(motion: Motion, remedy: dict | None, seconds: float) -> np.ndarray:
+def run_in_c(
+    motion: Motion, way: str, seconds: float, timestep: float | None = None, timeconst_s: float | None = None
+) -> np.ndarray:
     """Position of the body every SAMPLE_S [m], shape [samples, 3].
 
     Raises:
         RunFailed: Of the engine.
     """
     model, data = started(motion)
-    mujoco.set_mjcb_control(None if remedy is None else partial(contact_bias_c.subtract_bias, **remedy))
+    model.opt.timestep = timestep or model.opt.timestep
+    model.geom_solref[:, 0] = timeconst_s or model.geom_solref[:, 0]
+    engine, remedy = contact_place_c if way == "exact" else contact_bias_c, options_of(motion, way)
+    mujoco.set_mjcb_control(None if remedy is None else partial(engine.subtract_bias, **remedy))
     try:
         path = [data.qpos[model.nq - 7 : model.nq - 4].copy()]
         for _ in range(round(seconds / SAMPLE_S)):
@@ -193,8 +257,9 @@ class WarpRun:
             start = wp.clone(self.data.qpos), wp.clone(self.data.qvel)
             self.path = wp.zeros((self.sample_count + 1, model.nq), dtype=float)
             wp.copy(self.path, start[0])
-            if WAYS[way] is not None:
-                contact_bias.install(SimpleNamespace(mjw_model=self.engine, mjw_data=self.data), **WAYS[way])
+            if (options := options_of(motion, way)) is not None:
+                term = contact_place if way == "exact" else contact_bias
+                term.install(SimpleNamespace(mjw_model=self.engine, mjw_data=self.data), **options)
             mjw.step(self.engine, self.data)  # compiles, which must not happen inside a capture
             wp.copy(self.data.qpos, start[0])
             wp.copy(self.data.qvel, start[1])

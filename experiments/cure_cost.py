@@ -6,9 +6,8 @@ import warp as wp
 
 from experiments.cure import BEST, POSITIONS, TERMS
 from experiments.facts.case import AS_SHIPPED
-from experiments.leave_out import time_cases
+from experiments.simulation.comparing import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
-from experiments.simulation.timing import in_the_shake
 from measured_report.measuring.batch import Batch, Plan
 
 CASES = (
@@ -19,7 +18,6 @@ CASES = (
     replace(AS_SHIPPED, name="term-rk4", integrator="rk4", **TERMS["term"]),
 )
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
-REPEAT_COUNT = {"cuda": 40, "cpu": 10}
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -29,9 +27,8 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
-    """A row for each case; all start in the same state of the shake."""
-    pilot = in_the_shake(AS_SHIPPED, wp.get_device(conditions.device))
-    timed = time_cases(CASES, world_count, pilot, REPEAT_COUNT["cuda" if conditions.is_cuda else "cpu"])
+    """A row for each case; all start in the same states of the shake."""
+    timed = time_cases(CASES, world_count, wp.get_device(conditions.device))
     return [
         {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias} | timed[case.name]
         for case in CASES

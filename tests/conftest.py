@@ -229,10 +229,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.fixture(scope="session")
 def kernels(tmp_path_factory) -> None:
     """Those of the scene, compiled once for all processes of this run of the tests."""
+    import warp as wp  # most tests need none of it
+
+    # As where sections are measured, or those that the engine makes of a scene are compiled once more.
+    wp.config.enable_backward = False
 
     def make(_: Path) -> None:
-        import warp as wp  # most tests need none of it
-
         from experiments.simulation.kernels import compile_for
 
         compile_for(wp.get_device("cpu"))

@@ -1,19 +1,36 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
+import signal
 import subprocess
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterator
 
 import pytest
 from conftest import program
 
 from measured_report.commands import options
+from measured_report.commands.command_line import main
 from measured_report.files.errors import UsageError
 from measured_report.parts.section import UNDRAWN
 from measured_report.site.check import check_site
 
+NO_GPU = {"PATH": "/nowhere"}
+"""Without nvidia-smi on it every machine has no GPU."""
 
-def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.CompletedProcess:
-    return program(*code, *arguments, PATH="/nowhere")  # without nvidia-smi on it every machine has no GPU
+
+def run(code: str) -> subprocess.CompletedProcess:
+    return program("-c", code, **NO_GPU)
+
+
+@pytest.fixture
+def command(monkeypatch) -> Iterator[None]:
+    """What ``command_line.main`` sets in its process, as it was before."""
+    stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)}
+    monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)
+    monkeypatch.setenv("PATH", NO_GPU["PATH"])
+    yield
+    for stop, handler in stops.items():
+        signal.signal(stop, handler)
 
 
 @pytest.mark.parametrize(
@@ -53,12 +70,18 @@ def run(*arguments: str, code: Sequence[str] = ("build.py",)) -> subprocess.Comp
         (["serve", "--port", "65536"], "PORT=65536"),
     ],
 )
-def test_bad_input_gets_one_line_and_status_2(arguments, message):
-    done = run(*arguments)
-    assert done.returncode == 2
-    assert message in done.stderr
-    assert len(done.stderr.splitlines()) == 1
-    assert done.stdout == ""
+def test_bad_input_gets_one_line_and_status_2(arguments, message, command, monkeypatch, capfd):
+    monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
+    assert main() == 2
+    said = capfd.readouterr()
+    assert message in said.err
+    assert len(said.err.splitlines()) == 1
+    assert said.out == ""
+
+
+def test_the_program_ends_with_the_status_of_its_command():
+    done = program("build.py", "nothing", **NO_GPU)
+    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)
 
 
 def test_a_section_that_is_measured_and_not_derived_is_named(tmp_path, monkeypatch):
@@ -74,7 +97,7 @@ def test_status_does_not_import_the_simulator():
         "import sys, build; sys.argv = ['build.py', 'status']; build.main();"
         "sys.exit(bool({'warp', 'newton', 'mujoco', 'matplotlib', 'pandas'} & set(sys.modules)))"
     )
-    done = run(code=("-c", code))
+    done = run(code)
     assert done.returncode == 0, done.stderr
     assert "reproduction" in done.stdout
 
@@ -105,9 +128,9 @@ except KeyboardInterrupt:
 
 
 def test_no_interrupt_is_dropped_or_taken_for_an_error():
-    done = run(code=("-c", INTERRUPTED))
+    done = run(INTERRUPTED)
     assert (done.stdout, done.stderr) == ("interrupted\n", "")
-    done = run(code=("-c", MADE))  # Python before 3.12 makes it an error of another kind
+    done = run(MADE)  # Python before 3.12 makes it an error of another kind
     assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")
 
 

@@ -1,5 +1,6 @@
 """docs/your-own.md, line by line, with the generator's wheel alone: a page, a claim, a release, an alarm, an update."""
 
+import hashlib
 import json
 import os
 import re
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from measured_report.commands.new import SKELETON
 from measured_report.files.root import ROOT
 
 DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
@@ -65,8 +67,12 @@ def test_the_document_works_line_by_line(tmp_path):
 
     (report / "Makefile").write_text("# mine\n" + (report / "Makefile").read_text())
     written = json.loads((report / ".measured-report.json").read_text())
-    written["report.mk"] = "0" * 64  # as if an older generator had written another one
+    older = "# what an older generator wrote\n"
+    (report / "report.mk").write_text(older)
+    written["report.mk"] = hashlib.sha256(older.encode()).hexdigest()
+    (report / ".measured-report.json").write_text(json.dumps(written))
     (report / "README.md").unlink()
     updated = run(*command, "update", cwd=report)
     assert re.findall("as you have it: (.*)", updated) == ["Makefile", "report.toml"]
     assert (report / "Makefile").read_text().startswith("# mine") and not (report / "README.md").exists()
+    assert (report / "report.mk").read_text() == (SKELETON / "report.mk").read_text()

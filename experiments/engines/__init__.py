@@ -62,6 +62,7 @@ class Model:
     """Of ``LAWS``; empty where it is MuJoCo's, which sections turntable and capsule have."""
     options: dict[str, object] = field(default_factory=dict)
     steps_s: Sequence[float] = STEPS_S
+    scenes: Sequence[str] = ("turntable", "pinch")
 
 
 DRAKE = Engine("Drake", "1.51.1", "assets/engines/drake_run.py", ("drake==1.51.1", "numpy==2.4.6"))
@@ -70,15 +71,14 @@ DART = Engine("DART", "6.20.0", "assets/engines/dart_run.py", ("dartpy==6.20.0",
 PHYSX = Engine(
     "PhysX", "SAPIEN 3.0.3", "assets/engines/physx_run.py", ("sapien==3.0.3", "numpy==2.4.6", "setuptools==81.0.0")
 )
-MJX = Engine(
-    "MJX",
-    "3.17.0",
-    "assets/engines/mjx_run.py",
-    ("mujoco-mjx==3.17.0", "mujoco==4.0.0", "jax==0.10.2", "jaxlib==0.10.2"),
-)
+WITH_MJX = ("mujoco-mjx==3.17.0", "mujoco==4.0.0", "jax==0.10.2", "jaxlib==0.10.2")
+MJX = Engine("MJX", "3.17.0", "assets/engines/mujoco_run.py", WITH_MJX)
+MUJOCO = Engine("MuJoCo", "4.0.0", "assets/engines/mujoco_run.py", ("mujoco==4.0.0", "numpy==2.4.6"))
 POINT = {"contact": "point", "stiction_m_s": STICTION_M_S}
 HYDROELASTIC = {"contact": "hydroelastic", "stiction_m_s": STICTION_M_S}
 TAMSI = {"approximation": "tamsi"}
+TIMECONSTS_S = (0.02, 0.01)
+DISCRETE_STEPS_S = (0.001, 0.002, 0.005, 0.01)
 MODELS = (
     Model("mjx", MJX),
     Model("drake-sap-point", DRAKE, "sap", POINT),
@@ -91,6 +91,11 @@ MODELS = (
     Model("dart", DART, "mixed"),
     Model("pybullet", BULLET, "rigid"),
     Model("physx", PHYSX, "anchored"),
+    *(
+        Model(f"discrete-{1e3 * timeconst_s:g}ms", MUJOCO, "discrete", options, DISCRETE_STEPS_S, ("turntable",))
+        for timeconst_s in TIMECONSTS_S
+        for options in [{"discrete": True, "timeconst_s": timeconst_s}]
+    ),
 )
 
 
@@ -105,7 +110,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 def _rows(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
     scenes = {"turntable": turntable(seconds["turntable"]), "pinch": pinch(seconds["pinch"])}
-    runs = [(name, step_s) for name in scenes for step_s in model.steps_s]
+    runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
     asked = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
     for (name, step_s), result in zip(runs, run_apart(model.engine, asked), strict=True):
         row = {
@@ -216,6 +221,7 @@ def _load(model, scene, step_s, result, force_n, direction, normal_n, support) -
     body, stiction_m_s = scene["body"], model.options.get("stiction_m_s", STICTION_M_S)
     carried = {"force_n": force_n, "direction": direction, "normal_n": normal_n, "friction": scene["friction"]}
     held = {name: body[name] for name in ("mass_kg", "inertia_kg_m2")} | {"support_inverse_mass_1_kg": support}
+    held |= {"timeconst_s": model.options.get("timeconst_s"), "yields_1_kg": result.get("regularization_1_kg")}
     return Load(**carried, **held, step_s=step_s, stiction_m_s=stiction_m_s, contacts=result.get("contacts", ()))
 
 

@@ -12,6 +12,9 @@ slides at the v at which its friction carries the load F:
 - ``tamsi``: F = μ N s (2 - s), s = v/v_s (Castro et al., 2019).
 - ``lagged``: F = μ N s / √(1 + s²) (Castro et al., 2023).
 - ``stribeck``: F = μ N s³ (10 - 15 s + 6 s²), in continuous time.
+- ``discrete``: MuJoCo's integrator since 3.13. With b = 2/(dmax · timeconst) a row brakes as if at the end of the
+  step, by b/(1 + hb), and yields R to the force; it does not see that the place under the body accelerates at F/m, so
+  that v = (1 + R m/n) (1/b + h) F/m, less the h F/m of the tangent. The walk is r ω² (1/b + h/2) but for R.
 - ``anchored``: friction pulls back to where a contact began (PhysX), so that nothing slides.
 """
 
@@ -22,6 +25,8 @@ from dataclasses import dataclass
 import numpy as np
 
 SAP_SIGMA = 1e-3
+MUJOCO_DMAX = 0.95
+"""MuJoCo's own."""
 DART_MIXING = 1e-5
 
 
@@ -44,6 +49,10 @@ class Load:
     """Principal, in the body's frame, shape [3]."""
     support_inverse_mass_1_kg: np.ndarray
     """Of what a contact leans on, shape [3, 3]."""
+    timeconst_s: float | None = None
+    """Of MuJoCo's contacts."""
+    yields_1_kg: float | None = None
+    """R of each of its friction rows."""
 
     @property
     def share(self) -> float:
@@ -91,12 +100,18 @@ def stribeck(load: Load) -> float:
     return load.stiction_m_s * float(sliding)
 
 
+def discrete(load: Load) -> float:
+    acceleration, yielding = load.force_n / load.mass_kg, load.yields_1_kg * load.mass_kg / len(load.contacts)
+    late_s = MUJOCO_DMAX * load.timeconst_s / 2.0 + load.step_s
+    return acceleration * ((1.0 + yielding) * late_s - load.step_s)
+
+
 def anchored(load: Load) -> float:
     return 0.0
 
 
 LAWS: Mapping[str, Callable[[Load], float]] = {
-    law.__name__: law for law in (rigid, sap, mixed, tamsi, lagged, stribeck, anchored)
+    law.__name__: law for law in (rigid, sap, mixed, tamsi, lagged, stribeck, discrete, anchored)
 }
 """How fast a body slides under a load [m/s], by name."""
 

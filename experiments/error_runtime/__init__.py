@@ -2,6 +2,7 @@
 
 import gc
 import os
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
@@ -12,41 +13,51 @@ from experiments.error_runtime.settings import FRAME_COUNT, PADS, Setting, nativ
 from experiments.facts import metrics
 from experiments.facts.case import FIXED, Case, differences
 from experiments.facts.trace import Trace
+from experiments.simulation import comparing
+from experiments.simulation.comparing import Frames, Pilot
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
 from experiments.simulation.timing import (
     WARMUP_COUNT,
     batch_invalid_reason,
     elapsed_ms,
-    frame_ms,
     invalid_reason,
     put_in_state_of,
-    spread,
 )
 from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Of the reference; a second one with half as many tells how far it has converged."""
 WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
-REPEAT_COUNT = 40
-"""Frames that are timed, each by itself."""
-TIMED_FRAME_COUNT = WARMUP_COUNT + REPEAT_COUNT
+BLOCK_FRAME_COUNT = 3
+"""Frames that are timed together."""
+CAP_S = 30.0
+"""Seconds after which the settings, which are all timed in turn, are not looked at again."""
+TIMED_FRAME_COUNT = WARMUP_COUNT + BLOCK_FRAME_COUNT * (BATCH_COUNT << (LOOK_COUNT - 1))
+REFERENCE = "as-shipped/newton/substeps-16"
+"""What the time of each setting is compared with."""
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
-TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
+RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
+TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
+ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
+"""The fixed scene in C on one core."""
 
 
 def measure(conditions: Conditions) -> Plan:
-    (rows, one_core), worlds = yield [
-        Batch("points", measure_points, (conditions,), alone=True),
+    [rows] = yield [Batch("points", measure_points, (conditions,))]
+    valid = [row["case"] for row in rows if row["valid"] and row["method"] != "reference"]
+    times, worlds = yield [
+        Batch("times", measure_times, (conditions, valid), alone=True),
         Batch("worlds", measure_worlds, (conditions,), alone=True),
     ]
-    return Measurement([*rows, *worlds, one_core])
+    return Measurement([row | times.get(row["case"], {}) for row in rows] + worlds)
 
 
-def measure_points(conditions: Conditions) -> tuple[list[dict], dict]:
-    """A row for each setting and each reference, all from the same state of the shake, and one of C on one core."""
+def measure_points(conditions: Conditions) -> list[dict]:
+    """A row for each setting and each reference, all from the same state of the shake; none is timed."""
     device = wp.get_device(conditions.device)
     points = settings(conditions.profile, cpu_too=conditions.is_cuda)
     finest = REFERENCE_SUBSTEPS[conditions.profile]
@@ -54,7 +65,7 @@ def measure_points(conditions: Conditions) -> tuple[list[dict], dict]:
 
     pilot = pilot_at_shake(PADS.values(), device)
     shakes = {point: WarpShake(point, pilot, device) for point in points if not point.is_native}
-    starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT + TIMED_FRAME_COUNT), strict=True))
+    starts = dict(zip(PADS, starts_of(pilot, FRAME_COUNT), strict=True))
     natives = {
         point: NativeShake(point.case, starts[point.pads]) for point in (*references, *points) if point.is_native
     }
@@ -62,20 +73,61 @@ def measure_points(conditions: Conditions) -> tuple[list[dict], dict]:
         native_traces = pool.map(NativeShake.run, natives.values())
         traces = run_shakes(shakes)
         traces |= dict(zip(natives, native_traces, strict=True))
-
-    # Nothing else runs from here on: what is timed has the machine for itself. Each row takes its errors before its
-    # times, since on the CPU a trace is a view of what later frames write to.
     rows = [point_row(point, shakes | natives, traces, finest) for point in points]
-    rows += [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
-    return rows, one_core_row(starts["stiff"])
+    return rows + [reference_row(point, natives, traces) for point in references if point.case.substeps == finest]
+
+
+def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dict[str, object]]:
+    """Time frames of the settings of these names, all in turn, each going on in the shake; columns by name."""
+    device = wp.get_device(conditions.device)
+    points = [point for point in settings(conditions.profile, cpu_too=conditions.is_cuda) if point.case.name in names]
+    points.sort(key=lambda point: point.case.name != REFERENCE)
+    pilot = pilot_at_shake(PADS.values(), device)
+    warps = {
+        point: WarpShake(replace(point, case=replace(point.case, frame_count=1)), pilot, device)  # keeps the last frame
+        for point in points
+        if not point.is_native
+    }
+    starts = dict(zip(PADS, starts_of(pilot, TIMED_FRAME_COUNT), strict=True))
+    shakes = {point: warps.get(point) or NativeShake(point.case, starts[point.pads]) for point in points}
+    blocks = [block_of(shake) for shake in shakes.values()]
+    columns = {}
+    for (point, shake), found in zip(shakes.items(), in_turn(blocks, cap_s=CAP_S), strict=True):
+        reason = batch_invalid_reason(shake.simulation) if isinstance(shake, WarpShake) else None
+        row = absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(found)
+        if points[0].case.name != REFERENCE:
+            row |= absent(RATIO, f"{REFERENCE} has no time here")
+        columns[point.case.name] = row
+    return columns
+
+
+def block_of(shake: "WarpShake | NativeShake") -> Callable[[int], float]:
+    """What times the next frames of a shake [ms], each block those that follow."""
+    is_native = isinstance(shake, NativeShake)
+    step, device = (
+        (shake.frame, wp.get_device("cpu")) if is_native else (shake.simulation.step, shake.simulation.device)
+    )
+
+    def run_frames(count: int) -> None:
+        for _ in range(count):
+            step()
+
+    run_frames(WARMUP_COUNT)
+    return lambda _: elapsed_ms(device, lambda: run_frames(BLOCK_FRAME_COUNT)) / BLOCK_FRAME_COUNT
 
 
 def measure_worlds(conditions: Conditions) -> list[dict]:
-    """A row for each number of worlds."""
+    """A row for C on one core, and one for each number of worlds, which is timed against that."""
     device = wp.get_device(conditions.device)
-    pilot = pilot_at_shake(PADS.values(), device)
+    pilot = Pilot([FIXED], device)
+    shakes = pilot_at_shake(PADS.values(), device)
+    start = starts_of(shakes, max(FRAME_COUNT, TIMED_FRAME_COUNT))[list(PADS).index("stiff")]
     counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
-    return [world_row(count, pilot, device) for count in WORLD_COUNTS[counts]]
+    reason = invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run())
+    row = timed_only(ONE_CORE, reason, "mujoco-c", world_count=1)
+    [found] = in_turn([block_of(NativeShake(ONE_CORE, start))])
+    one_core = row | (absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(found))
+    return [*(world_row(count, pilot, start) for count in WORLD_COUNTS[counts]), one_core]
 
 
 class WarpShake:
@@ -93,9 +145,6 @@ class WarpShake:
         put_in_state_of(self.simulation, pilot, world)
         self.simulation.recorder.cursor.zero_()
         wp.synchronize_device(device)
-
-    def frame_ms(self, repeat_count: int) -> np.ndarray:
-        return frame_ms(self.simulation, repeat_count)
 
 
 def run_shakes(shakes: dict[Setting, WarpShake]) -> dict[Setting, Trace]:
@@ -123,8 +172,8 @@ def point_row(
         row["backend"] = "warp-cuda" if shake.simulation.device.is_cuda else "warp-cpu"
         row |= {"build_s": 1e-3 * shake.build_ms, "capture_s": 1e-3 * shake.first_frame_ms}
     if not row["valid"]:
-        return row | absent(TIME_COLUMNS, f"not timed: {row['invalid_reason']}")
-    return row | time_columns(shake)
+        row |= absent(TIME_COLUMNS, f"not timed: {row['invalid_reason']}")
+    return row
 
 
 def reference_row(
@@ -173,30 +222,19 @@ def distance_mm(trace: Trace, other: Trace) -> float:
     return metrics.distance_rms_mm(*paths)
 
 
-def time_columns(shake: WarpShake | NativeShake) -> dict[str, float | int]:
-    """Wall time per simulated second, from frames in the shake."""
-    return spread("ms_per_s", FRAME_RATE * shake.frame_ms(REPEAT_COUNT))
+def time_columns(found: Resolved) -> dict[str, object]:
+    """Wall time per simulated second, and over that of what it is compared with."""
+    return comparing.time_columns(replace(found, times=FRAME_RATE * found.times), "ms_per_s", "time_ratio")
 
 
-def world_row(world_count: int, pilot: Simulation, device: wp.Device) -> dict[str, object]:
-    """The fixed scene in many worlds at once, timed in the shake."""
+def world_row(world_count: int, pilot: Pilot, start: Start) -> dict[str, object]:
+    """The fixed scene in many worlds at once, timed in the shake against C on one core."""
     gc.collect()  # frees the batch before
-    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=TIMED_FRAME_COUNT)
-    simulation = Simulation([case] * world_count, device)
-    put_in_state_of(simulation, pilot, list(PADS).index("stiff"))
-    times = spread("ms_per_s", FRAME_RATE * frame_ms(simulation, REPEAT_COUNT))
-    reason = batch_invalid_reason(simulation)
-    row = timed_only(case, reason, "warp-cuda" if device.is_cuda else "warp-cpu", world_count)
-    return row | (times if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
-
-
-def one_core_row(start: Start) -> dict[str, object]:
-    """The fixed scene in C on one core."""
-    case = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)
-    shake = NativeShake(case, start)
-    reason = invalid_reason(case, shake.run())
-    row = timed_only(case, reason, "mujoco-c", world_count=1)
-    return row | (time_columns(shake) if reason is None else absent(TIME_COLUMNS, f"not timed: {reason}"))
+    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=1)
+    frames = Frames(Simulation([case] * world_count, pilot.device), case, pilot)
+    _, found = in_turn([block_of(NativeShake(ONE_CORE, start)), frames])
+    row = timed_only(case, frames.reason, "warp-cuda" if pilot.device.is_cuda else "warp-cpu", world_count)
+    return row | (time_columns(found) if not frames.reason else absent(TIME_COLUMNS, f"not timed: {frames.reason}"))
 
 
 def timed_only(case: Case, invalid: str | None, backend: str, world_count: int) -> dict[str, object]:

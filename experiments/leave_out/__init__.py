@@ -1,7 +1,6 @@
 """What the scene pays for and does not need: left out one at a time, then all together."""
 
-import gc
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import Executor, Future
 from dataclasses import replace
 
@@ -9,24 +8,17 @@ import numpy as np
 import warp as wp
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case, build_key
+from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
 from experiments.facts.trace import Trace
 from experiments.leave_out.audit import audit, audit_rows
 from experiments.leave_out.stages import stage_rows
+from experiments.simulation.comparing import TIMED, time_cases
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
-from experiments.simulation.timing import (
-    batch_invalid_reason,
-    buffer_bytes_per_world,
-    frame_ms,
-    in_the_shake,
-    put_in_state_of,
-    spread,
-)
+from experiments.simulation.timing import in_the_shake
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import gather, processes, start
-from measured_report.measuring.reasons import is_out_of_memory
 
 WITHOUT = {
     "buffers": {"contact_max": None, "constraint_max": None},
@@ -46,18 +38,20 @@ IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
 """What of it is in the engine's model. The rest is about how the model is run."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
-WORLD_COUNTS = {"cuda": (1, 1024, 16384), "cpu": (1,)}
-REPEAT_COUNT = {"cuda": 20, "cpu": 6}
+WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
+WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
+"""What is left out alone with the most worlds, where to build a batch takes longer than to time it."""
+ON_CPU = ("buffers",)
+"""What is left out alone on a CPU, where frames with large buffers take long."""
 RUN_COUNT = 8
 """Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
-TIMED = ("frame_ms", "frame_ms_p5", "frame_ms_p95", "buffer_bytes_per_world")
 
 
-def variants(quick: bool) -> list[Case]:
-    """The cases; of those that leave out one thing only the one that matters most when ``quick``."""
-    names = ("buffers",) if quick else WITHOUT
+def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
+    """The cases; of those that leave out one thing only ``names``, or the one that matters most when ``quick``."""
+    names = ("buffers",) if quick else names
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
 
@@ -84,9 +78,12 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
-    """Time frames of every variant in so many worlds on one kind of device; columns by case."""
-    pilot = in_the_shake(AS_SHIPPED, wp.get_device(kind))
-    return time_cases(variants(conditions.quick), world_count, pilot, REPEAT_COUNT[kind])
+    """Time frames of the variants in so many worlds on one kind of device; columns by case."""
+    many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
+    timed = variants(conditions.quick, ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT)
+    untimed = absent(TIMED, "not timed here, where it would take long")
+    found = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
+    return found | time_cases(timed, world_count, wp.get_device(kind))
 
 
 def measure_stages(kind: str) -> list[dict[str, object]]:
@@ -197,40 +194,3 @@ def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
         missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
         columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
     return columns
-
-
-def time_cases(
-    cases: Sequence[Case], world_count: int, pilot: Simulation, repeat_count: int
-) -> dict[str, dict[str, object]]:
-    """Time frames of the shake in ``world_count`` worlds, by case; every number None, with the reason, if memory runs
-    out or the frames do not count. What differs only in how it is run is run by one simulation, one case after the
-    other.
-    """
-    groups: dict[Case, list[Case]] = {}
-    for case in cases:
-        groups.setdefault(build_key(case), []).append(case)
-    found = {}
-    for group in groups.values():
-        simulation = None
-        gc.collect()  # frees the batch before
-        for case in group:
-            try:
-                if simulation is None:
-                    simulation = Simulation([replace(case, frame_count=1)] * world_count, pilot.device)
-                simulation.vary(case)
-                found[case.name] = frame_columns(simulation, pilot, repeat_count)
-            except (RuntimeError, MemoryError) as error:
-                if not is_out_of_memory(error):
-                    raise
-                found[case.name] = absent(TIMED, " ".join(str(error).split())[:120])
-    return found
-
-
-def frame_columns(simulation: Simulation, pilot: Simulation, repeat_count: int) -> dict[str, object]:
-    """Time of a frame in the state of the pilot, and memory."""
-    put_in_state_of(simulation, pilot)
-    times = frame_ms(simulation, repeat_count)
-    if reason := batch_invalid_reason(simulation):
-        return absent(TIMED, f"not timed: {reason}")
-    memory = buffer_bytes_per_world(simulation.solver, simulation.contacts)
-    return spread("frame_ms", times) | {"buffer_bytes_per_world": memory}

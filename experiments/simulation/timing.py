@@ -109,35 +109,41 @@ def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
     return {name: median, f"{name}_p5": low, f"{name}_p95": high, "repeat_count": len(values)}
 
 
-def engine_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
-    """Time [ms] that the engine's own steps take of a frame, all substeps together, shape [repeat_count].
+class EngineSteps:
+    """What the engine's own steps take of a frame, all substeps together; CUDA only.
 
     CUDA events around each ``mjw.step``, inside the graph of whole frames; the IK runs before the physics here, so that
-    the engine has the device for itself. CUDA only.
+    the engine has the device for itself.
     """
-    solver, step = simulation.solver, simulation.solver._mujoco_warp_step
-    events = []
 
-    def timed_step() -> None:
-        start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
-        events.append((start, end))
-        wp.record_event(start)
-        step()
-        wp.record_event(end)
+    def __init__(self, simulation: Simulation):
+        self.simulation = simulation
+        self.events: list[tuple[wp.Event, wp.Event]] = []
+        solver, step = simulation.solver, simulation.solver._mujoco_warp_step
 
-    command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
-    with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
-        solver._mujoco_warp_step = timed_step
-        parts = [captured(command), captured(solve), captured(physics)]
-        del solver._mujoco_warp_step
-        times = []
-        for repeat in range(WARMUP_COUNT + repeat_count):
-            for part in parts:
-                part()
-            wp.synchronize_device(simulation.device)
-            if repeat >= WARMUP_COUNT:
-                times.append(sum(wp.get_event_elapsed_time(start, end) for start, end in events))
-    return np.array(times)
+        def timed_step() -> None:
+            start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
+            self.events.append((start, end))
+            wp.record_event(start)
+            step()
+            wp.record_event(end)
+
+        command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
+        with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
+            solver._mujoco_warp_step = timed_step
+            self.parts = [captured(command), captured(solve), captured(physics)]
+            del solver._mujoco_warp_step
+
+    def frame_ms(self, frame_count: int) -> float:
+        """Time [ms] of the engine's steps in a frame, mean of ``frame_count``."""
+        device, total = self.simulation.device, 0.0
+        with wp.ScopedDevice(device), wp.ScopedStream(self.simulation.stream):
+            for _ in range(frame_count):
+                for part in self.parts:
+                    part()
+                wp.synchronize_device(device)
+                total += sum(wp.get_event_elapsed_time(start, end) for start, end in self.events)
+        return total / frame_count
 
 
 def buffer_bytes_per_world(solver: SolverMuJoCo, contacts: newton.Contacts | None) -> int:

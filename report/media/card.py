@@ -19,7 +19,8 @@ def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
         for place, pair in enumerate(slips.values()):
             for shift, colour, (label, slip) in zip((-0.18, 0.18), (SHIPPED, STIFF), pair.items(), strict=True):
                 there = slip is not None and slip.value is not None
-                width, text = (slip.value, str(slip)) if there else (0.0, "not measured")
+                lost = "run failed" if slip is not None and slip.source else "not measured"
+                width, text = (slip.value, str(slip)) if there else (0.0, lost)
                 axes.barh(place + shift, width, height=0.34, color=colour, label=label)
                 axes.text(width, place + shift, f" {text}", va="center", fontsize=22, color=INK)
         axes.set_yticks(range(len(slips)), [f"Newton {release}" for release in slips], fontsize=24)
@@ -28,7 +29,7 @@ def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
         axes.grid(visible=False)
         axes.tick_params(bottom=False, labelbottom=False)
         axes.spines[["bottom", "left"]].set_visible(False)
-        axes.set_title("Slip of a grasped cube in a shake test", fontsize=30, pad=24)
+        axes.set_title("Slip of a shaken cube, Newton's contacts", fontsize=28, pad=24)
         handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
         drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
         buffer = io.BytesIO()

@@ -6,8 +6,7 @@ from measured_report.claims.claim import Claim, all_of, at_least, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.arithmetic import excess
-from report.shared.timing import CURE_WORLDS, cell
+from report.shared.timing import CURE_WORLDS, fine_enough, ratio_cell, resolution
 
 order = 144
 page = "cure"
@@ -22,50 +21,53 @@ Times = Mapping[tuple[str, int], Quantity]
 
 def derive(results: Results) -> Section:
     rows = {(row.case, row.worlds.value): row for row in results.rows}
-    times = {
-        (case, count): cell(results, rows.get((case, count)), "frame_ms", f"a batch of {count} worlds")
-        for case in CASES
-        for count in CURE_WORLDS
-    }
     extra = {
-        (case, count): excess(
-            results,
+        (case, count): results.value(
             f"{case}_extra_{count}",
-            f"time of a frame with {case} over that as shipped, less one",
-            times[case, count],
-            times[CASES[0], count],
+            f"time of a frame with {case} over that as shipped, timed in turn, less one",
+            lambda taken: 100 * (taken - 1),
+            ratio_cell(results, rows.get((case, count))),
+            unit="%",
         )
         for case in CASES[1:]
         for count in CURE_WORLDS
     }
-    return Section(claims=[*(_costs_nothing(results, extra, case) for case in TESTED), _rk4_is_dear(results, extra)])
+    seen = {
+        (case, count): resolution(results, f"{case}_seen_{count}", rows.get((case, count)))
+        for case in TESTED
+        for count in CURE_WORLDS
+    }
+    costs = [_costs_nothing(results, extra, seen, case) for case in TESTED]
+    return Section(claims=[*costs, _rk4_is_dear(results, extra)])
 
 
-def _costs_nothing(results: Results, extra: Times, case: str) -> Claim:
-    """Tell whether a frame is seen to take longer, by more than the noise, with any number of worlds."""
-    found = [extra[case, count] for count in CURE_WORLDS]
-    noises = [quantity.noise or 0.0 for quantity in found]
+def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Claim:
+    """Tell whether a frame is seen to take longer, by more than the resolution, with any number of worlds."""
+    found, noises = ([of[case, count] for count in CURE_WORLDS] for of in (extra, seen))
+    both = [quantity for pair in zip(found, noises, strict=True) for quantity in pair]
 
-    def beyond(*found: float) -> float:
-        return max(0.0, *(more - noise for more, noise in zip(found, noises, strict=True)))
+    def beyond(*cells: float) -> float:
+        return max(0.0, *(more - noise for more, noise in zip(cells[::2], cells[1::2], strict=True)))
 
-    def worst(*found: float) -> float:
-        return max(more if more > noise else 0.0 for more, noise in zip(found, noises, strict=True))
+    def worst(*cells: float) -> float:
+        return max(more if more > noise else 0.0 for more, noise in zip(cells[::2], cells[1::2], strict=True))
 
     formula = "by how much a frame takes longer{}, most of all numbers of worlds"
-    slower = results.value(f"{case}_beyond", formula.format(" than the noise"), beyond, *found, unit="%", is_noise=True)
-    numbers = {"worst": results.value(f"{case}_worst", formula.format(" where it is seen"), worst, *found, unit="%")}
-    formula = "largest noise of these: a frame that takes so much longer would be seen"
-    numbers["unseen"] = results.value(
-        f"{case}_unseen", formula, lambda *_: max(noises), *found, unit="%", is_noise=True
+    slower = results.value(
+        f"{case}_beyond", formula.format(" than the resolution"), beyond, *both, unit="%", is_noise=True
     )
+    numbers = {"worst": results.value(f"{case}_worst", formula.format(" where it is seen"), worst, *both, unit="%")}
+    formula = "largest resolution of these: a frame that takes so much longer would be seen"
+    numbers["unseen"] = results.value(f"{case}_unseen", formula, max, *noises, unit="%", is_noise=True)
     outcomes = []
     for count, more, noise in zip(CURE_WORLDS, found, noises, strict=True):
         longer = results.value(
             f"{case}_longer_{count}", "this, or none where it is less", lambda a: max(a, 0.0), more, unit="%"
         )
-        outcomes.append(within(longer, noise, why="how far apart two measurements of it come out"))
-    return Claim(f"{case}_costs_nothing", all_of(*outcomes).having_read(slower), numbers)
+        outcomes.append(within(longer, noise, why="the resolution of the ratio"))
+    return Claim(
+        f"{case}_costs_nothing", all_of(*outcomes, fine_enough(numbers["unseen"])).having_read(slower), numbers
+    )
 
 
 def _rk4_is_dear(results: Results, extra: Times) -> Claim:

@@ -1,9 +1,10 @@
 """What a release sets where nobody does, and the slip with that: the scene writes what 1.4.0 had."""
 
-from measured_report.claims.claim import Claim, decided
+from measured_report.claims.claim import Claim, all_of, decided
 from measured_report.parts.section import Section
 from measured_report.records.columns import changed_parameters
 from measured_report.values.results import Results
+from report.shared.arithmetic import cell_or_absent
 
 order = 205
 page = "releases"
@@ -11,10 +12,22 @@ label = "own defaults"
 
 CASE, RUN = "own-defaults", ("frame_count", "device")
 """The case, and what it has otherwise than the scene for being a run of its own."""
+MUJOCO = {"run_collision_detection": 1.0, "cone": 0.0}
+"""Options of a solver whose engine finds the contacts, and whose friction cone is a pyramid."""
 
 
 def derive(results: Results) -> Section:
     row = results.row[CASE]
     changed = [name for name in changed_parameters(row.plain) if name not in RUN]
     numbers = {"release": results.edition, "changed": ", ".join(changed)}
-    return Section(claims=[Claim("as_the_scene", decided(not changed, row.slip_mm), numbers)])
+    return Section(
+        claims=[Claim("as_the_scene", decided(not changed, row.slip_mm), numbers), _leaves_it_to_mujoco(results)]
+    )
+
+
+def _leaves_it_to_mujoco(results: Results) -> Claim:
+    """Whether a solver that is given no options has MuJoCo find the contacts, and the pyramidal cone."""
+    cells = {name: cell_or_absent(results.row[f"solver-{name}"], "value", "1") for name in MUJOCO}
+    return Claim(
+        "leaves_it_to_mujoco", all_of(*(decided(cell.value == MUJOCO[name], cell) for name, cell in cells.items()))
+    )

@@ -1,7 +1,8 @@
 """The turntable and the pinched capsule in other engines: does each do what its contact model says?"""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 from measured_report.claims.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
@@ -26,17 +27,10 @@ LAWS = {
     "": "none derived",
 }
 """Of the walk. Each gives the sinking as well, by the same v."""
-STOPS = {
-    "mujoco": "the term",
-    "step": "shorter step",
-    "sap": "shorter step",
-    "mixed": "shorter step",
-    "tamsi": "shorter step, smaller vₛ",
-    "lagged": "shorter step, smaller vₛ",
-    "stribeck": "smaller vₛ",
-    "anchored": "nothing to stop",
-    "": "shorter step",
-}
+HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
+"""What takes away from the walk by its law, beside a shorter step."""
+GOES_WITH_STEP = 0.75
+"""Half the step leaves at most so much of a walk that goes with the step."""
 
 
 MODELS = {
@@ -52,6 +46,8 @@ MODELS = {
     "pybullet": ("PyBullet", "step"),
     "physx": ("PhysX, TGS", "anchored"),
 }
+TIMECONSTS, STEPS = ("20ms", "10ms"), ("1ms", "2ms", "5ms", "10ms")
+"""Of the runs with MuJoCo's integrator ``discrete``."""
 NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
 """Those of Newton's solvers that keep the box, and their laws."""
 KDS = (100, 50, 20, 10, 5, 2)
@@ -91,7 +87,7 @@ def derive(results: Results) -> Section:
         "half the step": _shown([line.short_walk for line in lines], walk_bound),
         "sinks by law": _shown([line.sink_law for line in lines], sink_bound),
         "sinks": _shown([line.sink for line in lines], sink_bound),
-        "what stops it": [STOPS[line.law] for line in lines],
+        "what helps": [_helps(line, walk_bound) for line in lines],
         "law of the walk": [LAWS[line.law] for line in lines],
     }
     said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
@@ -100,7 +96,50 @@ def derive(results: Results) -> Section:
     test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
     claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
     claims += [_anchors_hold(results, lines, walk_bound, sink_bound), _test_lets_through(results)]
-    return Section(tables={"engines": engines, "test": test}, claims=claims)
+    walks = _discrete_walks(results)
+    mine = next(line.walk for line in lines if line.name == "MJX")
+    claims.append(_discrete_adds_the_step(results, walks, mine))
+    columns = {
+        f"{timeconst.replace('ms', ' ms')}{said}": [walks[timeconst, step][which] for step in STEPS]
+        for timeconst in TIMECONSTS
+        for which, said in enumerate((" by law", ""))
+    }
+    discrete = table_of("step", [step.replace("ms", " ms") for step in STEPS], columns)
+    return Section(tables={"engines": engines, "discrete": discrete, "test": test}, claims=claims)
+
+
+def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Value]]:
+    """By law and as measured, by time constant and step."""
+
+    def percent(name: str, cell: Quantity) -> Value:
+        return results.value(name, "in percent of the distance", lambda rate: 100 * rate, cell, unit="%/s")
+
+    walks = {}
+    for timeconst, step in product(TIMECONSTS, STEPS):
+        row, name = results.row[f"discrete-{timeconst}-turntable-{step}"], f"discrete_{timeconst}_{step}"
+        law, measured = percent(f"{name}_law", row.predicted_growth_per_s), percent(name, row.growth_per_s)
+        walks[timeconst, step] = law, measured
+    return walks
+
+
+def _discrete_adds_the_step(
+    results: Results, walks: Mapping[tuple[str, str], tuple[Value, Value]], before: Value
+) -> Claim:
+    """Tell whether ``discrete`` walks as its law says, and so faster than the other integrators and with the step."""
+    formula = "largest departure from the law of discrete, of it"
+    cells = [cell for law, measured in walks.values() for cell in (measured, law)]
+    largest = results.value("discrete_off", formula, _largest_departure, *cells, unit="%", across=True)
+    count = results.value("discrete_count", "runs with discrete", lambda *found: len(found) // 2, *cells, across=True)
+    short, long = (walks["20ms", step][1] for step in ("2ms", "10ms"))
+    faster = ratio(results, "discrete_times", "walk with discrete, of that in MJX with implicitfast", short, before)
+    longer = ratio(results, "discrete_longer", "walk with discrete and the longest step, of that at 2 ms", long, short)
+    rows = [results.row[f"discrete-20ms-turntable-{step}"] for step in ("2ms", "10ms")]
+    outcome = all_of(
+        at_most(largest, 1.0, why="as the law says"),
+        *(at_least(times, 1.1, why="faster") for times in (faster, longer)),
+    )
+    numbers = {"largest": largest, "count": count, "before": before, "short": short, "long": long}
+    return Claim("discrete_adds_the_step", outcome, numbers | {"step": rows[0].step_ms, "longest": rows[1].step_ms})
 
 
 def _lines(results: Results) -> list[Line]:
@@ -157,6 +196,15 @@ def _lines(results: Results) -> list[Line]:
 def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
     """What the table shows: nothing is seen of what is below the bound."""
     return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
+
+
+def _helps(line: Line, bound: Value) -> str:
+    """What takes away from the walk: a shorter step where that was seen, and what its law names."""
+    walk, short = line.walk.value, line.short_walk.value
+    if walk is not None and abs(walk) <= bound.value:
+        return "nothing to help"
+    is_shorter = None not in (walk, short) and abs(short) <= GOES_WITH_STEP * abs(walk)
+    return ", ".join(filter(None, ["shorter step" if is_shorter else "", HELPS.get(line.law, "")])) or "not known"
 
 
 def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:

@@ -3,6 +3,7 @@
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
 from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided
+from measured_report.files.root import ROOT
 from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
@@ -16,6 +17,17 @@ label = "the fix as files"
 PASSED = {True: "passes", False: "fails"}
 SAME_IN_REPORT = {"as-shipped": "as-shipped", "fixed": "stiff-pads"}
 """Case of the first section that each script must repeat."""
+
+
+UPSTREAM = (
+    "assets/upstream/mujoco_warp-4.0.0.patch",
+    "assets/upstream/newton-1.8.0.patch",
+    "assets/upstream/upstream.md",
+)
+
+
+def upstream_files() -> dict[str, str]:
+    return {(ROOT / path).name: (ROOT / path).read_text(encoding="utf-8") for path in UPSTREAM}
 
 
 def test_passed(row: Row) -> bool:
@@ -34,7 +46,7 @@ def derive(results: Results) -> Section:
             _gains(results, "same_on_mujoco_c", "gain_mujoco_c", shipped_c, fixed_c, bound),
             _same_as_report(results),
         ],
-        downloads=[Download(name, text) for name, text in fix_files().items()],
+        downloads=[Download(name, text) for name, text in (fix_files() | upstream_files()).items()],
     )
 
 

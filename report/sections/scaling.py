@@ -12,7 +12,7 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, departure, ratio, share, table_of
-from report.shared.timing import cell, decade_axis, draw_line, world_axis
+from report.shared.timing import cell, decade_axis, draw_line, ratio_cell, resolutions, world_axis
 
 order = 170
 page = "cost"
@@ -25,9 +25,11 @@ RATE_COUNT = 16384
 
 def derive(results: Results) -> Section:
     rows = results.rows
-    formula = "time of a whole frame over that of the engine's own steps in it"
+    formula = "time of a whole frame over that of the engine's own steps, timed in turn"
     over_floor = {
-        row.worlds.value: ratio(results, f"over_floor_{row.worlds.value}", formula, row.frame_ms, row.mjw_step_ms)
+        row.worlds.value: results.value(
+            f"over_floor_{row.worlds.value}", formula, lambda taken: taken, ratio_cell(results, row)
+        )
         for row in rows
     }
     floor_bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
@@ -35,7 +37,7 @@ def derive(results: Results) -> Section:
     numbers = {**cheap.numbers, "is_cheap": cheap.outcome == HOLDS, "ends": [rows[0], rows[-1]]}
     times = Figure(lambda: _draw_times(rows), [row.frame_ms for row in rows], numbers)
     return Section(
-        tables={"worlds": _table(rows, over_floor)},
+        tables={"worlds": _table(rows, over_floor, resolutions(results, "resolution", rows))},
         figures={"times": times},
         claims=[_near_floor(results, over_floor, floor_bound), _rate(results), cheap, _memory_settles(results, rows)],
     )
@@ -98,12 +100,12 @@ def _memory_settles(results: Results, rows: Sequence[Row]) -> Claim:
     return Claim("memory_settles", at_most(change, bound), {**numbers, "change": change, "bound": bound})
 
 
-def _table(rows: Sequence[Row], over_floor: Mapping[int, Value]) -> Table:
+def _table(rows: Sequence[Row], over_floor: Mapping[int, Value], resolution: Value) -> Table:
     columns: dict[str, Column] = {
         **{"frame": "frame_ms", "steps": "mjw_step_ms", "frame / steps": lambda row: over_floor[row.worlds.value]},
         **{"all substeps": "world_substeps_per_s", "memory": "bytes_per_world", "buffers": "buffer_bytes_per_world"},
     }
-    return table_of("worlds", [str(row.worlds) for row in rows], columns, rows)
+    return table_of("worlds", [str(row.worlds) for row in rows], columns, rows, resolution=resolution)
 
 
 def _draw_times(rows: Sequence[Row]) -> Drawing:

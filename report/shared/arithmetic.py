@@ -116,9 +116,9 @@ def settles(before: Quantity, after: Quantity) -> Outcome:
     return at_most(replace(after, value=value, noise=noise), before).having_read(Bound(times, "1", "", why=why))
 
 
-def resolved(noise: Quantity, bound: Quantity) -> Outcome:
+def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
     """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
-    found = at_most(noise, bound)
+    found = at_most(noise, bound, why=why)
     reason = "the noise is larger than what is looked for"
     return replace(found, name="unknown", reason=reason) if found == FAILS else found
 

@@ -1,15 +1,17 @@
 """What the sections on time and memory share."""
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 from matplotlib.axes import Axes
 
+from measured_report.claims.claim import Outcome
 from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_or_absent
+from report.shared.arithmetic import cell_or_absent, resolved
 
 CURE_WORLDS = (1, 4096, 16384)
 """How many worlds at once the remedies of the cure are timed with."""
@@ -21,16 +23,26 @@ def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     return cell_or_absent(row, column, unit, f"{what} was not measured on this machine")
 
 
-def frame_spread(results: Results, name: str, *rows: Row | None) -> Value:
-    """Derive how far apart frames of one run are [ms], of the rows the one where it is most."""
-    edges = [cell(results, row, column, "a case") for row in rows for column in ("frame_ms_p5", "frame_ms_p95")]
-    formula = "largest of the ranges from the 5th to the 95th percentile of a frame's time"
-    return results.value(name, formula, widest, *edges, unit="ms", is_noise=True)
+def ratio_cell(results: Results, row: Row | None, column: str = "frame_ratio") -> Quantity:
+    """Look up a row's time over that of the case that it was timed in turn with."""
+    return cell(results, row, column, "this case")
 
 
-def widest(*edges: float) -> float:
-    """Compute the largest of the ranges that are given by their lower and upper edges."""
-    return max(high - low for low, high in zip(edges[::2], edges[1::2], strict=True))
+def resolution(results: Results, name: str, *rows: Row | None) -> Value:
+    """Derive to within what share the ratios of these rows are known [%], the largest of them."""
+    formula = "half the 95 % interval of the ratio of two times measured in turn, the largest"
+    cells = [cell(results, row, "ratio_resolution", "this case") for row in rows]
+    return results.value(name, formula, lambda *found: 100 * max(found), *cells, unit="%", is_noise=True)
+
+
+def resolutions(results: Results, name: str, rows: Iterable[Row]) -> Value:
+    """Derive the same of those rows that were compared."""
+    return resolution(results, name, *(row for row in rows if "ratio_resolution" in row and row.ratio_resolution.value))
+
+
+def fine_enough(unseen: Quantity) -> Outcome:
+    """Tell whether times are known well enough to say that nothing is slower, from what share would be seen [%]."""
+    return resolved(unseen, 3.0, why="a slowdown that would matter")
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:

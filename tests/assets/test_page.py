@@ -23,6 +23,8 @@ MOST_STOPS = 60
 MOST_ZIPPED_BYTES = 80_000
 """Of a page without its data."""
 MOST_SITE_BYTES = 35_000_000
+MOST_WORDS = 20_000
+WORDLESS = re.compile(r"<(svg|script|math)\b.*?</\1>|<[^>]*>", re.DOTALL)
 OWN_PAGES = ("replay.html", "lab.html")
 """Pages that have a program in them."""
 MOST_ELEMENTS = 4000
@@ -44,6 +46,12 @@ SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) =>
   [...drawing.querySelectorAll("clipPath rect")].some((axes) =>
     axes.width.baseVal.value < drawing.viewBox.baseVal.width / 2)).map((drawing) => drawing.closest("figure").id)"""
 """Drawings for a phone whose axes, to which lines are clipped, have less than half of the width."""
+COVERS_TEXT = """(() => {
+  const top = document.querySelector(".top"), text = document.querySelector("main p");
+  return top && getComputedStyle(top).position === "fixed"
+    && top.getBoundingClientRect().left < text.getBoundingClientRect().right;
+})()"""
+"""Whether the button to the top lies over the ends of lines."""
 PROSE = """(() => {
   const main = document.querySelector("main").cloneNode(true);
   const others = "figure, details, nav, pre, .left-out, .sources, .anchor, button";
@@ -110,6 +118,7 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         assert tab.evaluate(SQUEEZED) == [], path.name
         assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
+        assert not tab.evaluate(COVERS_TEXT), path.name
         tab.evaluate(axe)
         found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
         for rule in found:
@@ -220,6 +229,23 @@ def test_every_page_is_light_without_its_data(site):
     for path in site.rglob("*.html"):
         if path.name not in OWN_PAGES:
             assert len(gzip.compress(path.read_bytes())) <= MOST_ZIPPED_BYTES, path
+
+
+def test_all_pages_of_a_release_are_read_in_an_hour_or_two(site):
+    """Tables and what is folded up count; drawings, scripts and the contents beside the text do not."""
+    mains = [
+        path.read_text(encoding="utf-8").partition("<main")[2].partition("</main>")[0] for path in site.glob("*.html")
+    ]
+    texts = [WORDLESS.sub(" ", f"<main{main}") for main in mains]
+    assert sum(len(text.split()) for text in texts) <= MOST_WORDS
+
+
+def test_no_markdown_is_left(site):
+    """The words of a claim are HTML."""
+    for path in site.rglob("*.html"):
+        if path.name not in OWN_PAGES:
+            page = re.sub(r"<(pre|code|script)\b.*?</\1>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+            assert re.findall(r"\]\(|[*`]\w+[*`]", WORDLESS.sub(" ", page)) == [], path
 
 
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):

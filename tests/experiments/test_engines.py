@@ -53,6 +53,14 @@ def test_a_box_goes_along_the_tangent_unless_friction_pulls_it_back():
     assert laws.walk_per_s("tamsi", replace(LOAD, step_s=0.0), 2.0, 0.2) == pytest.approx(slid / 0.2)
 
 
+def test_with_discrete_half_the_step_adds_to_the_walk():
+    """By hand: ω² (1/b + h/2), 1/b = 0.95 · 0.02 s / 2; that a row yields adds its share of 1/b + h."""
+    stiff = replace(LOAD, timeconst_s=0.02, yields_1_kg=0.0)
+    assert laws.walk_per_s("discrete", stiff, 2.0, 0.2) == pytest.approx(4.0 * (0.0095 + 0.001))
+    yielding = replace(stiff, yields_1_kg=0.4)
+    assert laws.walk_per_s("discrete", yielding, 2.0, 0.2) == pytest.approx(0.042 + 4.0 * 0.02 * (0.0095 + 0.002))
+
+
 def test_rows_of_what_an_engine_answers():
     """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
     time_s = np.arange(41) * engines.SAMPLE_S

@@ -10,6 +10,7 @@ import pytest
 
 from newton_lint.command import main
 from newton_lint.fix import edited
+from newton_lint.prescribe import Prescription, Setting, Trial
 
 SPEC = importlib.util.spec_from_file_location("cases", Path(__file__).with_name("cases.py"))
 cases = importlib.util.module_from_spec(SPEC)
@@ -40,6 +41,8 @@ def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
     assert json.loads(capsys.readouterr().out)["hold"]["mm_s"] == pytest.approx(2.0 * hold["mm_s"], rel=1e-3)
     assert main([written("incline", slope=1.3), "--hold", "held"]) == 1
     assert "error slides" in capsys.readouterr().out
+    assert main([written("pinch", grip=0.5), "--hold", "held", "--settle", "3"]) == 1  # and is far away by then
+    assert "slides: what it has to bear" in capsys.readouterr().out
     assert main([pinch, "--hold", "cube"]) == 2 and "has no body cube" in capsys.readouterr().err
 
 
@@ -53,6 +56,28 @@ def test_a_prescription_reaches_its_bound_and_is_written(kind, changes, written,
     assert main([scene, "--hold", "held", "--below", "0.05"]) == 0
     assert main(["prescribe", scene, "--hold", "held", "--below", "0.05"]) == 0
     assert "as it is" in capsys.readouterr().out
+
+
+def test_what_is_asked_for_is_simulated_too(written, capsys):
+    """An impratio in place of the scene's, and a table that turns."""
+    for options, kind, rate in (("--impratio 10", "pinch", 0.368), ("--turn 0.5 --below 1", "turn", 2.36)):
+        assert main(["prescribe", written(kind), "--hold", "held", *options.split()]) == 0
+        predicted, measured = re.search(r"([\d.]+) mm/s +([\d.]+) mm/s.* as it is", capsys.readouterr().out).groups()
+        assert float(predicted) == pytest.approx(rate, rel=0.01) == float(measured)
+    assert main(["prescribe", written("pinch"), "--hold", "held", "--turn", "1"]) == 2
+    assert "no hinge about the vertical" in capsys.readouterr().err
+
+
+def test_the_mildest_of_what_is_as_good_and_as_cheap_is_prescribed():
+    mild, harsh = (Setting(impratio=impratio) for impratio in (100.0, 1000.0))
+    trials = [
+        Trial(Setting(), 5.0, 4.0, 1.0, 1.0),
+        Trial(mild, 0.02, 0.01, 1.0, 1.0),
+        Trial(harsh, 2e-3, 0.03, 1.0, 1.0),
+    ]
+    assert Prescription(None, trials).best(0.1).setting == mild
+    assert Prescription(None, trials).best(0.02).setting == mild
+    assert Prescription(None, trials).best(0.001) is None
 
 
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
@@ -76,8 +101,8 @@ def test_what_nothing_holds_is_said(written, capsys):
 def test_an_edit_changes_what_it_has_to(tmp_path):
     text = b"<mujoco  model='a>b'>\n <geom\n  solref = '1 1' name=\"x\"/><geom name='y'/></mujoco>"
     first, second = text.index(b"<geom"), text.rindex(b"<geom")
-    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, -1: {"cone": "elliptic"}}
-    assert edited(text, tags) == (
+    tags = {first: {"solref": "2 1"}, second: {"priority": "1"}, 0: {"cone": "elliptic"}}
+    assert edited(text, tags, root=0) == (
         b'<mujoco  model=\'a>b\'>\n  <option cone="elliptic"/>\n <geom\n  solref = "2 1" name="x"/>'
         b"<geom name='y' priority=\"1\"/></mujoco>"
     )

@@ -53,11 +53,13 @@ def elliptic(scene: Scene, steepest: float) -> Advice:
 
 def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
     option = scene.option
-    own = max(float(scene.model.geom_solref[geom, 0]), 2.0 * option.timestep_s if option.refsafe else 0.0)
+    says, ratio = scene.model.geom_solref[geom].tolist()
+    own = max(says, 2.0 * option.timestep_s if option.refsafe else 0.0)
     attributes = {"priority": str(int(scene.model.geom_priority.max()) + 1)}
-    gain = (
-        f"its solref alone counts, and creep goes down by {mixed_s / own:.2g}; its friction, condim and solimp as well"
-    )
+    if own > says:
+        attributes["solref"] = f"{own:g} {ratio:g}"
+    less = f"creep goes down by up to {mixed_s / own:.2g}"
+    gain = f"its solref alone counts, and {less}; its friction, condim and solimp as well"
     return for_geom(scene, geom, attributes, gain)
 
 
@@ -69,15 +71,10 @@ def whole_solref(scene: Scene, geom: int) -> Advice:
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
-    """A solimp with its entries between 0 and 1 and dmin below dmax."""
+    """A solimp with its entries between 0 and 1 and dmax no less than dmin, softer at no depth."""
     dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geom].tolist()
-    low, high = sorted(min(max(each, 0.0), 1.0) for each in (dmin, dmax))
+    low, high = (min(max(each, 0.0), 1.0) for each in (dmin, max(dmin, dmax)))
     entries = (low, high, max(width, 0.0), min(max(midpoint, 0.0), 1.0), max(power, 1.0))
-    less = _softness(dmax) / _softness(high)
+    less = (1.0 - clamped(dmax)) / (1.0 - clamped(high))  # R/b of a deep contact has (1 - dmax) / dmax · dmax
     gain = f"creep of a deep contact under load goes down by {less:.3g}" if less > 1.0 else "says what is used"
     return for_geom(scene, geom, {"solimp": " ".join(f"{each:g}" for each in entries)}, gain)
-
-
-def _softness(impedance: float) -> float:
-    d = clamped(impedance)
-    return (1.0 - d) / d

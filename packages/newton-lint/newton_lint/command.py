@@ -97,17 +97,26 @@ def _fixed(reports: Sequence[Any]) -> None:
 
 def asked_of(given: argparse.Namespace, table: dict[str, Any]):
     """What is asked for, of the command before the project's table."""
-    from newton_lint.hold import SETTLE_S, Work
     from newton_lint.prediction import Load
     from newton_lint.report import Asked
+
+    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
+    load = Load(given.acceleration, given.load)
+    return Asked(engine_of(given, table), load, work_of(given), given.below or table.get("below"), frozenset(ignore))
+
+
+def engine_of(given: argparse.Namespace, table: dict[str, Any]):
+    """The engine that is asked for."""
     from newton_lint.scene import Engine
 
-    engine = Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
-    settle = SETTLE_S if given.settle is None else given.settle
-    work = Work(given.hold, settle, given.turn, given.lift) if given.hold else None
-    ignore = [*table.get("ignore", []), *(given.ignore.split(",") if given.ignore else [])]
-    below = table.get("below") if given.below is None else given.below
-    return Asked(engine, Load(given.acceleration, given.load), work, below, frozenset(ignore))
+    return Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
+
+
+def work_of(given: argparse.Namespace):
+    """The body that is to be held; None where none is asked for."""
+    from newton_lint.hold import SETTLE_S, Work
+
+    return Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
 
 
 @contextlib.contextmanager
@@ -122,8 +131,13 @@ def _pipe_may_close() -> Iterator[None]:
 
 def parser() -> Parser:
     """The lint's own options."""
-    about = "Contact parameters of a scene that MuJoCo's engines take otherwise, and the creep to expect."
-    made = Parser(prog=PROGRAM, description=about, epilog="newton-lint prescribe --help, newton-lint page --help")
+    about = (
+        "Says which contact parameters MuJoCo does not use as a scene has them, how fast contacts that hold creep, and"
+    )
+    others = "Two more commands, each with --help: newton-lint prescribe searches settings for a body that is held, and"
+    made = Parser(
+        prog=PROGRAM, description=f"{about} what to change.", epilog=f"{others} newton-lint page writes a page."
+    )
     made.add_argument(
         "target",
         metavar="TARGET",
@@ -132,14 +146,20 @@ def parser() -> Parser:
     )
     made.add_argument("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     made.add_argument("--json", action="store_true", help="the same as --format json")
-    made.add_argument("--fail-on", choices=(*SEVERITIES, "never"), help="status 1 from here on; default: warning")
-    made.add_argument("--ignore", metavar="RULES", help="rules that are not looked at, with commas between")
-    made.add_argument("--all", action="store_true", help="all creeps, and not only the worst")
+    made.add_argument(
+        "--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning"
+    )
+    made.add_argument("--ignore", metavar="RULES", help="rules that do not count, with commas between")
+    made.add_argument("--all", action="store_true", help="every predicted creep, not the worst five alone")
     made.add_argument("--fix", action="store_true", help="write the first change of each finding into the files")
     add_work(made)
-    made.add_argument("--load", type=positive, default=0.0, metavar="N", help="tangential, on each contact point")
+    made.add_argument("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
     made.add_argument(
-        "--acceleration", type=positive, default=0.0, metavar="M/S²", help="of a contact that turns with its support"
+        "--acceleration",
+        type=positive,
+        default=0.0,
+        metavar="M/S²",
+        help="ω² r of a contact that turns with its support",
     )
     return made
 
@@ -150,13 +170,23 @@ def add_work(made: argparse.ArgumentParser) -> None:
     made.add_argument("--dt", type=positive, metavar="S", help="the solver's step; default: what the scene says")
     made.add_argument("--cone", choices=("pyramidal", "elliptic"), help="default: what the scene says")
     made.add_argument("--impratio", type=positive, metavar="X", help="default: what the scene says")
-    made.add_argument("--hold", metavar="BODY", help="a body that is held in the first keyframe, or at the start")
-    made.add_argument("--settle", type=positive, metavar="S", help="time that the hold gets to settle; default: 0.5")
     made.add_argument(
-        "--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical"
+        "--hold",
+        metavar="BODY",
+        help="predict how this body creeps, which the first keyframe or the start has in its grip",
+    )
+    made.add_argument("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
+    made.add_argument(
+        "--turn",
+        type=positive,
+        default=0.0,
+        metavar="RAD/S",
+        help="rate at which what holds it turns about the vertical",
     )
     made.add_argument("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
-    made.add_argument("--below", type=positive, metavar="MM/S", help="creep that is still good")
+    made.add_argument(
+        "--below", type=positive, metavar="MM/S", help="creep that is not too fast; prescribe's default: 0.1"
+    )
 
 
 def positive(text: str) -> float:

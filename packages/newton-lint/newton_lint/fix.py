@@ -25,8 +25,7 @@ def fix(changes: Iterable[Change], source: Source) -> Iterator[str]:
         if element is None or not change.attributes:
             yield f"{change}: is not written, for no file is known to say it"
             continue
-        key = -element.start - 1 if element is source.root else element.start
-        into = edits.setdefault(element.file, {}).setdefault(key, {})
+        into = edits.setdefault(element.file, {}).setdefault(element.start, {})
         for name, value in change.attributes:
             into.setdefault(name, value)
         yield f"{change}: written"
@@ -35,24 +34,20 @@ def fix(changes: Iterable[Change], source: Source) -> Iterator[str]:
         kept = file.with_name(f"{file.name}.orig")
         if not kept.exists():
             kept.write_bytes(old)
-        file.write_bytes(edited(old, tags))
+        file.write_bytes(edited(old, tags, source.root.start if file == source.root.file else -1))
         yield f"{file}: as it was it is {kept.name}"
 
 
-def edited(text: bytes, tags: dict[int, dict[str, str]]) -> bytes:
-    """A file with attributes set in the tags that start at these bytes.
-
-    A start below 0 is that of the root, one less than minus its place: it gets an ``<option>`` with the attributes.
-    """
-    for start, attributes in sorted(tags.items(), key=lambda each: -abs(each[0] + (each[0] < 0))):
-        place = -start - 1 if start < 0 else start
-        tag = TAG.match(text, place)
-        if start < 0:
+def edited(text: bytes, tags: dict[int, dict[str, str]], root: int = -1) -> bytes:
+    """A file with attributes set in the tags that start at these bytes; those of the root in an ``<option>`` of it."""
+    for start, attributes in sorted(tags.items(), reverse=True):
+        tag = TAG.match(text, start)
+        if start == root:
             at = text.index(b">", tag.end()) + 1
             said = " ".join(f'{name}="{value}"' for name, value in attributes.items())
             text = text[:at] + f"\n  <option {said}/>".encode() + text[at:]
         else:
-            text = text[:place] + _with(tag[0], attributes) + text[tag.end() :]
+            text = text[:start] + _with(tag[0], attributes) + text[tag.end() :]
     return text
 
 

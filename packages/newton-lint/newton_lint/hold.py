@@ -20,6 +20,8 @@ SETTLE_S = 0.5
 """Time that a scene gets to come to rest."""
 READ_SHARE = 0.2
 """Last part of it over which forces are averaged."""
+EARLIER = (1.0, 0.1, 0.01)
+"""Shares of the settling after which a body is looked for in its grip."""
 AT_THE_EDGE = 0.999
 """Share of the cone from which friction no longer holds."""
 UNSETTLED, UNSETTLED_MM_S = 2.0, 0.5
@@ -47,6 +49,8 @@ class Touch:
     """What one contact point bears, means over the end of the settling."""
 
     geoms: tuple[int, int]
+    support: int
+    """The body that touches the held one."""
     share: float
     """Of the steps in which it was there."""
     normal_n: float
@@ -94,7 +98,7 @@ class Hold:
         """That it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
-            message = "is more than it creeps: it has not settled, and what is predicted is of a grip that has"
+            message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
             told = ("unsettled", self.name, touching, "speed", self.moves_mm_s, self.mm_s, "mm/s", message, "note")
             return [Finding(*told)]
         if not self.slides and (below_mm_s is None or self.mm_s <= below_mm_s):
@@ -126,12 +130,13 @@ def held(scene: Scene, target: Target, work: Work) -> Hold | None:
         TargetError: There is no such body.
     """
     body = body_of(scene, target.name, work.body)
-    for time_s in (work.settle_s, 0.1 * work.settle_s):
+    for share in EARLIER:
+        time_s = share * work.settle_s
         data = settled(scene.model, started(scene.model, target.data), time_s * (1.0 - READ_SHARE))
         steps = max(1, round(time_s * READ_SHARE / scene.model.opt.timestep))
         if touches := touches_of(scene, data, body, steps):
             hold = predicted_hold(scene, body, touches, work, data)
-            return hold if time_s == work.settle_s else replace(hold, mm_s=math.inf)  # it was held, and is lost
+            return hold if share == 1.0 else replace(hold, mm_s=math.inf)  # it was held, and is lost
     return None
 
 
@@ -145,11 +150,9 @@ def started(model: mujoco.MjModel, given: mujoco.MjData | None = None) -> mujoco
     """The state in which a scene starts: a copy of the given one, or its first keyframe, or the model's own."""
     data = mujoco.MjData(model)
     if given is not None:
-        for name in ("time", "qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
-            if name == "time":
-                data.time = given.time
-            else:
-                getattr(data, name)[:] = getattr(given, name)
+        data.time = given.time
+        for name in ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
+            getattr(data, name)[:] = getattr(given, name)
     elif model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
     return data
@@ -179,7 +182,8 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
                 seen[pair] += 1
     return [
         Touch(
-            *(pair, count / step_count, float(total[0]) / step_count, total[1:4] / step_count),
+            *(pair, next(int(each) for each in model.geom_bodyid[list(pair)] if not own[each])),
+            *(count / step_count, float(total[0]) / step_count, total[1:4] / step_count),
             *(total[4:7] / count, total[7:10] / count, float(total[10]) / count, float(total[11]) / count),
         )
         for (pair, _), (count, total) in sums.items()
@@ -226,10 +230,10 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
         contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
         response = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
         points.append((response, touch.normal_n))
-        arm = touch.position - data.xpos[model.body_rootid[_other(model, body, touch)]]
+        arm = touch.position - data.xpos[model.body_rootid[touch.support]]
         outward = work.turn_rad_s**2 * (arm - (arm @ down) * down)
         turning = turning + response.acceleration_s * (outward - (outward @ touch.normal) * touch.normal) / len(touches)
-    arm = data.subtree_com[body] - data.xpos[model.body_rootid[_other(model, body, touches[0])]]
+    arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
     more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
     load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold
     total = float(np.linalg.norm(load))
@@ -240,7 +244,7 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
         linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
         creep = _slide(model, data, body, touches, points, more) * (slide / linear)
     rate = float(np.linalg.norm(turning + creep))
-    speed = _speed(model, data, body, touches[0])
+    speed = _speed(model, data, body, touches[0].support)
     if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):
         rate = math.inf
     rates = (M * rate, M * float(np.linalg.norm(turning)), M * speed)
@@ -261,7 +265,7 @@ def _slide(
     the body has alone.
     """
     support = np.zeros((3, model.nv))
-    mujoco.mj_jac(model, data, support, None, data.xpos[body], _other(model, body, touches[0]))
+    mujoco.mj_jac(model, data, support, None, data.xpos[body], touches[0].support)
     own, jacobian = ~support.any(axis=0), np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
     centre = jacobian[:, own].copy()
@@ -276,20 +280,13 @@ def _slide(
     return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
 
 
-def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, touch: Touch) -> float:
+def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> float:
     """How fast a body moves relative to what it touches [m/s]."""
     own, other = np.zeros(6), np.zeros(6)
-    support = _other(model, body, touch)
     for each, into in ((body, own), (support, other)):
         mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), each, into, 0)
     carried = other[3:] + np.cross(other[:3], data.xpos[body] - data.xpos[support])
     return float(np.linalg.norm(own[3:] - carried))
-
-
-def _other(model: mujoco.MjModel, body: int, touch: Touch) -> int:
-    """The body that a touch is with."""
-    one, other = model.geom_bodyid[list(touch.geoms)]
-    return int(other if model.body_weldid[one] == model.body_weldid[body] else one)
 
 
 def _pair_indices(scene: Scene) -> dict[tuple[int, int], int]:

@@ -17,11 +17,10 @@ LEVELS = {"note": "notice", "warning": "warning", "error": "error"}
 """What GitHub calls a severity."""
 USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
 """What ``used`` is called where it is not what the engine uses."""
-FORMATS = ("text", "json", "sarif", "github")
 
 
 def written(reports: Sequence[Report], form: str, everything: bool) -> str:
-    """All reports in one of ``FORMATS``."""
+    """All reports as ``text``, ``json``, ``sarif`` or ``github``."""
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1, ensure_ascii=False)
@@ -99,8 +98,7 @@ def _github(report: Report) -> Iterator[str]:
         finding = group[0]
         element = finding.element
         place = f"file={element.file},line={element.line}," if element else f"file={report.target},"
-        advice = f" {finding.advice}" if finding.advice else ""
-        said = f"{sentence(group)}.{advice}".replace("%", "%25").replace("\n", "%0A")
+        said = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
         yield f"::{LEVELS[finding.severity]} {place}title=newton-lint {finding.rule}::{said}"
 
 
@@ -110,7 +108,7 @@ def _sarif(reports: Sequence[Report]) -> dict:
         {
             "ruleId": group[0].rule,
             "level": group[0].severity,
-            "message": {"text": sentence(group) + (f". {group[0].advice}" if group[0].advice else "")},
+            "message": {"text": _with_advice(group)},
             "locations": [_location(group[0], report)],
         }
         for report in reports
@@ -120,6 +118,10 @@ def _sarif(reports: Sequence[Report]) -> dict:
     run = {"tool": {"driver": {"name": "newton-lint", "rules": rules}}, "results": results}
     schema = "https://json.schemastore.org/sarif-2.1.0.json"
     return {"$schema": schema, "version": "2.1.0", "runs": [run]}
+
+
+def _with_advice(group: Sequence[Finding]) -> str:
+    return f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
 
 
 def _location(finding: Finding, report: Report) -> dict:

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from newton_lint.command import CLEAN, Parser, add_work, positive
+from newton_lint.command import CLEAN, Parser, add_work, engine_of, positive, work_of
 from newton_lint.findings import alike
-from newton_lint.hold import SETTLE_S, Hold, Work
+from newton_lint.hold import Hold
 from newton_lint.output import LEAST_MM_S, rated, sentence
 from newton_lint.prediction import Load, predictions
 from newton_lint.prescribe import BELOW_MM_S, Prescription, Trial, changes_of, prescribed, touched, with_setting
 from newton_lint.report import Asked, Report, report_of, scene_of
-from newton_lint.scene import Engine, Scene
+from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError, read_target
 
 NEEDS_GENERATOR = "a page takes measured-report: pip install 'newton-lint[page]'"
@@ -27,7 +27,8 @@ PICTURE = (480, 640)
 
 
 def main(arguments: Sequence[str]) -> int:
-    made = Parser(prog="newton-lint page", description=__doc__)
+    about = "Write a page of a scene: what holds what, predicted creep, what was tried, and the findings."
+    made = Parser(prog="newton-lint page", description=about)
     made.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model")
     made.add_argument("-o", "--out", type=Path, default=Path("page"), metavar="FOLDER", help="default: page")
     made.add_argument("--load", type=positive, default=1.0, metavar="N", help="on each contact point; default: 1")
@@ -53,8 +54,7 @@ def write(target: Target, given: argparse.Namespace, folder: Path) -> Path:
         from measured_report.pages.prose import LAYOUT
     except ImportError as error:
         raise TargetError(NEEDS_GENERATOR) from error
-    engine = Engine(given.engine or "mujoco", given.dt, given.cone, given.impratio)
-    work = Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
+    engine, work = engine_of(given, {}), work_of(given)
     scene = scene_of(target, engine)
     bound = given.below or BELOW_MM_S
     found = prescribed(scene, target, work, bound) if work else None
@@ -90,11 +90,9 @@ def _pictures(name: str, draw: Any, *given: Any) -> Any:
     """A figure for broad screens and for narrow ones."""
     from markupsafe import Markup
 
-    from measured_report.parts.figures import draw_svg
+    from measured_report.parts.figures import draw_svgs
 
-    kinds = (("", False), ("narrow-", True))
-    svgs = (draw_svg(lambda: draw(*given), name=f"{kind}{name}", is_narrow=narrow) for kind, narrow in kinds)
-    return Markup("").join(svgs)
+    return Markup("").join(draw_svgs(lambda: draw(*given), name=name))
 
 
 def _bars(scene: Scene, report: Report, best: Trial | None, found: Prescription | None):
@@ -192,44 +190,21 @@ def _rendered(scene: Scene, target: Target) -> bytes:
 
 def _outlines(scene: Scene):
     """Boxes around the geoms that can collide, from above and from the side."""
-    from matplotlib.patches import Polygon
-
     from measured_report.parts.figures import new_figure
 
     model, data = scene.model, scene.posed
     drawing, panels = new_figure(height=3.2, ncols=2)
     corners = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    edges = [(one, one | bit) for one in range(8) for bit in (1, 2, 4) if not one & bit]
     for geom in np.flatnonzero((model.geom_contype | model.geom_conaffinity) & (model.geom_rbound > 0)):
         centre, half = model.geom_aabb[geom].reshape(2, 3)
         points = data.geom_xpos[geom] + (centre + corners * half) @ data.geom_xmat[geom].reshape(3, 3).T
         for axes, plane in zip(panels, ((0, 1), (0, 2)), strict=True):
-            outline = _hull(points[:, plane])
-            axes.add_patch(Polygon(outline, fill=bool(model.geom_bodyid[geom]), alpha=0.35))
-            axes.update_datalim(outline)
+            style = "-" if model.geom_bodyid[geom] else ":"
+            axes.plot(*points[:, plane][np.array(edges)].T, color="C0", linestyle=style, marker="", linewidth=1.0)
     for axes, label in zip(panels, ("y [m]", "z [m]"), strict=True):
-        axes.autoscale_view()
         axes.set_aspect("equal", adjustable="datalim")
         axes.set(xlabel="x [m]", ylabel=label)
     panels[0].set_title("from above")
     panels[1].set_title("from the side")
     return drawing
-
-
-def _hull(points: np.ndarray) -> np.ndarray:
-    """Corners of the convex hull of points in a plane, in their order around it."""
-
-    def chain(ordered: np.ndarray) -> list[np.ndarray]:
-        kept: list[np.ndarray] = []
-        for point in ordered:
-            while len(kept) > 1 and _turn(kept[-2], kept[-1], point) <= 0.0:
-                kept.pop()
-            kept.append(point)
-        return kept[:-1]
-
-    ordered = points[np.lexsort(points.T[::-1])]
-    return np.array([*chain(ordered), *chain(ordered[::-1])])
-
-
-def _turn(first: np.ndarray, second: np.ndarray, third: np.ndarray) -> float:
-    (ax, ay), (bx, by) = second - first, third - first
-    return float(ax * by - ay * bx)

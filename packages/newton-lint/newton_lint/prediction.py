@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from newton_lint.creep import M, clamped, response
+from newton_lint.creep import M, clamped
 from newton_lint.hits import alike
-from newton_lint.law import Contact, Option, response_of, solref_taken
+from newton_lint.law import STEP_SHARE, Contact, Option, response_of
 from newton_lint.scene import Scene
 
 
@@ -80,13 +80,11 @@ def predicted(
     contact: Contact, option: Option, load: Load, pairs: Sequence[tuple[str, str]], is_free: bool = False
 ) -> Prediction | None:
     """The creep of one contact; None where nothing damps it."""
-    own = contact.solreffriction if any(contact.solreffriction) and option.cone == "elliptic" else contact.solref
     dmax = clamped(contact.solimp[1])
-    deep = response_of(contact, option)
+    deep, shallow = response_of(contact, option), response_of(contact, option, clamped(contact.solimp[0]))
     if not math.isfinite(deep.acceleration_s):
         return None
-    shallow = response_of(contact, option, clamped(contact.solimp[0]))
-    inverse_b = response(solref_taken(own), dmax, option.timestep_s if option.refsafe and not option.discrete else 0.0)
+    inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
     loads = sorted(M * each.slide_m_s(load.load_n) for each in (deep, shallow))
     return Prediction(
         pairs=tuple(pairs),

@@ -64,7 +64,8 @@ def report_of(target: Target, asked: Asked) -> Report:
     found = lint(scene) + (hold.findings(scene, asked.below_mm_s) if hold else [])
     if asked.work and not hold:
         told = ("slides", asked.work.body, (), "settle", asked.work.settle_s, None, "s")
-        found.append(Finding(*told, "nothing touches it at the end of it: it was never held", "error"))
+        message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
+        found.append(Finding(*told, message, "error"))
     if asked.engine.name == "newton" and target.path:
         found += newtons(target.name, "newton_lint.of_newton.dropped", "dropped", scene, target)
     return Report(
@@ -82,7 +83,8 @@ def report_of(target: Target, asked: Asked) -> Report:
 
 
 def scene_of(target: Target, engine: Engine | None = None) -> Scene:
-    return Scene(target.model, Source.of(target.path, target.model), engine or Engine())
+    engine = engine or Engine()
+    return Scene(engine.asked(target.model), Source.of(target.path, target.model), engine)
 
 
 def as_json(report: Report) -> dict[str, Any]:

@@ -1,12 +1,13 @@
 """A scene as the rules read it: a compiled model, its pairs, what the engine makes of them, and where it is written."""
 
-from dataclasses import dataclass, replace
+import copy
+from dataclasses import dataclass
 from functools import cached_property
 
 import mujoco
 import numpy as np
 
-from newton_lint.combined import Contacts, contacts_of, option_of
+from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
 from newton_lint.source import Source
 
@@ -25,6 +26,17 @@ class Engine:
     cone: str | None = None
     impratio: float | None = None
 
+    def asked(self, model: mujoco.MjModel) -> mujoco.MjModel:
+        """A model with what is asked for in place of what the scene says."""
+        if (self.timestep_s, self.cone, self.impratio) == (None, None, None):
+            return model
+        model = copy.copy(model)
+        opt = model.opt
+        opt.timestep = self.timestep_s or opt.timestep
+        opt.cone = CONES.index(self.cone) if self.cone else opt.cone
+        opt.impratio = self.impratio or opt.impratio
+        return model
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -36,9 +48,7 @@ class Scene:
 
     @cached_property
     def option(self) -> Option:
-        engine = self.engine
-        asked = {"timestep_s": engine.timestep_s, "cone": engine.cone, "impratio": engine.impratio}
-        return replace(option_of(self.model), **{name: value for name, value in asked.items() if value is not None})
+        return option_of(self.model)
 
     @cached_property
     def contacts(self) -> Contacts:

@@ -13,6 +13,8 @@ from newton_lint.pairs import OFF, collidable
 from newton_lint.scene import Scene
 
 WARP_SOLVERS = (int(mujoco.mjtSolver.mjSOL_CG), int(mujoco.mjtSolver.mjSOL_NEWTON))
+STEEP = 3.0
+"""Friction from which a body sinks into a pyramid's contacts by its own weight: by 2 mm at 3, by 100 mm at 8."""
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
@@ -21,13 +23,14 @@ def lost(scene: Scene) -> Iterator[Finding]:
     model, contacts = scene.model, scene.contacts
     weld = model.body_weldid[model.geom_bodyid]
     collides = (model.geom_contype | model.geom_conaffinity) != 0
-    met = np.unique(weld[np.append(contacts.first, contacts.second)])
-    roots = np.unique(weld[collides & scene.free[model.geom_bodyid]])
+    met, loose = np.zeros(model.nbody, dtype=bool), np.zeros(model.nbody, dtype=bool)
+    met[weld[contacts.first]] = met[weld[contacts.second]] = True
+    loose[weld[collides & scene.free[model.geom_bodyid]]] = True
     falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & WEIGHTLESS
     stops = bool((collides & ~scene.free[model.geom_bodyid]).any())
     off = bool(model.opt.disableflags & OFF)
     why = 'contacts are disabled by <flag contact="disable"/>' if off else "no geom's bits meet those of its geoms"
-    for body in np.setdiff1d(roots, met).tolist() if falls and stops else ():
+    for body in np.flatnonzero(loose & ~met).tolist() if falls and stops else ():
         index = int(np.flatnonzero(collides & (weld == body))[0])
         value = float(model.geom_contype[index])
         message = f"meets no geom of another body, and falls through all of them: {why}"
@@ -49,8 +52,10 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
         message = "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart"
         yield _whole(scene, "pyramid", "impratio", option.impratio, None, message, advice)
     if steepest > 1.0:
-        message = "softens a pyramid's contacts by μ² (1 + μ²) / 2, so that they sink and creep more"
-        yield _whole(scene, "pyramid", "friction", steepest, None, message, advice, "note")
+        softer = 0.5 * steepest**2 * (1.0 + steepest**2)
+        message = f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more"
+        severity = "warning" if steepest > STEEP else "note"
+        yield _whole(scene, "pyramid", "friction", steepest, None, message, advice, severity)
 
 
 def named_pairs(scene: Scene) -> Iterator[Finding]:

@@ -47,6 +47,13 @@ OTHER_CONTACTS = {
 """The whole cure with other contacts than Newton's and with another cone."""
 Bounds = tuple[Value, Value]
 """Up to which remainder the budget closes: in mm, and in percent of the slip."""
+COUNTED: dict[str, tuple[str, Callable[..., bool]]] = {
+    "closed": ("remainder is below either bound", lambda rest, slip, least, most: rest <= max(least, most * slip)),
+    "open": ("remainder is above both bounds", lambda rest, slip, least, most: rest > max(least, most * slip)),
+    "relative": ("remainder is below its share of the slip", lambda rest, slip, least, most: rest <= most * slip),
+    "little": ("slip is no more than twice the absolute bound", lambda rest, slip, least, most: slip <= 2.0 * least),
+}
+"""Runs that are counted, told of remainder, slip and both bounds [mm, mm, mm, share of the slip]."""
 
 
 def derive(results: Results) -> Section:
@@ -57,7 +64,10 @@ def derive(results: Results) -> Section:
     runs = [row for row in results.rows if row.kind == "run"]
     kept = [row for row in runs if row.slip_mm.value is not None and row.slip_mm.value < GRASP_MM]
     closes = _budget_closes(results, kept, (least, most))
-    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")}
+    formula, cells = "runs whose slip and predicted slip differ in size by no more than either bound", (least, most)
+    cells += tuple(cell for row in kept for cell in (row.predicted_slip_mm, row.slip_mm))
+    alike = results.value("alike_count", formula, _alike_count, *cells)
+    numbers = {name: closes.numbers[name] for name in ("count", "closed", "least", "most")} | {"alike": alike}
     return Section(
         tables={"use": use_table(results), "budget": _budget_table(results)},
         figures={
@@ -93,12 +103,7 @@ def _each_takes_its_part(results: Results) -> Claim:
 def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:
     """Tell whether the parts add up to the slip, and in how many runs the absolute tolerance is what lets them."""
     numbers = {"count": _run_count(results, "kept_count", kept)}
-    for name, formula, is_so in (
-        ("closed", "runs whose remainder is below either bound", _closes),
-        ("relative", "runs whose remainder is below its share of the slip", _closes_by_share),
-        ("little", "runs whose slip is no more than twice the absolute bound", _is_little),
-    ):
-        numbers[name] = _count_of(results, f"{name}_count", formula, is_so, kept, bounds)
+    numbers |= {name: _count_of(results, name, kept, bounds) for name in ("closed", "relative", "little")}
     closed, count = numbers["closed"], numbers["count"]
     part = share(results, "closed_share", "of the runs that keep the cube, those of them", closed, count)
     numbers |= {"share": part, "least": bounds[0], "most": bounds[1]}
@@ -152,42 +157,28 @@ def _with_other_contacts(results: Results) -> Iterator[Claim]:
 def _rest_is_far_shake(results: Results, kept: Sequence[Row], bounds: Bounds, amplitude: Value) -> Claim:
     """Tell whether most runs of which the budget lacks something are those of soft pads in the widest shake."""
     far = [row for row in kept if (row.pads, row.shake) == ("shipped", "10cm")]
-    formula = "runs whose remainder is above both bounds"
-    every = _count_of(results, "open_count", formula, _stays_open, kept, bounds)
-    soft = _count_of(
-        results, "open_soft_count", f"{formula}, shipped pads in the widest shake", _stays_open, far, bounds
-    )
+    every, soft = _count_of(results, "open", kept, bounds), _count_of(results, "open", far, bounds, "soft")
     part = share(results, "open_soft_share", "of all runs of which it does not close", soft, every)
     largest = extreme(results, "remainder_most", "largest remainder", max, [row.remainder_mm for row in kept])
     numbers = {"soft": soft, "every": every, "amplitude": amplitude, "largest": largest}
     return Claim("rest_is_far_shake", at_least(part, 50.0, why="most of them"), numbers)
 
 
-def _closes(remainder: float, slip: float, least: float, most: float) -> bool:
-    return remainder <= max(least, most * slip)
+def _alike_count(least: float, most: float, *found: float) -> int:
+    pairs = zip(found[::2], found[1::2], strict=True)
+    return sum(abs(predicted - slip) <= max(least, 0.01 * most * slip) for predicted, slip in pairs)
 
 
-def _stays_open(remainder: float, slip: float, least: float, most: float) -> bool:
-    return not _closes(remainder, slip, least, most)
-
-
-def _closes_by_share(remainder: float, slip: float, least: float, most: float) -> bool:
-    return remainder <= most * slip
-
-
-def _is_little(remainder: float, slip: float, least: float, most: float) -> bool:
-    return slip <= 2.0 * least
-
-
-def _count_of(results: Results, name: str, formula: str, is_so: Callable, runs: Sequence[Row], bounds: Bounds) -> Value:
-    """Count the runs of which that is so, told of remainder, slip and both bounds [mm, mm, mm, share of the slip]."""
+def _count_of(results: Results, what: str, runs: Sequence[Row], bounds: Bounds, of: str = "") -> Value:
+    """Count the runs of which what ``COUNTED`` names is so; ``of`` tells them from all others in the value's name."""
+    formula, is_so = COUNTED[what]
 
     def count(least: float, most: float, *found: float) -> int:
         pairs = zip(found[::2], found[1::2], strict=True)
         return sum(is_so(remainder, slip, least, 0.01 * most) for remainder, slip in pairs)
 
     cells = (cell for row in runs for cell in (row.remainder_mm, row.slip_mm))
-    return results.value(name, formula, count, *bounds, *cells)
+    return results.value("_".join(filter(None, (what, of, "count"))), f"runs whose {formula}", count, *bounds, *cells)
 
 
 def _run_count(results: Results, name: str, runs: Sequence[Row]) -> Value:
@@ -219,8 +210,8 @@ def _draw_budget(runs: Sequence[Row], least: float, most: float) -> Drawing:
     """The slip of each run over what is predicted of it, and in a band what counts as the same."""
     drawing, axes = new_figure(7.2, 4.4)
     line = np.geomspace(0.002, GRASP_MM, 60)
-    margin = np.maximum(least, most * line)
-    axes.fill_between(line, np.maximum(line - margin, 1e-4), line + margin, color=FAINT, linewidth=0.0, alpha=0.6)
+    low, high = np.minimum(line - least, line / (1.0 + most)), np.maximum(line + least, line / (1.0 - most))
+    axes.fill_between(line, np.maximum(low, 1e-4), high, color=FAINT, linewidth=0.0, alpha=0.6)
     axes.plot(line, line, color=INK, linewidth=0.8, marker="")
     looks = {"shipped": (colours.SHIPPED, "o"), "stiff": (colours.STIFF, "s")}
     for (pads, (colour, marker)), is_far in product(looks.items(), (False, True)):

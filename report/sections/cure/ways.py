@@ -66,7 +66,9 @@ def what_to_use(results: Results, amplitude: Value) -> Claim:
     """
     noise, slips = noise_floor(results, "slip_floor"), {way: way.row(results, "3cm").slip_mm for way in WAYS}
     far = BEST.row(results, "10cm").slip_mm
-    slower, unseen = (other_value(results, "cure_cost", f"best_{name}", unit="%") for name in ("beyond", "unseen"))
+    slower, worst, unseen = (
+        other_value(results, "cure_cost", f"best_{name}", unit="%") for name in ("beyond", "worst", "unseen")
+    )
     lost, kept = (other_value(results, "cure_limits", f"{name}_{BEST.tested}") for name in ("lost", "kept"))
     part = share(
         results, "lost_share", "runs that lose the cube with the whole cure, of those that keep it", lost, kept
@@ -81,7 +83,8 @@ def what_to_use(results: Results, amplitude: Value) -> Claim:
     )
     numbers = {"slip": slips[BEST], "shipped": slips[SHIPPED], "term": slips[TERM], "far": far, "amplitude": amplitude}
     is_tied = more.value is not None and noise.value is not None and more.value >= -noise.value
-    return Claim("what_to_use", outcome, numbers | {"lost": lost, "kept": kept, "unseen": unseen, "is_tied": is_tied})
+    numbers |= {"lost": lost, "kept": kept, "unseen": unseen, "worst": worst, "is_tied": is_tied}
+    return Claim("what_to_use", outcome, numbers | {"is_slower": slower.value is not None and slower.value > 0.0})
 
 
 def less_untested(results: Results, runs: Sequence[Row]) -> Claim:

@@ -23,7 +23,6 @@ from report.sections.error_runtime.runs import (
     with_shipped_steps,
 )
 from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share
-from report.shared.timing import widest
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -52,9 +51,11 @@ def _c_is_cheapest(points: Points) -> Claim:
     warp, c = points.cell(SHIPPED, TIME), points.cell(SHIPPED_C, TIME)
     gain = ratio(points.results, "c_gain", "run time in Warp over that in C, settings as shipped", warp, c)
     compared = [row[column] for row in points.settings if row.case in points.backend_front for column in (ERROR, TIME)]
-    edges = [points.cell(case, f"{TIME}_{edge}") for case in (SHIPPED, SHIPPED_C) for edge in ("p5", "p95")]
-    formula = "largest of the ranges from the 5th to the 95th percentile of the run time"
-    is_faster = greater(warp, c, noise=points.results.value("engine_time_range", formula, widest, *edges, unit="ms/s"))
+    formula, seen = "resolution of their ratio, of the run time in C", points.cell(SHIPPED_C, "ratio_resolution")
+    noise = points.results.value(
+        "engine_time_seen", formula, lambda c, seen: c * seen, c, seen, unit="ms/s", is_noise=True
+    )
+    is_faster = greater(warp, c, noise=noise)
     outcome = all_of(decided(not others, *compared), is_faster)
     if not front:
         outcome = Outcome("unknown", "no run counts").having_read(*compared)

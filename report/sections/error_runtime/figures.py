@@ -6,7 +6,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, say_value, write
+from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure, say_value, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 from report.sections.error_runtime.runs import ENGINES, ERROR, GRASP, PADS, TIME, Points, counts
@@ -115,7 +115,8 @@ def draw_worlds(
     if there:
         colour = COLOURS[rows[0].backend]
         axes.plot(*zip(*there, strict=True), color=colour, markevery=1)
-        axes.annotate(engine, there[-2:][0], xytext=(-8, 6), ha="right", color=colour, **name)
+        said = engine.replace(" on ", "\non ") if is_narrow() else engine  # clear of the crossover's line
+        axes.annotate(said, there[-2:][0], xytext=(-8, 6), ha="right", color=colour, **name)
     if one_core.value is not None:
         colour, start = COLOURS["mujoco-c"], (counts[-1], one_core.value)
         axes.axhline(one_core.value, color=colour, linestyle="--", marker="")

@@ -10,6 +10,7 @@ from measured_report.values.results import Row
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import ENGINES, TIME, Points
 from report.shared.arithmetic import ratio
+from report.shared.timing import resolutions
 
 
 def derive_worlds(points: Points) -> tuple[Figure, Claim]:
@@ -33,7 +34,8 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     engine = ENGINES[rows[0].backend]
     said = (Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True))
     claim = _crossover_claim(points, engine, one_core, rates, crossover)
-    numbers = {"rates": Markup("; ").join(said), "crossover": crossover, "engine": engine}
+    worst = resolutions(results, "worlds_resolution", rows)
+    numbers = {"rates": Markup("; ").join(said), "resolution": worst, "crossover": crossover, "engine": engine}
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),
         sources=[*rates, one_core],
@@ -42,15 +44,13 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     return figure, claim
 
 
-def _rate_range(points: Points, name: str, row: Row) -> Value:
-    """Derive how far apart the speeds of one core or of these worlds are, the larger of the two [world-s/s]."""
+def _rate_seen(points: Points, name: str, row: Row, rate: Value) -> Value:
+    """Derive what difference to the speed of one core would be seen with these worlds [world-s/s]."""
+    formula = "resolution of the ratio of its time to that of one core, of the speed with these worlds"
+    seen = points.cell(row.case, "ratio_resolution")
+    sources = rate, seen
     return points.results.value(
-        f"{name}_rate_range",
-        "larger of the ranges from the 5th to the 95th percentile of the speed, with these worlds and on one core",
-        lambda worlds, *edge: max(1e3 * worlds * (1 / edge[0] - 1 / edge[1]), 1e3 * (1 / edge[2] - 1 / edge[3])),
-        *(row.worlds, row[f"{TIME}_p5"], row[f"{TIME}_p95"]),
-        *(points.cell("one-core", f"{TIME}_{edge}") for edge in ("p5", "p95")),
-        unit="world-s/s",
+        f"{name}_rate_seen", formula, lambda rate, seen: rate * seen, *sources, unit=rate.unit, is_noise=True
     )
 
 
@@ -72,8 +72,8 @@ def _crossover_claim(points: Points, engine: str, one_core: Value, rates: list[V
     gain = ratio(points.results, "worlds_gain", formula, last, one_core)
     is_ahead = [None not in (rate.value, one_core.value) and rate.value >= one_core.value for rate in rates]
     outcome = all_of(
-        greater(one_core, first, noise=_rate_range(points, "first", points.worlds[0])),
-        greater(last, one_core, noise=_rate_range(points, "last", points.worlds[-1])),
+        greater(one_core, first, noise=_rate_seen(points, "first", points.worlds[0], first)),
+        greater(last, one_core, noise=_rate_seen(points, "last", points.worlds[-1], last)),
         contiguous(is_ahead, *rates, one_core),
     )
     numbers = {"advantage": advantage, "engine": engine, "crossover": crossover, "gain": gain}

@@ -13,7 +13,7 @@ from report.names import cases_html
 from report.sections.leave_out.tables import audit_table, cost_figure, cost_table
 from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
 from report.shared.arithmetic import DEVICES, difference, extreme, largest_size, noise_floor, ratio
-from report.shared.timing import cell, frame_spread
+from report.shared.timing import cell, ratio_cell, resolution, resolutions
 
 order = 150
 page = "cost"
@@ -43,7 +43,7 @@ def derive(results: Results) -> Section:
         if key[1] not in (REFERENCE, BASELINE) and (key[0], key[2]) in panels
     }
     return Section(
-        tables={"audit": audit_table(results), "cost": cost_table(timed, differences)},
+        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, _resolutions(results, timed))},
         figures={"cost": cost_figure(timed, panels)},
         claims=[
             _faster_on_gpu(results, timed, faster),
@@ -57,17 +57,23 @@ def derive(results: Results) -> Section:
     )
 
 
+def _resolutions(results: Results, timed: Timed) -> dict[str, Value]:
+    """Derive by device to within what its ratios are known."""
+    return {
+        device: resolutions(results, f"{device}_resolution", (row for key, row in timed.items() if key[0] == device))
+        for device in DEVICES
+    }
+
+
 def _gain(results: Results, timed: Timed, device: str, worlds: int) -> Value:
     """Derive how many times as fast the scene is with all left out."""
-    rows = {case: timed.get((device, case, worlds)) for case in (REFERENCE, ALL)}
-    where = f"in a batch of {worlds} on a {DEVICES[device]}"
-    times = (cell(results, row, "frame_ms", f"{case} {where}") for case, row in rows.items())
-    formula = "time of a frame exactly as shipped over that without all that is unneeded"
-    return ratio(results, f"{device}_gain_{worlds}", formula, *times)
+    formula = "time of a frame exactly as shipped over that without all that is unneeded, timed in turn"
+    taken = ratio_cell(results, timed.get((device, ALL, worlds)))
+    return results.value(f"{device}_gain_{worlds}", formula, lambda taken: 1 / taken, taken)
 
 
 def _faster_on_gpu(results: Results, timed: Timed, faster: Faster) -> Claim:
-    """Tell whether it is faster both with one world and with the most, by more than frames of one run spread."""
+    """Tell whether it is faster both with one world and with the most, by more than the resolution."""
     one, many = (_gain(results, timed, "cuda", worlds) for worlds in (1, MANY_COUNT))
     outcome = all_of(*(faster.get(("cuda", ALL, worlds), NOT_TIMED) for worlds in (1, MANY_COUNT)))
     row = timed.get(("cuda", ALL, MANY_COUNT))
@@ -135,11 +141,12 @@ def _each_helps(results: Results, faster: Faster) -> Claim:
 
 
 def _is_faster(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Outcome:
-    """Tell whether a frame is faster than exactly as shipped, by more than frames of one run spread."""
-    rows = [timed.get((device, name, worlds)) for name in (REFERENCE, case)]
-    before, after = (cell(results, row, "frame_ms", f"{REFERENCE} or {case}") for row in rows)
-    spread = frame_spread(results, f"{device}_{case}_{worlds}_spread".replace("-", "_"), *rows)
-    return greater(before, after, noise=spread)
+    """Tell whether a frame is faster than exactly as shipped, by more than the resolution of the ratio."""
+    row, name = timed.get((device, case, worlds)), f"{device}_{case}_{worlds}".replace("-", "_")
+    formula = "what a frame takes less than exactly as shipped"
+    saved = results.value(f"{name}_saved", formula, lambda taken: 100 * (1 - taken), ratio_cell(results, row), unit="%")
+    none = results.chosen(f"{name}_none", "as fast", 0.0, unit="%")
+    return greater(saved, none, noise=resolution(results, f"{name}_resolution", row))
 
 
 def _same_bits(results: Results, runs: Runs) -> Claim:

@@ -1,5 +1,6 @@
 """The tables and the figure of what each thing left out costs and changes."""
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -36,7 +37,7 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value]) -> Table:
+def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value], resolutions: Mapping[str, Value]) -> Table:
     """Make a line for each case, with its times and changes by device."""
     names = list(dict.fromkeys(case for _, case, _ in timed))
     places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
@@ -48,12 +49,15 @@ def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value]) -> Ta
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    return table_of("case", map(case_html, names), columns)
+    on_cuda, on_cpu = (resolutions[device] for device in DEVICES)
+    return table_of("case", map(case_html, names), columns, on_cuda=on_cuda, on_cpu=on_cpu)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
-    """Show each device with the most worlds that it was timed with."""
-    shown = list({device: (device, worlds) for device, worlds in sorted(panels, key=lambda panel: panel[1])}.values())
+    """Show each device with the number of worlds that most cases were timed with, the largest of such."""
+    count = Counter((device, worlds) for (device, _, worlds), row in timed.items() if row.frame_ms.value is not None)
+    most = dict(sorted(panels, key=lambda panel: (count[panel], panel[1])))
+    shown = [(device, most[device]) for device in DEVICES if device in most]
     ends = {
         (*panel, case): cell_or_absent(timed.get((panel[0], case, panel[1])), "frame_ms", "ms")
         for panel in shown
@@ -79,6 +83,8 @@ def _draw_cost(timed: Timed, panels: Sequence[tuple[str, int]]) -> Drawing:
             row = timed.get((device, case, worlds))
             if whole and row and row.frame_ms.value is not None:
                 _draw_time(axes, place, row, whole)
+            else:
+                say_value(axes, 0.0, place, "not timed")
         axes.axvline(100, color=INK, linewidth=1, linestyle="--")
         axes.set_xlim(0, 1.15 * axes.get_xlim()[1])
         axes.set_title(f"{DEVICES[device]}\n{worlds_name(worlds)}")

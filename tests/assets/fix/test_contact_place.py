@@ -24,11 +24,14 @@ GEOMS = {
     "cylinder": 'type="cylinder" size="0.1 0.12"',
     "box": 'type="box" size="0.1 0.13 0.16"',
     "mesh": 'type="mesh" mesh="block"',
+    "hfield": 'type="hfield" hfield="slope" pos="0.5 0.2 0" margin="0"',  # with a margin, cells nearby come and go
 }
+SLOPE = np.array((-0.1, 0.0, 1.0)) / np.hypot(0.1, 1.0)
 CORNERS = " ".join(f"{x} {y} {z}" for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1))
 BY_FORMULA = [("plane", other) for other in ("sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh")]
 BY_FORMULA += [("sphere", other) for other in ("sphere", "capsule", "cylinder", "box")]
 BY_FORMULA += [("capsule", "capsule"), ("capsule", "box")]
+BY_FORMULA += [("hfield", other) for other in ("sphere", "capsule", "ellipsoid")]
 BY_SEARCH = [("sphere", "ellipsoid"), ("sphere", "mesh"), ("capsule", "ellipsoid")]
 BY_SEARCH += [("capsule", "cylinder"), ("ellipsoid", "ellipsoid"), ("ellipsoid", "cylinder"), ("ellipsoid", "box")]
 BY_SEARCH += [("cylinder", "cylinder"), ("cylinder", "box")]
@@ -40,13 +43,15 @@ KINDS = [(cone, dim) for cone in ("elliptic", "pyramidal") for dim in (1, 3, 4, 
 
 def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
     """Two bodies in space, or one at a tilted plane."""
-    joint, tilt = ("", 'euler="20 30 10"') if first == "plane" else ("<freejoint/>", "")
+    joint, tilt = ("", 'euler="20 30 10"') if first in ("plane", "hfield") else ("<freejoint/>", "")
+    margin = 0.0 if first == "hfield" else 0.1
     return mujoco.MjModel.from_xml_string(f"""<mujoco>
       <option cone="{cone}" gravity="0 0 0" ccd_tolerance="1e-12" ccd_iterations="500">
         <flag multiccd="disable"/>
       </option>
-      <default><geom margin="0.1"/></default>
+      <default><geom margin="{margin}"/></default>
       <asset>
+        <hfield name="slope" nrow="4" ncol="4" size="5 5 1 0.5" elevation="{" ".join(["0 1 2 3"] * 4)}"/>
         <mesh name="block" vertex="{CORNERS}"/>
       </asset>
       <worldbody>
@@ -109,6 +114,8 @@ def rates(model: mujoco.MjModel, data: mujoco.MjData, step_s: float) -> np.ndarr
 
 def is_corner(kind: int, out: np.ndarray) -> bool:
     """Whether a geom with this normal, in its own frame, is touched at an edge or a corner."""
+    if kind == mujoco.mjtGeom.mjGEOM_HFIELD:
+        return abs(out @ SLOPE) < 1.0 - 1e-6
     if kind == contact_place_c.CYLINDER:
         return 1e-6 < abs(out[2]) < 1.0 - 1e-6
     return kind in (contact_place_c.BOX, mujoco.mjtGeom.mjGEOM_MESH) and np.abs(out).max() < 1.0 - 1e-6
@@ -120,6 +127,8 @@ def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
     normals = [data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3] for geom in contact.geom]
     kinds = model.geom_type[contact.geom]
     corners = [is_corner(*each) for each in zip(kinds, normals, strict=True)]
+    if kinds[0] == mujoco.mjtGeom.mjGEOM_HFIELD and corners[0]:
+        return False
     return not all(corners) and not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
 
 
@@ -171,23 +180,23 @@ def test_the_kernel_adds_what_the_twin_adds(cone):
                 assert np.linalg.norm(found - wanted) <= 1e-3 * np.linalg.norm(wanted)
 
 
-BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitfast"/><worldbody>
+BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="{integrator}"/><worldbody>
   <geom type="plane" size="5 5 1"/><body pos="0 0 0.03"><freejoint/><geom type="sphere" size="0.03" mass="0.2"/></body>
 </worldbody></mujoco>"""
 STEP_COUNT = 500
 
 
-def ball() -> tuple[mujoco.MjModel, mujoco.MjData]:
+def ball(integrator: str = "implicitfast") -> tuple[mujoco.MjModel, mujoco.MjData]:
     """A ball that rolls at 1 m/s and spins at 20 rad/s."""
-    model = mujoco.MjModel.from_xml_string(BALL)
+    model = mujoco.MjModel.from_xml_string(BALL.format(integrator=integrator))
     data = mujoco.MjData(model)
     data.qvel[:] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
     mujoco.mj_forward(model, data)
     return model, data
 
 
-def in_c(control) -> np.ndarray:
-    model, data = ball()
+def in_c(control, *integrator: str) -> np.ndarray:
+    model, data = ball(*integrator)
     mujoco.set_mjcb_control(control)
     try:
         mujoco.mj_step(model, data, STEP_COUNT)
@@ -220,4 +229,14 @@ def test_a_ball_that_rolls_and_spins_goes_straight_and_no_deeper():
         assert abs(place[1]) <= 0.5e-3
         assert abs(place[2] - before[2]) <= 0.1e-3
     points = in_c(lambda model, data: contact_bias_c.subtract_bias(model, data))
+    assert abs(points[1]) > 10e-3
+
+
+def test_with_rk4_the_ball_goes_straight_too():
+    exact, points = (
+        in_c(lambda model, data, subtract=module.subtract_bias: subtract(model, data, normal=True), "RK4")
+        for module in (contact_place_c, contact_bias_c)
+    )
+    assert abs(exact[1]) <= 0.05e-3
+    assert abs(exact[2] - in_c(None, "RK4")[2]) <= 0.01e-3
     assert abs(points[1]) > 10e-3

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import envelope, leave_out, repeatable, reproduction, scaling
+from experiments import envelope, repeatable, reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
-from experiments.leave_out import time_cases
-from experiments.simulation import simulation
+from experiments.simulation import comparing, simulation
+from experiments.simulation.comparing import TIMED, Pilot, time_cases
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason, in_the_shake, put_in_state_of
@@ -41,20 +41,24 @@ def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(pilot):
     assert batch_invalid_reason(two) is None
 
 
-def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(pilot):
-    found = time_cases([AS_SHIPPED, SMALL], 2, pilot, repeat_count=2)
+def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
+    cpu = wp.get_device("cpu")
+    found = time_cases([AS_SHIPPED, SMALL], 2, cpu, cap_s=0.0)
     assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
-    assert [found["small"][name] for name in leave_out.TIMED] == [None] * len(leave_out.TIMED)
+    assert [found["small"][name] for name in TIMED] == [None] * len(TIMED)
     assert found["small"]["frame_ms_reason"] == OVERFLOW
+    found = time_cases([SMALL, AS_SHIPPED], 2, cpu, cap_s=0.0)
+    assert found["small"]["frame_ms"] is None and found["as-shipped"]["frame_ms"] > 0.0
+    assert found["as-shipped"]["frame_ratio_reason"] == "what it is compared with has no time here"
 
 
 @pytest.mark.slow
 def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch):
-    pilot = in_the_shake(FIXED, wp.get_device("cpu"))
-    assert scaling.time_worlds(pilot, 1, pilot.device)["frame_ms"] > 0.0
+    pilot = Pilot([FIXED], wp.get_device("cpu"))
+    assert scaling.time_worlds(pilot, 1)["frame_ms"] > 0.0
     monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
-    row = scaling.time_worlds(pilot, 1, pilot.device)
-    assert [row[name] for name in (*scaling.FRAMES, *scaling.STEPS)] == [None] * 7
+    row = scaling.time_worlds(pilot, 1)
+    assert all(row[name] is None for name in (*scaling.ABSENT, *scaling.STEPS))
     assert row["world_substeps_per_s_reason"] == OVERFLOW
 
 
@@ -97,12 +101,13 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
     return Refusing
 
 
-def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, pilot):
-    monkeypatch.setattr(leave_out, "Simulation", refusing(NO_MEMORY))
-    assert time_cases([AS_SHIPPED], 1, pilot, 2)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
-    monkeypatch.setattr(leave_out, "Simulation", refusing(DEVICE_FAULT))
+def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch):
+    cpu = wp.get_device("cpu")
+    monkeypatch.setattr(comparing, "Simulation", refusing(NO_MEMORY, most=1))
+    assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
+    monkeypatch.setattr(comparing, "Simulation", refusing(DEVICE_FAULT, most=1))
     with pytest.raises(RuntimeError, match="CUDA error 719"):
-        time_cases([AS_SHIPPED], 1, pilot, 2)
+        time_cases([AS_SHIPPED], 2, cpu)
 
 
 def test_only_what_a_release_cannot_compile_is_a_fact_about_it(monkeypatch):

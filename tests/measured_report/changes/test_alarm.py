@@ -88,6 +88,26 @@ def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
     assert json.loads(diff_text(found, "json", all_values=False))["status"] == 1
 
 
+@pytest.mark.parametrize(
+    ("lost", "said"),
+    [
+        (
+            {"slip_mm": None, "slip_mm_reason": "ValueError: no such array"},
+            "slip 0.33 mm → n/a (shipped pads: ValueError",
+        ),
+        ({"dropped": True}, "dropped no → yes worse"),
+    ],
+)
+def test_a_named_number_that_is_gone_or_whose_run_was_lost_rings(measured, lost, said):
+    change = change_of("upgrade", lambda row: row | (lost if row["case"] == "as-shipped" else {}))
+    project = measured("1.9.0", change)
+    found = changed(project)
+    assert found.is_alarm and not found.faults
+    assert diff_text(found, "text", all_values=False).splitlines()[3].startswith(f"alarm: {said}")
+    advice = verdict(found, derived(project.of("1.8.0")), derived(project))[-1]
+    assert ("make bisect" in advice) == ("dropped" in lost), "a search between a number and none would be refused"
+
+
 @pytest.mark.parametrize("section", SECTIONS)
 def test_one_run_that_breaks_down_is_enough(measured, section):
     record = load_record(ROOT / "results/newton-1.8.0" / f"{section}.json")
@@ -121,6 +141,12 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         change(newer.record_path)
         assert findings.diff(toy.project, arguments) == 1
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
+
+
+def test_a_number_that_would_ring_and_is_nowhere_is_named(measured):
+    found = changed(measured("1.9.0"))
+    assert found.silent == ["defaults.own-defaults.slip_mm", "speed.as-shipped.frame_ms"]
+    assert diff_text(found, "text", all_values=False).endswith(", ".join(found.silent))
 
 
 def test_what_cannot_be_shown_is_named_first(toy):

@@ -7,7 +7,7 @@ from argparse import Namespace
 from dataclasses import replace
 
 import pytest
-from conftest import ROWS, TEMPLATE, Toy, git
+from conftest import MODULE, ROWS, TEMPLATE, Toy, git
 
 from measured_report.changes import bisect
 from measured_report.changes.bisect import Bisection, bisect_commits, bisect_releases, common_repository, first_change
@@ -66,6 +66,13 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     search = replace(search, query=Query("toy.soft.slip_mm", False))
     said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
     assert said.startswith("toy.soft.slip_mm changes between 1.5.9")
+
+
+def test_a_claim_of_a_section_that_compares_editions_is_found_where_it_is_about_each(toy, search):
+    toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
+    keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
+    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+    assert said.startswith("toy.helps changes between 1.5.9 and 1.6.9")
 
 
 def test_the_package_is_named_where_the_search_itself_measured_and_kept_its_records_aside(toy, search):
@@ -155,6 +162,21 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     said = {tuple(names): claim.outcome.said for names, claim in flip.said}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "not shown"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]
+
+
+def test_a_history_has_the_noise_of_each_number_and_says_why_there_is_none(toy):
+    reason = {"ms_per_s": None, "ms_per_s_reason": "it ended before"}
+    for release, cells in (("1.4.0", {"ms_per_s": 100.0}), ("1.5.9", {"ms_per_s": 101.0}), ("1.6.9", reason)):
+        spread = {"ms_per_s_p5": 98.0, "ms_per_s_p95": 102.0}
+        toy.of(release).measure([{**ROWS[0], **cells, **spread}, ROWS[1]])
+    editions = editions_of(toy.project, Templates(toy.project.templates))
+    releases = {release: edition.uncompared for release, edition in editions.items()}
+    lines = history(releases, Query("toy.soft.ms_per_s")).splitlines()[1:]
+    assert [" ".join(line.split()) for line in lines] == [
+        "1.4.0 100 ± 5",
+        "1.5.9 101 ± 5",
+        "1.6.9 cannot tell soft: it ended before",
+    ]
 
 
 def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, search):

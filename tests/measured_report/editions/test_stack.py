@@ -17,6 +17,7 @@ from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, stack_of
 from measured_report.editions.status import expected_packages
+from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import measure
@@ -240,6 +241,14 @@ def test_an_environment_takes_the_project_s_requirements_and_the_release_s_packa
     assert {"newton[sim]==1.8.0", "warp-lang==1.19.0"} <= set(found)
     assert any(name.startswith("pandas") for name in found)
     assert not any(name.startswith("mujoco") or "1.4.0" in name for name in found)
+
+
+def test_what_does_not_come_out_with_the_edition_stays_as_the_project_asks_for_it(monkeypatch):
+    alone = replace(config(), changes=replace(config().changes, together=(("warp-lang",),)))
+    monkeypatch.setattr(environment, "config", lambda: alone)
+    found = environment.requirements(ROOT, dict.fromkeys(package_versions(), provenance.MISSING))
+    asked = [name for name in found if name.startswith(("mujoco", "warp", "newton"))]
+    assert [name.partition("==")[0] for name in asked] == ["mujoco-warp", "mujoco"]
 
 
 def test_an_environment_is_made_once(tmp_path, monkeypatch):

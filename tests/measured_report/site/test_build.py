@@ -8,7 +8,7 @@ from conftest import MODULE, ROWS, TEMPLATE, program
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
-from measured_report.parts.figures import SERIES, draw_svg, new_figure
+from measured_report.parts.figures import SERIES, draw_svgs, new_figure
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
 
@@ -127,11 +127,12 @@ def test_a_figure_follows_the_page_and_hides_nothing():
         axes.plot([0, 1], label="<b>")
         return drawing
 
-    svg = draw_svg(draw, name="toy-way")
-    assert svg.startswith('<svg class="broad" viewBox="')
-    assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
-    assert all(part.startswith("toy-way-") for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
-    assert svg == draw_svg(draw, name="toy-way")
+    svgs = draw_svgs(draw, name="toy-way")
+    for svg, kind, prefix in zip(svgs, ("broad", "narrow"), ("toy-way-", "narrow-toy-way-"), strict=True):
+        assert svg.startswith(f'<svg class="{kind}" viewBox="')
+        assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
+        assert all(part.startswith(prefix) for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
+    assert svgs == draw_svgs(draw, name="toy-way")
 
 
 def test_quick_results_are_shown_as_such(toy):
@@ -169,6 +170,7 @@ def test_a_report_that_names_neither_pages_nor_extras_is_built(toy):
     assert (done.stdout, done.stderr) == ("", "")
     page = (toy.project.site / "results.html").read_text()
     assert 'data-claim="toy.helps"' in page and "Measured with newton 1.4.0." in page
+    assert '<link rel="icon" href="data:,">' in page, "or a browser asks the server for one, and complains"
     assert "favicon" not in page and "og:image" not in page and not (toy.project.site / "card.png").exists()
 
 

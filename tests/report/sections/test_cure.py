@@ -7,6 +7,7 @@ import pytest
 
 from measured_report.claims.claim import FAILS, HOLDS, Claim
 from measured_report.editions.project import Project
+from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results
 from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
@@ -23,14 +24,22 @@ def results_of(section: str, change: Change, others: Mapping[str, Results]) -> R
     return Results(replace(record, rows=[{**row, **change(row)} for row in record.rows]), path, others)
 
 
-def claims_with(**changes: Change) -> dict[str, Claim]:
-    """The claims of section cure, with rows of it and of those that it reads changed."""
+def free(row: dict) -> Mapping:
+    """What makes the whole cure cost no time, which is not what was measured."""
+    return {"frame_ratio": 1.0} if row["case"] == "best" else {}
+
+
+def section_with(**changes: Change) -> Section:
+    """Section cure were it free, with rows of it and of those that it reads changed."""
     others: dict[str, Results] = {}
     for name, module in BELOW.items():
-        others[name] = results_of(name, changes.get(name, lambda row: {}), others)
+        others[name] = results_of(name, {"cure_cost": free, **changes}.get(name, lambda row: {}), others)
         module.derive(others[name])
-    found = cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
-    return {claim.name: claim for claim in found.claims}
+    return cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
+
+
+def claims_with(**changes: Change) -> dict[str, Claim]:
+    return {claim.name: claim for claim in section_with(**changes).claims}
 
 
 @pytest.fixture(scope="module")
@@ -64,11 +73,12 @@ def test_alike_within_the_noise_is_a_tie(claims):
     "changes",
     [
         {"cure_limits": lambda row: {"kept": False} if row["way"] == "best" else {}},
-        {"cure_cost": lambda row: {"frame_ms": 2.0 * row["frame_ms"]} if row["case"] == "best" else {}},
+        {"cure_cost": lambda row: {"frame_ratio": 2.0} if row["case"] == "best" else {}},
+        {"cure_cost": lambda row: {}},
         {"cure": at(TERM, slip_mm=0.001)},
         {"cure": at(BEST, slip_mm=20.0)},
     ],
-    ids=["it loses cubes", "it is slow", "the term slips less", "it slips"],
+    ids=["it loses cubes", "it is slow", "it costs what was measured", "the term slips less", "it slips"],
 )
 def test_it_is_not_recommended_where(changes):
     assert claims_with(**changes)["what_to_use"].outcome != HOLDS
@@ -98,11 +108,18 @@ def test_the_budget_says_both_tolerances(claims):
     assert claims["rest_is_far_shake"].numbers["every"].value == numbers["count"] - numbers["closed"]
 
 
+def test_the_caption_counts_the_points_in_the_band():
+    """A point is a slip and its prediction, both without direction; the text counts what agrees in that as well."""
+    numbers = section_with().figures["budget"].numbers
+    runs = [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row["kind"] == "run"]
+    kept = [(row["predicted_slip_mm"], row["slip_mm"]) for row in runs if row["slip_mm"] and row["slip_mm"] < 80.0]
+    in_band = sum(abs(predicted - slip) <= max(0.02, 0.05 * slip) for predicted, slip in kept)
+    assert numbers["alike"].value == in_band != numbers["closed"].value
+
+
 def test_a_price_is_seen_beyond_the_noise_alone():
-    def told(times: float) -> Claim:
-        results = results_of(
-            "cure_cost", lambda row: {"frame_ms": times * row["frame_ms"]} if row["case"] == "term" else {}, {}
-        )
+    def told(ratio: float) -> Claim:
+        results = results_of("cure_cost", lambda row: {"frame_ratio": ratio} if row["case"] == "term" else {}, {})
         return next(claim for claim in cure_cost.derive(results).claims if claim.name == "term_costs_nothing")
 
     assert (told(1.0).outcome, told(1.2).outcome) == (HOLDS, FAILS)

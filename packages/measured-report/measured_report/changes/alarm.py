@@ -81,6 +81,7 @@ def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     elif found.moves:
         lines += ["VALUES=all lists them"]
     lines += ["", *(f"not compared: {note}" for note in found.notes)]
+    lines += [f"cannot ring, for there is no number in both: {', '.join(found.silent)}"] if found.silent else []
     return "\n".join(lines).rstrip()
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from measured_report.changes.query import Answer, Query
-from measured_report.deriving.editions import Edition, derive_edition
+from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, releases_between, stack_of
 from measured_report.editions.status import state_of
@@ -18,6 +18,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.measure import measure
 from measured_report.pages.prose import Templates
+from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import MISSING
 from measured_report.values.noise import NOISE
 
@@ -53,17 +54,22 @@ class Bisection:
         if asked not in self.answers:
             edition = self._edition(stack, [self.query.section])
             answer = self.query.answer(edition.chapters)
-            if answer is None and NOISE not in edition.chapters:  # without which most differences can't be told
+            # Without its noise most differences can't be told.
+            if answer is None and NOISE not in edition.chapters and NOISE in all_sections(self.project.root):
                 answer = self.query.answer(self._edition(stack, [self.query.section, NOISE]).chapters)
             self.answers[asked] = answer
             print(f"step {len(self.answers)}: {label}: {self.query.text} {said(answer)}", flush=True)
         return self.answers[asked]
 
     def _edition(self, stack: Stack, sections: Sequence[str]) -> Edition:
-        """Derive these sections; what has no record is measured, and kept apart from those of the editions."""
+        """Derive these sections; what has no record is measured, and kept apart from those of the editions.
+
+        A section that compares editions has this one alone, which is all that its claims about each of them take.
+        """
         side = self.side(stack, sections)
         lacking = _lacking(side, sections)
-        return derive_edition(measure(side, stack, lacking, self.device) if lacking else side, self.templates)
+        side = measure(side, stack, lacking, self.device) if lacking else side
+        return editions_of(side, self.templates, among=[side.release])[side.release]
 
     def side(self, stack: Stack, sections: Sequence[str] = ()) -> Project:
         """Where a stack's records of these sections, by default the one that is asked for, are or will be."""

@@ -43,6 +43,11 @@ class Comparison:
         return [move for move in self.moves if move.rings]
 
     @property
+    def silent(self) -> list[str]:
+        """Names that report.toml has for numbers that ring, of which none is compared: what they say is not known."""
+        return [name for name in config().changes.thresholds if name not in {cell.name for cell in self.cells}]
+
+    @property
     def is_alarm(self) -> bool:
         """Whether somebody has to look at it."""
         return bool(self.faults or self.flips or self.alarms)

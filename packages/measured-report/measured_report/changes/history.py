@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 from measured_report.changes.flips import decided_flips
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Answer, Query
-from measured_report.deriving.chapters import Releases
+from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.records.columns import column_of
 from measured_report.values.noise import NOISE, noisiest
+from measured_report.values.quantities import Quantity
 
 
 @dataclass(frozen=True)
@@ -33,17 +34,16 @@ class Point:
 def points(releases: Releases, query: Query) -> list[Point]:
     """Return what the editions answer that can, oldest first."""
     column = query.column
-    floors = {release: chapters[NOISE].results.floors for release, chapters in releases.items() if NOISE in chapters}
-    widest = noisiest(floors.values())
+    widest = noisiest(chapters[NOISE].results.floors for chapters in releases.values() if NOISE in chapters)
     found: list[Point] = []
     for release, chapters in releases.items():
         answer = query.answer(chapters)
         if answer is not None:
-            floor = floors.get(release, widest).get(column, widest.get(column))
-            told = None if isinstance(answer, str) else answer
-            noise = max(floor.at(told), column_of(column).resolution) if floor and told is not None else None
+            noise = None if isinstance(answer, str) else getattr(query.quantity(chapters), "noise", None)
+            if noise is None and column in widest and not isinstance(answer, str):  # this edition has not measured it
+                noise = max(widest[column].at(answer), column_of(column).resolution)
             said = query.claim(chapters).outcome.said if query.is_claim else f"{answer:.4g}"
-            point = Point(release, answer, noise, said if noise is None else f"{said} ± {noise:.2g}")
+            point = Point(release, answer, noise, f"{said} ± {noise:.2g}" if noise else said)
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found
 
@@ -55,9 +55,22 @@ def _mark(column: str, before: Point, after: Point) -> str:
 
 
 def history(releases: Releases, query: Query) -> str:
-    """Return a line for each edition that answers, oldest first."""
-    lines = [(point.release, point.said, point.mark) for point in points(releases, query)]
+    """Return a line for each edition that answers or says why it can't, oldest first."""
+    found = {point.release: point for point in points(releases, query)}
+    lines = [
+        (release, found[release].said, found[release].mark) if release in found else (release, "cannot tell", why)
+        for release, chapters in releases.items()
+        if (why := _reason(query, chapters)) or release in found
+    ]
     return "\n".join([query.text, *(_aligned(lines) or ["no edition can tell"])])
+
+
+def _reason(query: Query, chapters: Chapters) -> str:
+    """Say why an edition that was asked has no answer; empty where it has one, or was not asked."""
+    claim, number = query.claim(chapters), query.quantity(chapters)
+    if claim:
+        return claim.outcome.reason
+    return number.reason if isinstance(number, Quantity) and number.source else ""
 
 
 def flip_history(releases: Releases, shown: str) -> str:

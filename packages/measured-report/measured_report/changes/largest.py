@@ -26,8 +26,8 @@ class Group:
 
     lead: Move
     """The largest of those that ring, or else of all."""
-    shares: Sequence[float]
-    """Of all of them, from the least to the largest."""
+    shares: Sequence[float | None]
+    """Of all of them, from the least to the largest; None where there is a number in one edition alone."""
     row_count: int
     """In so many rows the column compares."""
     others: list[str] = field(default_factory=list)
@@ -36,13 +36,15 @@ class Group:
     @property
     def text(self) -> str:
         """One line: before, after, by how much, and where."""
-        lead, count, ends = self.lead, len(self.shares), sorted({percent(self.shares[0]), percent(self.shares[-1])})
+        lead, count = self.lead, len(self.shares)
+        ends = [] if lead.share is None else list(dict.fromkeys(map(percent, (self.shares[0], self.shares[-1]))))
         places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
         if self.row_count > 1:
             rows = f"all {count} rows" if count == self.row_count else f"{count} of {self.row_count} rows"
             places.append(f"{rows}{', ' if ends[1:] else ''}{' to '.join(ends) if ends[1:] else ''}")
         places += [f"alike: {', '.join(self.others)}"] if self.others else []
-        said = f"{column_of(lead.column).words} {lead.ends}, {percent(lead.share)}"
+        said = f"{column_of(lead.column).words} {lead.ends}"
+        said += "" if lead.share is None else f", {percent(lead.share)}"
         return f"{'alarm: ' if lead.rings else ''}{said}{f' {lead.direction}'.rstrip()} ({'; '.join(places)})"
 
 
@@ -51,15 +53,15 @@ def largest(found: Comparison) -> list[Group]:
 
     What the deciding sections measured goes before the rest: they have the scene that the report is about.
     """
-    moves: dict[tuple[str, bool], list[Move]] = {}
+    moves: dict[tuple[str, bool | None], list[Move]] = {}
     for move in found.moves:
-        if move.share and not (move.is_setting or move.is_near or column_of(move.column).is_setting):
-            moves.setdefault((move.column, move.share > 0), []).append(move)
-    counts = Counter(cell.column for cell in found.cells if cell.share is not None)
+        if _is_told(move):
+            moves.setdefault((move.column, None if move.share is None else move.share > 0), []).append(move)
+    counts = Counter(cell.column for cell in found.cells if cell.share is not None or _is_told(cell))
     groups: list[Group] = []
     for (column, _), alike in moves.items():
-        lead = max(alike, key=_rank)
-        groups.append(Group(lead, sorted(move.share for move in alike), counts[column]))
+        shares = sorted(move.share for move in alike) if alike[0].share is not None else [None] * len(alike)
+        groups.append(Group(max(alike, key=_rank), shares, counts[column]))
     told: list[Group] = []
     for group in sorted(groups, key=lambda group: _rank(group.lead), reverse=True):
         same = next((each for each in told if _one_cause(each.lead, group.lead)), None)
@@ -70,13 +72,22 @@ def largest(found: Comparison) -> list[Group]:
     return told[:LINES]
 
 
+def _is_told(move: Move) -> bool:
+    """Whether it may lead: a number that changed or is gone by now, or what rings; settings are told by themselves."""
+    is_setting, is_lost = move.is_setting or column_of(move.column).is_setting, move.is_gone and move.values[1] is None
+    return not (is_setting or move.is_near) and bool(move.share or is_lost or (move.is_real and move.rings))
+
+
 def _rank(move: Move) -> tuple[bool, bool, float]:
     return move.rings, move.section in config().changes.deciding, move.sure_share
 
 
 def _one_cause(a: Move, b: Move) -> bool:
-    is_of_one_row = (a.section, a.place) == (b.section, b.place) and math.isfinite(a.share + b.share)
-    return is_of_one_row and not b.rings and abs(a.share - b.share) <= ALIKE * max(abs(a.share), abs(b.share))
+    if b.rings or (a.section, a.place) != (b.section, b.place):
+        return False
+    if a.share is None or b.share is None:
+        return a.share is b.share
+    return math.isfinite(a.share + b.share) and abs(a.share - b.share) <= ALIKE * max(abs(a.share), abs(b.share))
 
 
 def settings_text(settings: Sequence[Move]) -> str:
@@ -106,5 +117,5 @@ def power(found: Comparison) -> str:
             words = column_of(cell.column).words
             least[words] = max(least.get(words, 0.0), seen)
     unseen = {column_of(name.rpartition(".")[2]).words for name in named} - least.keys()
-    told = [f"{words} from {100 * share:.2g} %" for words, share in least.items()]
-    return ", ".join(told) + (f"; not measured in both: {', '.join(sorted(unseen))}" if unseen else "")
+    told = [", ".join(f"{words} from {100 * share:.2g} %" for words, share in least.items()) or "nothing that is named"]
+    return "; ".join(told + ([f"not measured in both: {', '.join(sorted(unseen))}"] if unseen else []))

@@ -11,7 +11,7 @@ from measured_report.claims.claim import NEAR_NOISE
 from measured_report.deriving.chapters import Chapter
 from measured_report.files.config import config
 from measured_report.records.columns import REASON, column_of, is_number, parameters
-from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost
+from measured_report.values.noise import EDGES, NOISE, Repeats, cell_noise, is_beyond, is_lost, is_repeated
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
@@ -81,18 +81,32 @@ class Move:
 
     @property
     def sure_share(self) -> float:
-        """What of the change is beyond the noise, as a share of the larger value: by how much it surely moved."""
+        """What of the change is beyond the noise, as a share of the larger value; all of what is gone."""
+        if self.share is None:
+            return 1.0
         before, after = self.values
-        larger = 0.0 if self.share is None else max(abs(before), abs(after))
+        larger = max(abs(before), abs(after))
         return max(0.0, abs(after - before) - self.least) / larger if larger else 0.0
 
     @property
     def rings(self) -> bool:
-        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold."""
-        rules = config().changes
+        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold.
+
+        So does such a number that one edition alone has, and whether its run was lost.
+        """
+        rules, run = config().changes, self.name.rpartition(".")[0]
+        if "loss" in column_of(self.column).kinds:
+            return any(name.rpartition(".")[0] == run for name in rules.thresholds)
         threshold = rules.setting_threshold if self.is_setting else rules.thresholds.get(self.name)
-        told = threshold is not None and self.share is not None
-        return told and abs(self.share) > threshold and self.is_beyond(NEAR_NOISE)
+        if threshold is None or self.share is None:
+            return threshold is not None and self.is_gone
+        return abs(self.share) > threshold and self.is_beyond(NEAR_NOISE)
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether it is a number that was asked for in both editions and is there in one."""
+        sides = self.before, self.after
+        return all(isinstance(side, Quantity) for side in sides) and self.values.count(None) == 1
 
     @property
     def direction(self) -> str:
@@ -198,6 +212,8 @@ def _noise(
         measured = max(cell[edges[1]] - cell[edges[0]] for cell in cells)
         # Of two machines of one kind one may be faster, and nothing in a record tells one from the other.
         return (chosen, True) if chosen > NEAR_NOISE * measured else (measured, False)
+    if all(is_repeated(column, cell) for cell in cells) and not any(each.knows(column) for each in repeats):
+        return 0.0, False
     case = cells[0]["case"] if section in config().changes.same_runs else ""
     found = [each.noise(case, column, value) for each, value in zip(repeats, values, strict=True)]
     return (chosen, True) if None in found or "cost" in column_of(column).kinds else (max(found), False)

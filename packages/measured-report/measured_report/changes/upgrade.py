@@ -68,7 +68,7 @@ def verdict(found: Comparison, before: Edition, after: Edition) -> list[str]:
         f"settings: {settings_text(found.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *([group.text for group in largest(found)] or ["moved: nothing beyond the noise"]),
-        f"would have shown: {power(found) or 'nothing, for want of numbers'}",
+        f"would have shown: {power(found)}",
         *([f"why: {why}"] if asks_why else []),
         f"what to do: {_advice(found, before, after)}",
     ]
@@ -104,8 +104,9 @@ def _advice(found: Comparison, before: Edition, after: Edition) -> str:
         return "look at what can't be trusted first; nothing else can be said"
     profile = "" if after.project.profile == "full" else f" PROFILE={after.project.profile}"
     lists = f"make diff A={before.project.release} B={after.project.release} VALUES=all{profile} lists it"
-    if found.flips or found.alarms:
-        asked = f"CLAIM={found.flips[0].claim}" if found.flips else f"VALUE={found.alarms[0].name}"
+    told = [move.name for move in found.alarms if not move.is_gone]  # between a number and none there is no middle
+    if found.flips or told:
+        asked = f"CLAIM={found.flips[0].claim}" if found.flips else f"VALUE={told[0]}"
         query = Query(asked.partition("=")[2])
         device = after.chapters[query.section].results.record.machine["device"]
         minutes = max(1, round(seconds_expected(after.project, device, [query.section]) / 60))

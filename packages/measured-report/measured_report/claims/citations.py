@@ -25,7 +25,9 @@ NAME = "sources.toml"
 MARK = '<sup class="cited" data-source="{}"></sup>'
 CITED = re.compile(MARK.format("([a-z0-9_]+)"))
 NUMBER = '<sup class="cited"><a href="#source-{0}" aria-label="Source {0}">{0}</a></sup>'
-LIST = Markup('<section class="sources">\n<h2 id="sources">Not measured here</h2>\n<ol>\n{}</ol>\n</section>\n')
+LIST = Markup(
+    '<section class="sources">\n<h2 id="sources">Sources of what is not measured here</h2>\n<ol>\n{}</ol>\n</section>\n'
+)
 ITEM = Markup('<li id="source-{}">{}</li>\n')
 
 

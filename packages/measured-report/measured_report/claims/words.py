@@ -110,7 +110,7 @@ def refuse_typed(source: str) -> None:
     if found := TYPED.search(words):
         line = words.count("\n", 0, found.start()) + 1
         number = " ".join(found[0].split())
-        raise TemplateSyntaxError(f"{number} is typed; name the number that was measured or chosen", line)
+        raise TemplateSyntaxError(f"{number} is typed; name one that was measured, or of results.chosen(…)", line)
 
 
 def _is_blank(body: list[nodes.Node]) -> bool:

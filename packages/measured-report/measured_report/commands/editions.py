@@ -177,7 +177,7 @@ def newest(project: Project, arguments: argparse.Namespace) -> int:
 def history(project: Project, arguments: argparse.Namespace) -> int:
     """Print a value or a claim over all editions; without one, the numbers that say most and the claims that flip."""
     editions = editions_of(project, Templates(project.templates))
-    releases = {release: edition.uncompared for release, edition in editions.items()}
+    releases = {release: edition.chapters for release, edition in editions.items()}
     if not (arguments.claim or arguments.value):
         told = [history_of(releases, Query(value)) for value in config().changes.headlines.values()]
         print("\n\n".join([*told, flip_history(releases, project.release)]))

@@ -281,13 +281,14 @@ def _chapter(
     results = replace(results, derived=dict(entry.values))
     text = templates.text(f"sections/{name}.md.j2")
     section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
+    unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
         "release": state.record.origin.release,
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
         **_things(name, {**{other: chapter.section for other, chapter in told.items()}, name: section}),
-        "claim": _finder(name, "claim", {claim.name: claim.html(name) for claim in section.claims}),
+        "claim": _finder(name, "claim", unmeasured | {claim.name: claim.html(name) for claim in section.claims}),
         "download": _finder(name, "download", {download.name: download for download in section.downloads}),
     }
     # Others read its claims, whose outcomes its words have a part in, and none of its words.

@@ -74,7 +74,7 @@ def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> P
     """The Python that has a stack; its environment is made when it is not there.
 
     ``packages`` are the versions that its earlier measurements were made with, to be installed again; one that is
-    ``missing`` there gets the version that the release asked for when it came out.
+    ``missing`` there is as ``requirements`` says.
     """
     package, option = config().package, config().option
     if stack.label.is_installed_with(package_versions()):
@@ -139,14 +139,16 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
 def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     """The requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
 
-    One that is ``missing`` is left to the others, which know which one they take.
+    One that is ``missing`` is as the project asks for it, or, if it comes out with the edition as those in ``together``
+    do, left to the others, which know which one they take.
     """
     for name, version in packages.items():
         if name not in config().packages or (not VERSION.fullmatch(version) and version != MISSING):
             raise ReportError(f"{name} {version!r:.60} is no package of this report with a plain version")
     asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
-    own = [requirement for requirement in asked if NAME.match(requirement)[0] not in packages]
     known = {name: version for name, version in packages.items() if version != MISSING}
+    other = {*known, config().package}.union(*config().changes.together)
+    own = [requirement for requirement in asked if NAME.match(requirement)[0] not in other]
     return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
 
 

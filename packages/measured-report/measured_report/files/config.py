@@ -67,7 +67,8 @@ class Changes:
     same_runs: tuple[str, ...] = ()
     """Sections that have runs alike, so that a number of a case can be taken from any of them."""
     together: tuple[tuple[str, ...], ...] = ()
-    """The other packages, those that come out together side by side: these are changed together in a search."""
+    """The other packages of which each release takes its own versions, those that come out together side by side: these
+    are changed together in a search. What is not among them stays as pyproject.toml asks for it."""
     keys: tuple[str, ...] = ("case",)
     """Columns that tell the rows of one section apart, where they are there."""
     untold_keys: tuple[str, ...] = ()

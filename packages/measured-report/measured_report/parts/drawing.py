@@ -5,8 +5,6 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 
-from markupsafe import Markup
-
 from measured_report.files.processes import workers
 from measured_report.parts.section import Figure, Pictures
 
@@ -18,21 +16,19 @@ def draw_all(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[P
     """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
     global _figures
     count = min(_processor_count(), len(figures))
-    _figures, places = figures, range(2 * len(figures))
+    _figures, places = figures, range(len(figures))
     if count < 2:
         meanwhile()
-        drawn = [*map(_draw, places)]
-    else:
-        # A drawing makes many objects, and all of a process's drawings together fit into memory.
-        with workers(count, "fork", gc.disable) as pool:
-            drawing = pool.map(_draw, places)
-            meanwhile()
-            drawn = list(drawing)
-    return list(zip(drawn[::2], drawn[1::2], strict=True))
+        return [*map(_draw, places)]
+    # A drawing makes many objects, and all of a process's drawings together fit into memory.
+    with workers(count, "fork", gc.disable) as pool:
+        drawing = pool.map(_draw, places)
+        meanwhile()
+        return list(drawing)
 
 
-def _draw(index: int) -> Markup:
-    return _figures[index // 2].picture(is_narrow=bool(index % 2))
+def _draw(index: int) -> Pictures:
+    return _figures[index].drawn()
 
 
 def _processor_count() -> int:

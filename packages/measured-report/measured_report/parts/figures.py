@@ -7,6 +7,8 @@ import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar, copy_context
+from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import matplotlib
@@ -16,9 +18,12 @@ from matplotlib import ticker
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
-from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.backends.backend_mixed import MixedModeRenderer
+from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
+from matplotlib.font_manager import FontProperties
 from matplotlib.text import Text
+from matplotlib.textpath import TextToPath
 
 from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
@@ -70,7 +75,18 @@ MOST_TICKS = 5
 """Steps between ticks along a narrow figure."""
 LONGEST_NAME, LONGEST_LINE = 18, 36
 """Characters of a name beside a narrow figure, and of a line along it, before they go on in another line."""
-_is_narrow: ContextVar[bool] = ContextVar("is_narrow", default=False)
+
+
+@dataclass
+class _Screen:
+    """What a figure is being drawn for."""
+
+    is_narrow: bool = False
+    is_asked: bool = False
+    """Whether what is drawn depends on it, so that it is drawn anew for another screen."""
+
+
+_screen: ContextVar[_Screen] = ContextVar("screen")
 _told: ContextVar[dict[str, list[str]]] = ContextVar("told")
 """Numbers of the figure that is being drawn as they are written, and where each is from, in their order."""
 
@@ -147,15 +163,14 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
 
     For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
     """
-    if not is_narrow():
-        drawing = Drawing(figsize=(width, height))
+    rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
+    if rows * columns == 1 or not is_narrow():
+        drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
-    rows, columns = subplots.pop("nrows", 1), subplots.pop("ncols", 1)
     squeeze = subplots.pop("squeeze", True)
-    if columns > 1:
-        subplots.pop("width_ratios", None)
-        subplots.pop("height_ratios", None)
-    drawing = _NarrowDrawing(figsize=(min(width, NARROW_WIDTH), height * columns))
+    for name in ("nrows", "ncols", *(("width_ratios", "height_ratios") if columns > 1 else ())):
+        subplots.pop(name, None)
+    drawing = _Drawing(figsize=(width, height * columns))
     axes = drawing.subplots(rows * columns, 1, squeeze=False, **subplots)
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)
@@ -170,23 +185,62 @@ def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) ->
 
 def is_narrow() -> bool:
     """Whether a figure is being drawn for a narrow screen."""
-    return _is_narrow.get()
+    screen = _screen.get(None) or _Screen()
+    screen.is_asked = True
+    return screen.is_narrow
 
 
-class _NarrowDrawing(Drawing):
-    """A figure whose legend is no wider than it."""
+class _Drawing(Drawing):
+    """A figure that can be made narrow when it is drawn."""
+
+    def __init__(self, **keywords):
+        super().__init__(**keywords)
+        self._asked: list[tuple[tuple, dict[str, Any]]] = []
+        """What its legends were asked for as."""
 
     def legend(self, *args, **keywords):
-        place = keywords.pop("loc", "best")
-        if place.startswith("outside"):
-            place = "outside upper left" if "upper" in place else "outside lower left"
-        columns = min(keywords.pop("ncols", 1), 2)
-        keywords |= {"loc": place, "fontsize": 8, "columnspacing": 1.0}
-        legend = super().legend(*args, ncols=columns, **keywords)
-        if columns == 1 or all(len(text.get_text()) <= LONGEST_NAME for text in legend.get_texts()):
-            return legend
-        legend.remove()
-        return super().legend(*args, ncols=1, **keywords)
+        self._asked.append((args, keywords))
+        return super().legend(*args, **keywords)
+
+    def make_narrow(self) -> None:
+        """Make it as wide as a narrow screen, and its legends no wider than that."""
+        width, height = self.get_size_inches()
+        self.set_size_inches(min(width, NARROW_WIDTH), height)
+        for legend, (args, keywords) in zip(self.legends[:], self._asked, strict=True):
+            legend.remove()
+            self._narrow_legend(*args, **keywords)
+
+    def _narrow_legend(self, *args, loc: str = "best", ncols: int = 1, **keywords) -> None:
+        if loc.startswith("outside"):
+            loc = "outside upper left" if "upper" in loc else "outside lower left"
+        keywords |= {"loc": loc, "fontsize": 8, "columnspacing": 1.0}
+        legend = super().legend(*args, ncols=min(ncols, 2), **keywords)
+        if ncols > 1 and any(len(text.get_text()) > LONGEST_NAME for text in legend.get_texts()):
+            legend.remove()
+            super().legend(*args, ncols=1, **keywords)
+
+
+class _Renderer(RendererSVG):
+    """Asks only once in a process how large a text is."""
+
+    def get_text_width_height_descent(self, s, prop, ismath):
+        return _size_of(s, prop, ismath)
+
+
+class _Canvas(FigureCanvasSVG):
+    """Lays out with a renderer of its own, where Matplotlib's would begin a file for it."""
+
+    def get_renderer(self) -> _Renderer:
+        return _Renderer(1.0, 1.0, io.StringIO())
+
+
+_texts_to_paths = TextToPath()
+
+
+@cache
+def _size_of(text: str, font: FontProperties, is_formula: bool) -> tuple[float, float, float]:
+    """Width, height and descent; no font that is given here changes later."""
+    return _texts_to_paths.get_text_width_height_descent(text, font, is_formula)
 
 
 def _fit_narrow(drawing: Drawing) -> None:
@@ -204,9 +258,6 @@ def _fit_narrow(drawing: Drawing) -> None:
             axes.xaxis.set_major_locator(ticker.MaxNLocator(MOST_TICKS, steps=(1, 2, 2.5, 5, 10)))
         for axis in (axes.xaxis, axes.yaxis):
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
-            low, high = axis.get_view_interval()
-            if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
-                axis.set_minor_locator(ticker.NullLocator())
     if drawing.get_supxlabel():
         drawing.supxlabel(fold(drawing.get_supxlabel()), fontsize=9)
     for text in _texts(drawing):
@@ -238,33 +289,65 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svg(draw: Callable[[], Drawing], *, name: str, is_narrow: bool = False) -> Markup:
-    """Draw the figure as an SVG element: its ids begin with ``name``, and the same data give the same bytes."""
-    return copy_context().run(_draw_svg, draw, name, "narrow" if is_narrow else "broad")
+def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> tuple[Markup, Markup]:
+    """Draw the figure for broad and for narrow screens, as an SVG element each: the same data give the same bytes.
+
+    Their ids begin with ``name``, those of the narrow one with ``narrow-`` before it.
+    """
+    return copy_context().run(_draw_svgs, draw, name)
 
 
-def _draw_svg(draw: Callable[[], Drawing], name: str, kind: str) -> Markup:
+def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Markup, Markup]:
     told: dict[str, list[str]] = {}
     _told.set(told)
-    _is_narrow.set(kind == "narrow")
-    buffer = io.StringIO()
+    _screen.set(_Screen())
     with own_style({"svg.hashsalt": name}):
-        # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
-        drawing = draw()
-        for axis in [axis for axes in drawing.axes for axis in (axes.xaxis, axes.yaxis)]:
-            if isinstance(axis.get_major_formatter(), ticker.LogFormatterMathtext):
-                axis.set_major_formatter(LogLabels())
-            if isinstance(minor := axis.get_minor_formatter(), ticker.LogFormatterMathtext):
-                axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
-        if is_narrow():
-            _fit_narrow(drawing)
-        FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
-    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), told))
+        drawing = _trimmed(draw())
+        broad = _svg(drawing, told, "broad", name)
+        if _screen.get().is_asked:
+            told.clear()
+            _screen.set(_Screen(is_narrow=True))
+            drawing = _trimmed(draw())
+        if isinstance(drawing, _Drawing):
+            drawing.make_narrow()
+        _fit_narrow(drawing)
+        return broad, _svg(drawing, told, "narrow", f"narrow-{name}")
+
+
+def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: str) -> Markup:
+    buffer = io.StringIO()
+    # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
+    _Canvas(drawing)
+    drawing.dpi = 72  # of the file, whose unit is the point; what is drawn as an image has that of Matplotlib
+    inches, dpi = drawing.get_size_inches(), matplotlib.rcParams["figure.dpi"]
+    vectors = _Renderer(*72 * inches, buffer, image_dpi=dpi, metadata={"Date": None})
+    renderer = MixedModeRenderer(drawing, *inches, dpi, vectors)
+    drawing.draw(renderer)
+    renderer.finalize()
+    svg = _lean(_linked(UNWANTED.sub("", buffer.getvalue()), {text: [*found] for text, found in told.items()}))
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     opening = Markup('<svg class="{}" viewBox="{}" role="img">')
     return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
+
+
+def _trimmed(drawing: Drawing) -> Drawing:
+    """Leave out what takes long and nobody sees: ticks of a spine are placed for it anew, a label without text too."""
+    for axes in drawing.axes:
+        for spine in axes.spines.values():
+            spine.set_in_layout(False)  # its ticks reach less far than their labels
+        for axis in (axes.xaxis, axes.yaxis):
+            if not axis.get_label_text():
+                axis.set_label_coords(0.0, 0.0)
+            low, high = axis.get_view_interval()
+            if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
+                axis.set_minor_locator(ticker.NullLocator())
+            if isinstance(axis.get_major_formatter(), ticker.LogFormatterMathtext):
+                axis.set_major_formatter(LogLabels())
+            if isinstance(minor := axis.get_minor_formatter(), ticker.LogFormatterMathtext):
+                axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
+    return drawing
 
 
 def _linked(svg: str, told: Mapping[str, list[str]]) -> str:

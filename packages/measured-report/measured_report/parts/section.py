@@ -86,16 +86,15 @@ class Figure:
         ]
         return replace(self, draw=None, sources=sources, pictures=pictures)
 
-    def picture(self, *, is_narrow: bool) -> Markup:
-        """Draw it for one kind of screen; where what was measured can't be drawn, that is said in its place, once."""
-        from measured_report.parts.figures import draw_svg
+    def drawn(self) -> Pictures:
+        """Draw it; where what was measured can't be drawn, that is said in its place, once."""
+        from measured_report.parts.figures import draw_svgs
 
         try:
-            return draw_svg(self.draw, name=f"{'narrow-' if is_narrow else ''}{self.anchor}", is_narrow=is_narrow)
+            return draw_svgs(self.draw, name=self.anchor)
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())
-            words = Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason)
-            return Markup("") if is_narrow else words
+            return Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason), Markup("")
 
     def html(self, pictures: Pictures | None, address: str = "") -> Markup:
         """What the page shows, with the figure as it is drawn, where anything of it exists.

@@ -1,7 +1,9 @@
 """The site: the pages of every release that has results, each checked, then drawn, then all put in place as a whole."""
 
+import gc
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from importlib import metadata
@@ -51,7 +53,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     its ``address``, with a slash at its end; empty where that is not known.
     """
     cache = Cache(project.root)
-    with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False):
+    with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False), _uncollected():
         cache.sweep()
         digest, there = _digest(project, address), digests_below(project.site)
         if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
@@ -79,6 +81,16 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         }
         cache.put(BUILT, (digest, draft.digests), built)
     return built
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Within it nobody looks for what could be freed: a build keeps what it makes, and is a tenth faster so."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 def _digest(project: Project, address: str) -> str:

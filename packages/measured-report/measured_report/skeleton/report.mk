@@ -12,6 +12,8 @@ override MAKE_KNOWN := $(GIVEN)
 override MAKE_UNKNOWN := $(if $(filter 0,$(MAKELEVEL)),$(filter-out $(GIVEN) SHELL MAKEFLAGS,\
         $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))))
 unexport PYTHONSAFEPATH MAKEFLAGS $(MAKE_UNKNOWN)
+# Bytecode is kept: without it each of the many processes compiles all that it imports, for 2 to 4 s.
+unexport PYTHONDONTWRITEBYTECODE
 export MAKE_KNOWN MAKE_UNKNOWN
 
 override define pass_on
@@ -79,7 +81,7 @@ test: $(READY) ## Run the tests; they need no GPU [EDITION]
 	$(RUN) test
 
 help: ## Print this
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { gsub("EDITION", "$(EDITION)"); printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { gsub("EDITION", "$(EDITION)"); printf "make %-9s %s\n", $$1, $$2 }' $(lastword $(MAKEFILE_LIST)) $(firstword $(MAKEFILE_LIST))
 	@echo
 	@echo 'SECTION=NAME            section to measure'
 	@echo '$(EDITION)=1.8.0            the package that is measured, in an environment of its own: a release, a checkout, a wheel,'

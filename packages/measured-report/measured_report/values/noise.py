@@ -127,6 +127,10 @@ class Repeats:
             share = median(alike or self._shares.values()) if self._shares else None
         return None if share is None else share * abs(value)
 
+    def knows(self, column: str) -> bool:
+        """Whether the column itself was repeated."""
+        return column in self._columns
+
     @cached_property
     def _columns(self) -> Mapping[str, Floor]:
         return noisiest({column: floor} for (_, column), floor in self.own.items())
@@ -157,6 +161,12 @@ def is_lost(row: Mapping[str, Any]) -> bool:
     return any(row[name] for name in row if "loss" in column_of(name).kinds)
 
 
+def is_repeated(column: str, row: Mapping[str, Any]) -> bool:
+    """Whether an engine repeats this number of a row to the last bit."""
+    told = any(row.get(name) in said for name, said in config().repeating.items())
+    return told and column_of(column).unit not in TIMES
+
+
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
     """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
 
@@ -178,8 +188,7 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
         share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:
-        is_repeated = any(row.get(name) in said for name, said in config().repeating.items())
-        return ROUNDING_SHARE * abs(value) if is_repeated and about.unit not in TIMES else None
+        return ROUNDING_SHARE * abs(value) if is_repeated(column, row) else None
     return max(floors[column].at(value, length=row.get(about.grows_with)), about.resolution) or None
 
 

@@ -1,0 +1,176 @@
+"""Times of frames of the shake, cases compared in turn in one process, all from the state that a pilot is in."""
+
+import gc
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from experiments.facts.case import AS_SHIPPED, Case, build_key
+from experiments.simulation.measurement import SETUP_FRAME_COUNT, absent
+from experiments.simulation.resolving import CAP_S, Resolved, in_turn
+from experiments.simulation.simulation import Simulation
+from experiments.simulation.timing import (
+    ENGINE_ARRAYS,
+    SHAKE_FRAME_COUNT,
+    STATE_ARRAYS,
+    TASK_ARRAYS,
+    WARMUP_COUNT,
+    batch_invalid_reason,
+    buffer_bytes_per_world,
+    elapsed_ms,
+    put_in_state_of,
+    spread,
+)
+from measured_report.measuring.reasons import is_out_of_memory
+
+MOMENT_COUNT = 8
+MOMENT_FRAME_STEP = 7
+"""Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
+BLOCK_FRAME_COUNT = 4
+"""Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
+LARGE_BATCH = 8192
+"""From so many worlds on a block is one frame."""
+RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
+"""Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
+TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95")
+TIMED = (*TIMES, *RATIO, "buffer_bytes_per_world")
+
+
+class Pilot:
+    """The states that blocks start from: in each round all cases with the same pads start from the same."""
+
+    def __init__(self, cases: Sequence[Case], device: wp.Device):
+        self.device = device
+        self.pads = list(dict.fromkeys((case.pad_ke, case.pad_kd) for case in cases))
+        worlds = [replace(AS_SHIPPED, frame_count=1, pad_ke=ke, pad_kd=kd) for ke, kd in self.pads]
+        simulation = Simulation(worlds, device)
+        _run(simulation, SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT)
+        self.moments = []
+        for _ in range(MOMENT_COUNT):
+            self.moments.append(_moment_of(simulation))
+            _run(simulation, MOMENT_FRAME_STEP)
+
+    def put(self, target: Simulation, case: Case, number: int = 0) -> None:
+        """Put all worlds of ``target`` where the case starts in the round of that number."""
+        world = self.pads.index((case.pad_ke, case.pad_kd))
+        put_in_state_of(target, self.moments[number % MOMENT_COUNT], world)
+
+
+def _run(simulation: Simulation, frame_count: int) -> None:
+    for _ in range(frame_count):
+        simulation.step()
+
+
+def _moment_of(simulation: Simulation) -> Any:
+    """What ``put_in_state_of`` reads of a simulation, as it is now."""
+    wp.synchronize_device(simulation.device)
+
+    def kept(holder: object, names: Sequence[str]) -> SimpleNamespace:
+        return SimpleNamespace(**{name: wp.clone(getattr(holder, name)) for name in names})
+
+    moment = SimpleNamespace(
+        world_count=simulation.world_count,
+        task=kept(simulation.task, TASK_ARRAYS),
+        state=kept(simulation.state, STATE_ARRAYS),
+        solver=SimpleNamespace(mjw_data=kept(simulation.solver.mjw_data, ENGINE_ARRAYS)),
+    )
+    wp.synchronize_device(simulation.device)
+    return moment
+
+
+class Frames:
+    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only.
+
+    Args:
+        switch: What is in force while the frames are captured.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        case: Case,
+        pilot: Pilot,
+        switch: Callable[[Simulation], AbstractContextManager] = nullcontext,
+    ):
+        self.simulation, self.case, self.pilot = simulation, case, pilot
+        most = LARGE_BATCH // simulation.world_count if simulation.device.is_cuda else 1
+        self.frame_count = max(1, min(BLOCK_FRAME_COUNT, most))
+        simulation.vary(case)
+        pilot.put(simulation, case)
+        with switch(simulation):
+            _run(simulation, WARMUP_COUNT)
+        self.parts = simulation.parts, simulation.part_beside
+        self.reason = batch_invalid_reason(simulation)
+
+    def __call__(self, number: int) -> float:
+        """Time of a frame [ms], mean of the block of the round of that number."""
+        simulation = self.simulation
+        simulation.parts, simulation.part_beside = self.parts
+        self.pilot.put(simulation, self.case, number)
+        return elapsed_ms(simulation.device, lambda: _run(simulation, self.frame_count)) / self.frame_count
+
+    def columns(self, found: Resolved) -> dict[str, object]:
+        """Times, ratio and memory; None, with the reason, where the frames do not count."""
+        if self.reason:
+            return absent(TIMED, f"not timed: {self.reason}")
+        memory = buffer_bytes_per_world(self.simulation.solver, self.simulation.contacts)
+        return time_columns(found) | {"buffer_bytes_per_world": memory}
+
+
+def time_columns(found: Resolved, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, object]:
+    """Times as ``spread`` says them, and the ratio with its resolution; the ratios' spread is from round to round."""
+    low, high = (float(value) for value in np.percentile(found.ratios, (5, 95)))
+    row = spread(name, found.times) | {ratio: found.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}
+    return row | {"ratio_resolution": found.resolution}
+
+
+def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S) -> dict[str, dict]:
+    """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
+
+    Where memory runs out or the frames do not count, every number is None, with the reason. What differs only in how it
+    is run shares a simulation. Beside the first case's, one other simulation is in memory at a time.
+    """
+    pilot = Pilot(cases, device)
+    groups: dict[Case, list[Case]] = {}
+    for case in cases:
+        groups.setdefault(build_key(case), []).append(case)
+    reference: list[Frames] = []
+    found: dict[str, dict] = {}
+    for group in groups.values():
+        gc.collect()  # frees the batch before
+        try:
+            frames = _frames_of(group, world_count, pilot)
+            if group[0] is cases[0]:
+                reference = [one for one in frames[:1] if not one.reason]
+                frames = frames[len(reference) :]
+            found = _compare(reference, frames, cap_s) | found  # the reference keeps its first times
+        except (RuntimeError, MemoryError) as error:
+            if not is_out_of_memory(error):
+                raise
+            found |= {case.name: absent(TIMED, " ".join(str(error).split())[:120]) for case in group}
+        frames = []
+    return found
+
+
+def _frames_of(group: Sequence[Case], world_count: int, pilot: Pilot) -> list[Frames]:
+    """Build one simulation for cases with the same ``build_key``."""
+    simulation = Simulation([replace(group[0], frame_count=1)] * world_count, pilot.device)
+    return [Frames(simulation, case, pilot) for case in group]
+
+
+def _compare(reference: list[Frames], others: list[Frames], cap_s: float) -> dict[str, dict]:
+    """Columns of the reference and the others; without a reference each other is timed alone, and has no ratio."""
+    lost = {frames.case.name: absent(TIMED, f"not timed: {frames.reason}") for frames in others if frames.reason}
+    others = [frames for frames in others if not frames.reason]
+    if not reference:
+        alone = {frames.case.name: frames.columns(in_turn([frames], cap_s=cap_s)[0]) for frames in others}
+        no_ratio = absent(RATIO, "what it is compared with has no time here")
+        return lost | {name: columns | no_ratio for name, columns in alone.items()}
+    both = [*reference, *others]
+    results = in_turn(both, cap_s=cap_s * max(1, len(others)))
+    return lost | {frames.case.name: frames.columns(result) for frames, result in zip(both, results, strict=True)}

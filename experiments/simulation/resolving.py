@@ -1,0 +1,79 @@
+"""Times to a stated resolution: blocks of frames in turn, until the interval of a ratio is narrow enough.
+
+A round times one block of each case, in the opposite order from the round before (ABBA), so that a drift of the machine
+cancels. What is looked at is the logarithm of a case's time over the reference's in the same round. Its mean has an
+interval from batch means (Law & Carson, "A sequential procedure for determining the length of a steady-state
+simulation", Operations Research 27(5), 1979): the rounds so far make BATCH_COUNT batches, which get longer at each
+look, so that rounds that follow one another need not be independent. Each of LOOK_COUNT looks has its part of the error
+(Bonferroni), so the interval covers whenever one stops.
+"""
+
+import math
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+RESOLUTION = 0.01
+"""Half of the interval of a ratio that is narrow enough, as a share of the ratio."""
+BATCH_COUNT = 8
+LOOK_COUNT = 5
+"""Looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error."""
+T_QUANTILE = 3.4995
+"""Student's t with seven degrees of freedom, two-sided 99 %."""
+CAP_S = 6.0
+"""Seconds after which no comparison goes on to another look."""
+
+
+@dataclass(frozen=True)
+class Resolved:
+    """What a case's rounds say."""
+
+    times: np.ndarray
+    """Time of a frame in each round [ms]."""
+    ratios: np.ndarray
+    """That over the reference's in the same round; the reference's own has 1 everywhere."""
+    ratio: float
+    """Geometric mean of the ratios."""
+    resolution: float
+    """Half of the 95 % interval of ``ratio``, as a share of it."""
+
+
+def in_turn(
+    blocks: Sequence[Callable[[int], float]],
+    *,
+    resolution: float = RESOLUTION,
+    cap_s: float = CAP_S,
+    clock: Callable[[], float] = time.perf_counter,
+) -> list[Resolved]:
+    """Time the blocks against the first of them until each ratio is known to ``resolution``.
+
+    A case that is known takes no further part; the reference does to the end. Alone it is timed as often as the first
+    look takes.
+
+    Args:
+        blocks: Each times a frame of its case [ms] in the round of that number.
+        resolution: See ``RESOLUTION``.
+        cap_s: Where another look would end after this time [s], the resolution stays as it is.
+    """
+    start = clock()
+    rounds: list[list[float]] = [[] for _ in blocks]
+    active = list(range(len(blocks)))
+    for look in range(LOOK_COUNT):
+        for number in range(len(rounds[0]), BATCH_COUNT << look):
+            for index in active if number % 2 == 0 else reversed(active):
+                rounds[index].append(blocks[index](number))
+        is_open = {index: _resolved(rounds[index], rounds[0]).resolution > resolution for index in active}
+        active = [index for index in active if index == 0 or is_open[index]]
+        if len(active) == 1 or 2.0 * (clock() - start) > cap_s:
+            break
+    return [_resolved(times, rounds[0]) for times in rounds]
+
+
+def _resolved(times: Sequence[float], reference: Sequence[float]) -> Resolved:
+    own = np.array(times)
+    ratios = own / np.array(reference[: len(times)])
+    batches = np.log(ratios).reshape(BATCH_COUNT, -1).mean(axis=1)
+    half = T_QUANTILE * batches.std(ddof=1) / math.sqrt(BATCH_COUNT)
+    return Resolved(own, ratios, math.exp(batches.mean()), math.expm1(half))

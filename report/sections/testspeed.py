@@ -1,0 +1,76 @@
+"""The engine's own benchmark beside our frames, and what lies between the two."""
+
+from measured_report.claims.claim import Claim, at_least, at_most
+from measured_report.parts.section import Section, Table
+from measured_report.values.quantities import Quantity, Value
+from measured_report.values.results import Results
+from report.names import worlds_name
+from report.shared.arithmetic import Column, departure, ratio, table_of
+from report.shared.timing import CURE_WORLDS, cell, resolution
+
+order = 172
+page = "cost"
+label = "the engine's benchmark"
+
+WAYS = {
+    "testspeed": "mujoco_warp.testspeed",
+    "each-step-waited-for": "the same, run here",
+    "steps-in-one-graph": "16 steps as one graph",
+    "collision-once": "contacts found once a frame",
+    "our-engine-steps": "contacts and rows as Newton makes them",
+    "whole": "whole frames: control, IK, collision, recording",
+    "without-recording": "whole frames without recording",
+    "without-inverse-kinematics": "whole frames without IK",
+    "without-control": "whole frames without control",
+    "without-collision": "whole frames without collision",
+}
+"""What each way to run is called, each a switch from the one before; the last are switches from whole frames."""
+SAME = 10.0
+"""How near the benchmark's speed and that of its loop run here count as the same [%]."""
+
+
+def derive(results: Results) -> Section:
+    rates = {
+        (way, count): cell(results, results.row.get(f"{way}-{count}"), "world_substeps_per_s", f"a batch of {count}")
+        for way in WAYS
+        for count in CURE_WORLDS
+    }
+    gains, apart = {}, {}
+    for count in CURE_WORLDS:
+        formula = "steps of all worlds per second in our frames over those of mujoco_warp.testspeed"
+        gains[count] = ratio(results, f"gain_{count}", formula, rates["whole", count], rates["testspeed", count])
+        formula = "distance of the benchmark's loop run here from mujoco_warp.testspeed, of that"
+        there = rates["each-step-waited-for", count], rates["testspeed", count]
+        apart[count] = departure(results, f"apart_{count}", formula, *there)
+    return Section(
+        tables={"ways": _table(results, rates)},
+        claims=[_faster(results, gains), _explained(results, list(apart.values()))],
+    )
+
+
+def _faster(results: Results, gains: dict[int, Value]) -> Claim:
+    least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", min, *gains.values())
+    one, some, many = gains.values()
+    some_worlds, many_worlds = (
+        cell(results, results.row.get(f"whole-{count}"), "worlds", f"a batch of {count}") for count in CURE_WORLDS[1:]
+    )
+    numbers = {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
+    return Claim("faster", at_least(least, 1.0, why="as fast"), numbers)
+
+
+def _explained(results: Results, apart: list[Value]) -> Claim:
+    formula = "largest of those with 1, 4096 and 16384 worlds"
+    worst = results.value("apart_worst", formula, max, *apart, unit="%")
+    bound = results.chosen("apart_bound", "the same speed", SAME, unit="%")
+    return Claim("explained", at_most(worst, bound), {"worst": worst, "bound": bound})
+
+
+def _table(results: Results, rates: dict[tuple[str, int], Quantity]) -> Table:
+    columns: dict[str, Column] = {worlds_name(count): [rates[way, count] for way in WAYS] for count in CURE_WORLDS}
+    rows = [results.row.get(f"{way}-{CURE_WORLDS[-1]}") for way in WAYS]
+    for above, column in (("contacts", "contact_count"), ("rows", "row_count")):
+        columns[above] = [cell(results, row, column, "a batch") for row in rows]
+    compared = [results.row.get(f"{way}-{count}") for way in WAYS if way != "testspeed" for count in CURE_WORLDS]
+    worst = resolution(results, "resolution", *compared)
+    buffers = [cell(results, rows[0], column, "a batch") for column in ("contact_max", "constraint_max")]
+    return table_of("way", WAYS.values(), columns, resolution=worst, nconmax=buffers[0], njmax=buffers[1])

@@ -1,0 +1,68 @@
+"""The rule by which comparisons of times stop: on made-up times whose ratio is known."""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+
+from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn
+
+RUN_COUNT = 300
+RATIO = 1.02
+
+
+def noises(correlation: float, share: float, drift: float, seed: int) -> Iterator[float]:
+    """Logarithms of made-up times: noise that each block has in part from the one before, on a steady drift."""
+    generator = np.random.default_rng(seed)
+    state, count = generator.normal(), 0
+    while True:
+        yield share * state + drift * count
+        state = correlation * state + np.sqrt(1.0 - correlation**2) * generator.normal()
+        count += 1
+
+
+def compared(case_count: int, correlation: float, share: float, drift: float, seed: int) -> list[Resolved]:
+    noise = noises(correlation, share, drift, seed)
+
+    def block(ratio: float) -> Callable[[int], float]:
+        return lambda _: 10.0 * ratio * float(np.exp(next(noise)))
+
+    return in_turn([block(1.0), *(block(RATIO) for _ in range(case_count - 1))], cap_s=float("inf"))
+
+
+@pytest.mark.parametrize("drift", [0.0, 1e-4])
+@pytest.mark.parametrize("share", [0.005, 0.02])
+@pytest.mark.parametrize("correlation", [0.0, 0.5, 0.9])
+@pytest.mark.parametrize("case_count", [2, 4])
+def test_the_interval_has_the_ratio_in_it(case_count, correlation, share, drift):
+    found = [each for seed in range(RUN_COUNT) for each in compared(case_count, correlation, share, drift, seed)[1:]]
+    covered = [abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution) for each in found]
+    assert np.mean(covered) >= 0.95
+    most = BATCH_COUNT << (LOOK_COUNT - 1)
+    assert all(each.resolution <= 0.01 or len(each.times) == most for each in found)
+
+
+def test_quiet_times_are_looked_at_once_and_a_known_case_no_more():
+    quiet, loud = iter(np.exp(1e-4 * np.random.default_rng(1).normal(size=999))), noises(0.0, 0.05, 0.0, 2)
+    blocks = [lambda _: next(quiet), lambda _: next(quiet), lambda _: float(np.exp(next(loud)))]
+    reference, known, unknown = in_turn(blocks, cap_s=float("inf"))
+    assert (len(known.times), len(unknown.times)) == (BATCH_COUNT, BATCH_COUNT << (LOOK_COUNT - 1))
+    assert len(reference.times) == len(unknown.times) and reference.resolution == 0.0
+
+
+def test_the_cap_leaves_the_resolution_that_was_reached():
+    seconds = iter(range(99))
+    noise = noises(0.0, 0.1, 0.0, 3)
+    block = lambda _: float(np.exp(next(noise)))  # noqa: E731
+    _, found = in_turn([block, block], cap_s=1.0, clock=lambda: float(next(seconds)))
+    assert len(found.times) == BATCH_COUNT and found.resolution > 0.01
+
+
+def test_the_order_turns_round_from_round_to_round():
+    order: list[str] = []
+
+    def block(name: str) -> Callable[[int], float]:
+        return lambda number: order.append(name) or 1.0
+
+    in_turn([block("a"), block("b")])
+    assert "".join(order) == "abba" * (BATCH_COUNT // 2)

@@ -1,0 +1,42 @@
+"""Figures for broad and for narrow screens."""
+
+import re
+from functools import partial
+
+import pytest
+
+from measured_report.parts.figures import NARROW_WIDTH, draw_svgs, is_narrow, new_figure
+
+WIDTH = re.compile(r'viewBox="0 0 ([\d.]+) ')
+
+
+@pytest.mark.parametrize(("asks", "drawn_for"), [(False, ["any"]), (True, [False, True])])
+def test_a_figure_is_drawn_anew_for_a_narrow_screen_only_where_it_asks(asks, drawn_for):
+    found = []
+
+    def draw():
+        drawing, axes = new_figure()
+        found.append(is_narrow() if asks else "any")
+        for label in ("a label that is long", "another one of that kind"):
+            axes.plot([1.0, 500.0], label=label)
+        axes.set_yscale("log")
+        drawing.legend(loc="outside upper center", ncols=4)
+        return drawing
+
+    broad, narrow = draw_svgs(draw, name="toy")
+    assert found == drawn_for
+    assert [float(WIDTH.search(svg)[1]) for svg in (broad, narrow)] == [7.2 * 72, pytest.approx(NARROW_WIDTH * 72)]
+    places = [re.findall(r'x="([\d.]+)" y="([\d.]+)"[^>]*>a(?:nother one| label)', svg) for svg in (broad, narrow)]
+    rows = [len({y for _, y in each}) for each in places]
+    assert rows == [1, 2], "names that are long stand one below the other where it is narrow"
+
+
+def test_panels_beside_one_another_stand_one_above_the_other_where_it_is_narrow():
+    def draw(columns):
+        return new_figure(ncols=columns)[0]
+
+    heights = [
+        float(re.search(r'viewBox="0 0 [\d.]+ ([\d.]+)"', draw_svgs(partial(draw, n), name="toy")[1])[1])
+        for n in (1, 2)
+    ]
+    assert heights[1] == pytest.approx(2 * heights[0])

@@ -1,0 +1,106 @@
+"""Questions of issue trackers: what the lint names, and whether the first change that it says cures it in MuJoCo C."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from newton_lint.command import main
+
+PINCH = """
+<mujoco>
+  <option {option}/>
+  <worldbody>
+    <body name="left" pos="-0.0125 0 0"><joint name="l" type="slide" axis="1 0 0" damping="100"/>
+      <geom name="left_pad" type="box" size="0.008 0.03 0.02" mass="0.2" {pads}/></body>
+    <body name="right" pos="0.0125 0 0"><joint name="r" type="slide" axis="-1 0 0" damping="100"/>
+      <geom name="right_pad" type="box" size="0.008 0.03 0.02" mass="0.2" {pads}/></body>
+    <body name="body"><freejoint/>
+      <geom type="capsule" size="0.004 0.05" euler="90 0 0" mass="{mass}" friction="0.7"/></body>
+  </worldbody>
+  <actuator><position joint="l" kp="4000"/><position joint="r" kp="4000"/></actuator>
+  <keyframe><key ctrl="0.0025 0.0025"/></keyframe>
+</mujoco>
+"""
+TIPS = """
+<mujoco>
+  <option cone="elliptic" impratio="100"/>
+  <worldbody>
+    <body name="hand">
+      <body name="left" pos="-0.03 0 0"><joint name="l" type="slide" axis="1 0 0" damping="20"/>
+        <geom name="left_tip" size="0.01" mass="0.1" friction="1 0.02"/></body>
+      <body name="right" pos="0.03 0 0"><joint name="r" type="slide" axis="-1 0 0" damping="20"/>
+        <geom name="right_tip" size="0.01" mass="0.1" friction="1 0.02"/></body>
+    </body>
+    <body name="body" pos="0 0.02 0"><freejoint/><geom type="box" size="0.0195 0.1 0.01" mass="0.05"/></body>
+  </worldbody>
+  <actuator><motor joint="l"/><motor joint="r"/></actuator>
+  <keyframe><key ctrl="30 30"/></keyframe>
+</mujoco>
+"""
+FLOOR = """
+<mujoco>
+  <option timestep="{dt}"/>
+  <default><geom {default}/></default>
+  <worldbody>
+    <geom name="floor" type="plane" size="5 5 1" euler="0 {slope} 0"/>
+    <body name="body" pos="0 0 0.1"><freejoint/><geom type="box" size="0.1 0.1 0.1" {geom}/></body>
+  </worldbody>
+</mujoco>
+"""
+BESIDE = {"option": "", "pads": 'friction="0.7"', "mass": 0.045, "dt": 0.002, "default": "", "geom": "", "slope": 0}
+SETTLE_S, MEASURED_S = 1.0, 0.4
+QUESTIONS = {
+    "creeps-out-of-the-grip": (PINCH, {}, "slip", "creep", 0.1),
+    "impratio-does-not-help": (PINCH, {"option": 'impratio="10"', "mass": 0.45}, "pyramid", "creep", 0.6),
+    "stiff-pads-stay-soft": (
+        PINCH,
+        {"option": 'cone="elliptic" impratio="2"', "pads": 'friction="0.7" solref="0.004 1"'},
+        "one-sided",
+        "creep",
+        0.6,
+    ),
+    "turns-in-the-fingertips": (TIPS, {}, "condim", "turn", 0.1),
+    "sinks-into-the-floor": (FLOOR, {"geom": 'friction="8"'}, "pyramid", "sink", 0.1),
+    "falls-through-the-floor": (FLOOR, {"default": 'conaffinity="0"'}, "lost", "sink", 0.1),
+    "slides-down-with-more-friction": (
+        FLOOR,
+        {"geom": 'friction="1000" solref="0.001 1" solimp="0.998 0.998 0.001"', "slope": 5},
+        "slip",
+        "creep",
+        0.1,
+    ),
+    "solimp-in-the-wrong-order": (FLOOR, {"default": 'solimp="0.95 0.5 0.0001"', "slope": 8}, "solimp", "creep", 0.2),
+    "solref-below-the-time-step": (FLOOR, {"dt": 0.01, "default": 'solref="0.004 1"'}, "timeconst", "sink", 0.1),
+}
+"""Scene, what is in it, the rule that names it, what is measured, and which share of it the change leaves at most."""
+
+
+def measured(path: str, what: str) -> float:
+    """How fast the body creeps [mm/s], how far it turns [rad], or how deep it is below where it started [mm]."""
+    model = mujoco.MjModel.from_xml_path(path)
+    data, body = mujoco.MjData(model), model.body("body").id
+    if model.nkey:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    places = []
+    for time_s in (SETTLE_S, MEASURED_S):
+        for _ in range(round(time_s / model.opt.timestep)):
+            mujoco.mj_step(model, data)
+        places.append((data.xpos[body].copy(), data.xmat[body].reshape(3, 3).copy()))
+    (start, before), (end, after) = places
+    if what == "creep":
+        return 1e3 * float(np.linalg.norm(end - start)) / MEASURED_S
+    if what == "turn":
+        return float(np.arccos(np.clip(0.5 * (np.trace(before.T @ after) - 1.0), -1.0, 1.0)))
+    return 1e3 * (0.1 - float(end[2]))
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_the_change_that_is_named_cures_it(question, tmp_path, capsys):
+    scene, changes, rule, what, share = QUESTIONS[question]
+    path = tmp_path / "scene.xml"
+    path.write_text(scene.format(**BESIDE | changes))
+    before = measured(str(path), what)
+    assert main([str(path), "--fix"]) == 1
+    assert f"warning {rule}:" in capsys.readouterr().out
+    assert measured(str(path), what) < share * before
+    assert main([str(path)]) == 0
