@@ -6,16 +6,20 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from experiments.facts.clip_record import clips_state
+from markupsafe import Markup
+
+from experiments.facts.clip_record import CLIPS, FIRST, clips_state
 from measured_report.deriving import extras
 from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, results_digest
 from measured_report.editions.status import State
+from measured_report.files.atomic import short_path
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
+from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
 from report.names import name_of
@@ -39,7 +43,15 @@ class Extras(extras.Extras):
 
     @cached_property
     def _clips_state(self) -> State:
-        return clips_state(self.edition.project)
+        state = clips_state(self.edition.project)
+        try:
+            if state.record:
+                shown = Clips(self.edition.project, state)
+                _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
+        except (AttributeError, LookupError, TypeError, ResultsError) as error:
+            place = short_path(self.edition.project.record_path(CLIPS))
+            return State(CLIPS, "damaged", notes=(f"{place}: no clip can be shown ({' '.join(str(error).split())})",))
+        return state
 
     @property
     def left_out(self) -> Sequence[State]:

@@ -7,14 +7,26 @@ Whatever is altered, the pages stand, without a number that no record has, and w
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+import signal
+from argparse import Namespace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import nullcontext, redirect_stderr, redirect_stdout
+from io import StringIO
 from random import Random
+from traceback import extract_tb
 from typing import Any
+from unittest.mock import patch
 
-from measured_report.editions.project import own_release
+from markupsafe import Markup
+
+from measured_report.commands import building
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.stack import stack_of
+from measured_report.files.atomic import remove
 from measured_report.files.cache import FOLDER as CACHE
-from measured_report.files.staging import remove
+from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, columns_of, is_number, units_of
+from measured_report.site import pages
 from measured_report.site.check import check_site
 
 Row = dict[str, Any]
@@ -75,18 +87,25 @@ def _column_altered(rows: list[Row], chance: Random) -> tuple[str, list[Row]]:
     return f"{column} {name}{' in one row' * (len(hit) < len(there))}", rows
 
 
-AT_ONCE = 10
-"""So many records are altered at once: what takes the time is the page of the others."""
+LIMIT_S = 300
+"""A build that takes longer does not end."""
+AT_ONCE, DRAWN_EVERY = 10, 4
+"""So many records are altered at once, since most of the time goes into the pages of the others; and how seldom what is
+to be drawn is drawn, which takes longer than all else."""
 
 
 def alterations(world, trial, moments: int, release: str) -> Iterator:
-    """Records altered at random, of all sections of the own release and of another one."""
+    """Records altered at random, of all sections of the own release and of another one.
+
+    The pages are built in this process, which has loaded by then what takes longer than a build.
+    """
     trial.name = f"altered records, {AT_ONCE} at once: no traceback, no false number, each shown or named in one line"
-    whole = type(world).made(world.root.parent / "whole", {own_release(): (), release: ()})
-    whole.run("page")
+    whole = type(world).made(world.root.parent / "whole", {own_release(): (), release: ()}, {})
+    project = Project(own_release(), root=whole.root)
+    page(project)
     cache, kept = whole.root / CACHE, whole.root.parent / "kept"
     cache.rename(kept)
-    paths = sorted(whole.root.glob("results/*/*.json"))
+    paths = sorted(project.results.parent.glob("*/*.json"))
     while trial.tried < trial.of:
         chance = Random(trial.tried)
         before = {path: path.read_bytes() for path in chance.sample(paths, AT_ONCE)}
@@ -96,14 +115,14 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
             path.write_text(json.dumps(record), encoding="utf-8")
         remove(cache)
         shutil.copytree(kept, cache, copy_function=os.link)  # what is written there takes the place of the link
-        done = whole.run("page")
-        lines = done.stderr.splitlines()
-        is_said = done.returncode == bool(lines) and all(line.startswith("damaged: ") for line in lines)
-        found = [] if is_said else [f"status {done.returncode}: {done.stderr[-300:]}"]
-        found += check_site(whole.root / "site")[:2]
+        with nullcontext() if trial.tried % (AT_ONCE * DRAWN_EVERY) == 0 else patch.object(pages, "draw_all", _undrawn):
+            status, lines = page(project)
+        is_said = status == bool(lines) and all(line.startswith("damaged: ") for line in lines)
+        found = [] if is_said else [f"status {status}: {' / '.join(lines)[-300:]}"]
+        found += check_site(project.site)[:2]
         for path in before:
             place = f"{path.parent.name}/{path.name}"
-            shown, named = whole.root / "site/data" / place, [line for line in lines if place in line]
+            shown, named = project.site / "data" / place, [line for line in lines if place in line]
             is_shown = shown.is_file() and shown.read_bytes() == path.read_bytes()
             own = [] if is_shown or len(named) == 1 else [f"not shown, and named in {len(named)} lines"]
             trial(f"{place}, {words[path]}", *own, *found)
@@ -111,3 +130,27 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
         for path, content in before.items():
             path.write_bytes(content)
         yield trial
+
+
+UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
+
+
+def _undrawn(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+    meanwhile()
+    return [(UNDRAWN, UNDRAWN)] * len(figures)
+
+
+def page(project: Project) -> tuple[int, list[str]]:
+    """Build the site as ``make page`` does; its status, and what it says is wrong, a line each."""
+    said = StringIO()
+    signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.alarm(LIMIT_S)
+    try:
+        with redirect_stdout(StringIO()), redirect_stderr(said):
+            status = building.page(project, Namespace(stack=stack_of(project.release), address=""))
+    except (Exception, KeyboardInterrupt) as error:
+        where = extract_tb(error.__traceback__)[-1]
+        return -1, [*said.getvalue().splitlines(), f"{type(error).__name__}: {error} ({where.name}:{where.lineno})"]
+    finally:
+        signal.alarm(0)
+    return status, said.getvalue().splitlines()

@@ -30,10 +30,9 @@ from batches import is_running  # noqa: E402
 from damage import RECORD_WAYS, TRACE_WAYS, damage  # noqa: E402
 from torture_study import studies  # noqa: E402
 
-from measured_report.files.atomic import RecordError, is_own_file  # noqa: E402
+from measured_report.files.atomic import RecordError, is_own_file, remove  # noqa: E402
 from measured_report.files.cache import FOLDER as CACHE  # noqa: E402
 from measured_report.files.cache import Cache  # noqa: E402
-from measured_report.files.staging import remove  # noqa: E402
 from measured_report.records.identity import files_digest  # noqa: E402
 from measured_report.records.reading import load_record  # noqa: E402
 from measured_report.site.check import check_site  # noqa: E402
@@ -95,8 +94,8 @@ class World:
     root: Path
 
     @classmethod
-    def made(cls, root: Path, records: Mapping[str, Collection[str]]) -> "World":
-        """Copy it, with these records of each release; none named: with all."""
+    def made(cls, root: Path, records: Mapping[str, Collection[str]], files: Mapping[str, str]) -> "World":
+        """Copy it, with these records of each release, of which none named are all, and further files by their text."""
         root.mkdir(parents=True)
         for name in FOLDERS:
             shutil.copytree(ROOT / name, root / name)
@@ -110,7 +109,7 @@ class World:
                 if path.suffix == ".toml" or not sections or path.name.partition(".")[0] in sections:
                     shutil.copy(path, root / results)
         (root / "site").mkdir()
-        for name, text in PROBE.items():
+        for name, text in files.items():
             (root / name).write_text(text.replace("\\n", "\n"), encoding="utf-8")
         return cls(root)
 
@@ -324,24 +323,6 @@ def inputs(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
     yield trial
 
 
-def damages(world: World, trial: Trial, moments: int) -> Iterator[Trial]:
-    """Every way to damage a record, on records that were measured."""
-    trial.name = "damaged records and traces: named with release and file, in one line"
-    chance = random.Random(0)
-    paths = [path for path in sorted(world.records()) if "slip_mm" in path.read_text()]
-    for way in SEALED_WAYS:
-        path = chance.choice(paths)
-        with damaged(path, way) as is_damaged:
-            if is_damaged:
-                try:
-                    load_record(path)
-                    said = "taken for whole"
-                except RecordError as error:
-                    said = str(error)
-                trial(f"{path.name}, {way}", "" if f"newton-{RELEASE}/" in said and "\n" not in said else said[:200])
-    yield trial
-
-
 @contextmanager
 def damaged(path: Path, way: str) -> Iterator[bool]:
     """Damage a record or a trace for a while; false where it has nothing to damage in that way."""
@@ -454,7 +435,6 @@ def installed(root: Path) -> dict[str, int]:
 
 
 TRIALS: dict[str, Callable[[World, Trial, int], Iterator[Trial]]] = {
-    "damages": damages,
     "publish": lambda world, *rest: kills(world, *rest, publish_to(world), publish_to(world)),
     "page": lambda *rest: kills(*rest, PAGE, PAGE),
     "setups": setups,
@@ -481,7 +461,7 @@ def main() -> int:
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what is started is started a thousand times
     key = commit()
     with tempfile.TemporaryDirectory(prefix="torture-") as folder:
-        world = World.made(Path(folder).resolve() / "project", {RELEASE: SECTIONS})
+        world = World.made(Path(folder).resolve() / "project", {RELEASE: SECTIONS}, PROBE)
         for name in arguments.only:
             trial = None if arguments.again else _kept(name)
             if not trial or trial.commit != key or not (trial.is_whole or name in COUNTED):

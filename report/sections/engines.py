@@ -144,7 +144,7 @@ def _discrete_adds_the_step(
 
 def _lines(results: Results) -> list[Line]:
     """Those that other sections have, which are not measured again, and those of this one."""
-    packages, lines = results.record.identity.packages, []
+    newton, lines = f"Newton {results.record.identity.packages['newton']}", []
 
     def of_turntable(case: str, column: str, section: str = "turntable") -> Quantity:
         return other_cell(results, section, case, column, unit="1/s")
@@ -170,7 +170,7 @@ def _lines(results: Results) -> list[Line]:
         plain = [of_turntable(f"plain-{engine}", column) for column in ("growth_per_s", "predicted_growth_per_s")]
         walks = [*plain, of_turntable(f"half-step-{engine}", "growth_per_s")]
         sinks = [of_capsule(engine, column) for column in ("steady_creep_mm_s", "predicted_creep_mm_s")]
-        add(engine, (name, name, f"Newton {packages['newton']}"), "mujoco", walks, sinks)
+        add(engine, (name, name, newton), "mujoco", walks, sinks)
     for model, (name, law) in MODELS.items():
         step = "0ms" if law == "stribeck" else LONG
         long, short, pinch = (
@@ -189,7 +189,7 @@ def _lines(results: Results) -> list[Line]:
     for solver, (name, law) in NEWTONS.items():
         measured = [of_turntable(f"{solver}-{each}", "growth_per_s", "turntable_solvers") for each in (LONG, SHORT)]
         walks = [measured[0], tangent if law else absent("1/s", "no law was derived"), measured[1]]
-        add(solver, (name, "Newton", packages["newton"]), law, walks, (unmeasured, unmeasured))
+        add(solver, (name, "Newton", newton), law, walks, (unmeasured, unmeasured))
     return lines
 
 

@@ -21,11 +21,12 @@ CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
     listed, carry = _contact_claims(rows)
+    there = [row for row in rows if None not in (row.mean_row_count.value, row.mean_loaded_row_count.value)]
     contacts = Figure(
-        draw=lambda: _draw_contacts(rows),
+        draw=lambda: _draw_contacts(there),
         sources=[column for row in rows for column in (row.mean_row_count, row.mean_loaded_row_count)],
         numbers={
-            "cases": [(name_of(row.case), row.mean_loaded_row_count, row.mean_row_count) for row in rows],
+            "cases": [(name_of(row.case), row.mean_loaded_row_count, row.mean_row_count) for row in there],
             "is_so": all_of(listed.outcome, carry.outcome) == HOLDS,
         },
     )
@@ -57,12 +58,11 @@ def _contact_claims(rows: list[Row]) -> tuple[Claim, Claim]:
 
 def _draw_contacts(rows: list[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 2.2)
-    there = [row for row in rows if row.mean_row_count.value is not None]
-    names, loaded = [name_of(row.case) for row in there], np.array([row.mean_loaded_row_count.value for row in there])
-    idle = np.array([row.mean_row_count.value for row in there]) - loaded
+    names, loaded = [name_of(row.case) for row in rows], np.array([row.mean_loaded_row_count.value for row in rows])
+    idle = np.array([row.mean_row_count.value for row in rows]) - loaded
     axes.barh(names, loaded, height=0.6, color=SHIPPED, edgecolor=INK, linewidth=0.6, label="carry force")
     axes.barh(names, idle, left=loaded, height=0.6, color=FAINT, edgecolor=INK, linewidth=0.6, label="carry none")
-    for place, row in enumerate(there):
+    for place, row in enumerate(rows):
         text = f"{write(row.mean_loaded_row_count)} of {write(row.mean_row_count)}"
         say_value(axes, row.mean_row_count.value, place, text)
     axes.margins(x=0.2)

@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.claims.claim import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, decreases
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.families import count, family, family_claim, least, most
 from report.sections.stability.passing import is_stable, passed
@@ -68,7 +68,9 @@ def gain_goes(results: Results) -> Claim:
             drifts = runs["as-shipped", number].drift_mm_s, runs["stiff", number].drift_mm_s
             gains.append(results.value(f"step_gain_{number}", formula, lambda a, b: abs(a / b), *drifts))
     if len(gains) < 2:
-        return Claim("gain_goes", Outcome("unknown", "it was not measured with longer steps"))
+        lack = "it was not measured with longer steps"
+        numbers = dict.fromkeys(("shipped", "twice", "longest", "step"), absent("1", lack))
+        return Claim("gain_goes", Outcome("unknown", lack), numbers)
     falls = decreases([gains[0], gains[1], gains[-1]], noise=0.1, why="the same gain")
     ends = all_of(at_least(gains[0], 4.0, why="a gain to take back"), at_most(gains[-1], 2.0, why="a gain"))
     numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}

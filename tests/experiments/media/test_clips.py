@@ -1,8 +1,10 @@
 """The clips: what they read out is what was kept, and what they show is where it was."""
 
+import json
 import re
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,6 +18,7 @@ from experiments.media.stage import Camera, Stage, display
 from measured_report.editions.project import Project, own_release
 from measured_report.records.reading import load_record
 from measured_report.records.traces import load_trace, trace_path
+from report.extras import Extras
 from report.media.clips import Clips
 
 OWN = Project(own_release())
@@ -113,7 +116,9 @@ def test_the_tracked_clips_are_whole_small_and_say_what_was_measured():
 
 def _poster_elsewhere(results: Path) -> None:
     record = results / "clips.json"
-    record.write_text(re.sub(r'"poster":"[^"]+"', '"poster":"../../secret.jpg"', record.read_text()))
+    own = re.search(r'"poster":"([^"]+)"', record.read_text())
+    shutil.copy(results / own[1], results.parents[1] / "secret.jpg")  # the same bytes, so that the place alone is wrong
+    record.write_text(record.read_text().replace(own[0], '"poster":"../../secret.jpg"'))
 
 
 CLIP_DAMAGES = {
@@ -135,3 +140,20 @@ def test_finding_4_a_clip_that_is_not_the_one_that_was_made_is_named(tmp_path, d
     damage(project.results)
     state = clips_state(project)
     assert state.kind == "damaged" and "clips" in state.words and "\n" not in state.words
+
+
+@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
+@pytest.mark.parametrize("lost", ["poster", "width_px", "as_shipped_mm"])
+def test_clips_that_lack_what_a_page_shows_are_named_and_not_shown(tmp_path, lost):
+    link(tmp_path, "experiments", "report", "assets", "pyproject.toml")
+    project = Project(own_release(), root=tmp_path)
+    project.results.mkdir(parents=True)
+    for path in OWN.results.glob("clips.*"):
+        shutil.copy(path, project.results)
+    data = json.loads(project.record_path(CLIPS).read_text())
+    data["rows"] = [{name: cell for name, cell in row.items() if name != lost} for row in data["rows"]]
+    data["units"].pop(lost, None)
+    project.record_path(CLIPS).write_text(json.dumps(data))
+    extras = Extras(SimpleNamespace(project=project))
+    [state] = extras.left_out
+    assert state.kind == "damaged" and lost in state.words and extras.clips is None

@@ -276,6 +276,36 @@ def test_finding_7_what_somebody_else_put_into_the_cache_runs_nothing_and_shows_
     assert not (tmp_path / "ran").exists() and files(toy.project.site) == before
 
 
+def test_no_link_in_the_place_of_the_cache_or_in_it_leads_to_what_is_written_or_removed(toy, tmp_path):
+    (tmp_path / "mine").mkdir(mode=0o755)
+    (tmp_path / "mine/film.part").write_text("dear")
+    cache = toy.project.root / FOLDER
+    cache.symlink_to(tmp_path / "mine")
+    toy.build()
+    assert (tmp_path / "mine").stat().st_mode & 0o777 == 0o755
+    cache.unlink()
+    cache.mkdir()
+    (cache / "entry.part").symlink_to(tmp_path / "mine/film.part")
+    Cache(toy.project.root).put("entry", "key", "value")
+    assert {path.name: path.read_text() for path in (tmp_path / "mine").iterdir()} == {"film.part": "dear"}
+    assert Cache(toy.project.root).get("entry", "key") == "value"
+
+
+def test_no_key_comes_out_of_a_checkout(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("XDG_CACHE_HOME", "cache")
+    place = tmp_path / "cache/measured-report/key"
+    place.parent.mkdir(parents=True)
+    place.write_bytes(bytes(32))
+    place.chmod(0o600)
+    _key.cache_clear()
+    try:
+        assert _key() != bytes(32)
+    finally:
+        _key.cache_clear()
+
+
 @pytest.mark.parametrize("mode", [0o644, 0o600])
 def test_a_key_that_others_can_read_is_none(tmp_path, monkeypatch, mode):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "home"))

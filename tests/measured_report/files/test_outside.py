@@ -13,9 +13,10 @@ from conftest import EXPERIMENT, MODULE, ROWS, derived
 from measured_report.changes.faults import faults_of
 from measured_report.commands import building
 from measured_report.deriving.editions import derive_edition
-from measured_report.editions.manifest import Manifest, write_manifest
+from measured_report.editions.manifest import Manifest, read_manifest, write_manifest
 from measured_report.editions.stack import stack_of
 from measured_report.files.atomic import RecordError, recover
+from measured_report.files.errors import ReportError
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
@@ -27,7 +28,7 @@ WHOLE_DAMAGES = {
     "text": lambda whole: (whole / "toy.json").write_text("{"),
     "deep": lambda whole: (whole / "toy.json").write_text("[" * 100_000),
     "pipe": lambda whole: ((whole / "toy.json").unlink(), os.mkfifo(whole / "toy.json")),
-    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to("/etc/passwd")),
+    "link": lambda whole: ((whole / "toy.json").unlink(), (whole / "toy.json").symlink_to(whole.parent / "toy.json")),
     "other": lambda whole: (whole / "noise.json").write_text("{}"),
     "trace": lambda whole: (whole / "toy.stiff.csv.gz").write_bytes(b"x"),
     "empty": lambda whole: [path.unlink() for path in whole.iterdir()],
@@ -49,6 +50,38 @@ def test_finding_5_what_waits_to_be_put_in_place_is_read_before_it_is_believed(t
     assert load_record(toy.record_path)
 
 
+def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/letter.txt").write_text("dear")
+    toy.project.site.symlink_to(tmp_path / "mine")
+    with pytest.raises(ReportError, match="it was left alone"):
+        toy.build()
+    (tmp_path / "mine/letter.txt").unlink()
+    for end_mm in (0.4, 0.5):  # what is empty, or was built, may be built there
+        toy.measure(end_mm=end_mm)
+        toy.build()
+    assert check_site(tmp_path / "mine") == []
+
+
+def test_a_link_in_the_place_of_what_is_just_being_written_leads_to_nothing_that_is_written(toy, tmp_path):
+    (tmp_path / "letter.txt").write_text("dear")
+    (toy.record_path.parent / ".edition.toml.part").symlink_to(tmp_path / "letter.txt")
+    write_manifest(toy.record_path.parent, Manifest("1.4.0"))
+    assert (tmp_path / "letter.txt").read_text() == "dear" and read_manifest(toy.record_path.parent).asked == "1.4.0"
+
+
+TIMES = {"started": "soon", "ended": "2026-01-02T03:04:05", "date": "0001-01-01T00:00:00+00:00"}
+
+
+@pytest.mark.parametrize("name", TIMES)
+def test_a_time_that_is_none_is_named_before_records_are_compared_by_it(toy, name):
+    data = json.loads(toy.record_path.read_text())
+    data["measured"][name] = TIMES[name]
+    toy.record_path.write_text(json.dumps(data))
+    with pytest.raises(RecordError, match="is no whole record"):
+        load_record(toy.record_path)
+
+
 @pytest.mark.parametrize("text", [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"], ids=["byte", "deep", "kind"])
 def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     manifest = toy.record_path.with_name("edition.toml")
@@ -60,11 +93,16 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     assert 'id="toy"' in toy.page
 
 
-def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy):
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [(b"a,b\n" + b"1,2\n" * 6_000_000, "cells"), (b"a\n" + b"1\n" * (33 << 20), "holds more than 64 MiB")],
+    ids=["cells", "bytes"],
+)
+def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(toy, content, said):
     trace = trace_path(toy.record_path, "stiff")
-    trace.write_bytes(gzip.compress(b"a,b\n" + b"1,2\n" * 6_000_000, compresslevel=1))
+    trace.write_bytes(gzip.compress(content, compresslevel=1))
     before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    with pytest.raises(RecordError, match="cells"):
+    with pytest.raises(RecordError, match=said):
         load_trace(trace)
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before_kb < 400 << 10
 
@@ -84,21 +122,28 @@ def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_t
     assert "newton-1.4.0/toy.json: command ha" in said and "newton-1.4.0/edition.toml is no whole manifest" in said
 
 
-ODD = {
-    "null": lambda rows: [{**row, "slip_mm": None, "slip_mm_reason": "lost"} for row in rows],
-    "one row": lambda rows: rows[:1],
-    "zero": lambda rows: [{**row, "slip_mm": 0.0} for row in rows],
-}
+LOST = [{**row, "slip_mm": None, "slip_mm_reason": "lost"} for row in ROWS]
 
 
-@pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
-@pytest.mark.parametrize("breaks", ["math.sqrt(stiff.slip_mm.value)", "math.log(soft.slip_mm.value)", "assert rows[1]"])
-def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(toy, odd, breaks):
-    code = f"import math\n{MODULE}".replace("    return Section", f"    {breaks}\n    return Section")
-    toy.write("report/sections/toy.py", code)
-    toy.measure(odd(ROWS))
-    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) in (0, 1)
-    assert check_site(toy.project.site) in ([], ["index.html: there is no claim on any page"])
+@pytest.mark.parametrize(
+    ("rows", "breaks"),
+    [
+        (LOST, "math.sqrt(stiff.slip_mm.value)"),
+        ([{**row, "slip_mm": 0.0} for row in ROWS], "math.log(soft.slip_mm.value)"),
+        (ROWS[1:], "assert rows[1]"),
+        (ROWS, "rows[0].slip_mm.value.unknown"),
+    ],
+    ids=["null", "zero", "one row", "attribute"],
+)
+def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(toy, rows, breaks, capsys):
+    toy.write(
+        "report/sections/toy.py", f"import math\n{MODULE}".replace("    return Sec", f"    {breaks}\n    return Sec")
+    )
+    toy.measure(rows)
+    assert building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    [line] = capsys.readouterr().err.splitlines()
+    assert line.startswith("damaged: newton-1.4.0/toy.json: its record lacks what the section is about")
+    assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
 
 
 def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_its_section_stands(toy, capsys):

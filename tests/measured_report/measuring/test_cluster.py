@@ -169,7 +169,12 @@ def hosts(tmp_path, monkeypatch):
         number, *_ = process.get_extra_info("peername")[1:]
         environment = {**os.environ, "SSH_CONNECTION": f"127.0.0.1 {number} 127.0.0.1 22"}
         own = await asyncio.create_subprocess_shell(
-            process.command, stdin=-1, stdout=-1, stderr=-1, env=environment, start_new_session=True
+            f"echo What this shell says to all who come; {process.command}",
+            stdin=-1,
+            stdout=-1,
+            stderr=-1,
+            env=environment,
+            start_new_session=True,
         )
         await process.redirect(own.stdin, own.stdout, own.stderr)
         process.exit(await own.wait())

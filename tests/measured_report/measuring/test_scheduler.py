@@ -180,13 +180,15 @@ HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n"
 
 @pytest.mark.parametrize("asked", [
     "", "locals", "local:", "local:0", "local:x", "local:-1", "local:1e3", "local:٣", "local:999999999", "ssh", "ssh:",
-    "ssh:/nowhere", "ssh:/", "tcp://", "tcp://x", "tcp://x:0", "tcp://x:99999", "tcp://x:1/y", "http://x:1",
+    "ssh:/nowhere", "ssh:/", "ssh:/dev/zero", "ssh:pipe",
+    "tcp://", "tcp://x", "tcp://x:0", "tcp://x:99999", "tcp://x:1/y", "http://x:1",
     *(f"ssh:{name}" for name in HOSTS),
 ])  # fmt: skip
 def test_what_names_no_workers_is_refused_in_one_line(asked, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name, text in HOSTS.items():
         Path(name).write_text(text)
+    os.mkfifo("pipe")
     with pytest.raises(UsageError, match=f"CLUSTER={asked}") as error:
         read_cluster(asked)
     assert "\n" not in str(error.value)

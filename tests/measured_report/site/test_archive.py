@@ -13,7 +13,8 @@ FOLDER = "shake-report-data/"
 
 def test_finding_8_no_text_of_a_table_is_a_formula():
     rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
-    assert rows_csv(rows).decode().splitlines()[1:] == ["'=1+1,'-x,-1.5", "'@a,-1.5,"]
+    rows += [{"case": "＝1+1", "said": "\n=1+1", "slip_mm": 1.0}]
+    assert rows_csv(rows).decode().split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]
 
 
 def test_the_archive_holds_records_values_and_what_figures_draw_and_is_the_same_again(toy):

@@ -73,6 +73,26 @@ def test_what_is_wrong_is_found(toy):
         assert any(problem in line for line in found) if problem else found == [], new
 
 
+UNREADABLE = {
+    "index.html": b"\xff",
+    "style.css": b"\xff",
+    "data/newton-1.4.0/toy.json": b"[" * 100_000,
+    "data/values.json": b"null",
+}
+
+
+def test_what_can_not_be_read_is_said_in_one_line(toy):
+    toy.build()
+    for name, content in UNREADABLE.items():
+        path = toy.project.site / name
+        before = path.read_bytes()
+        path.write_bytes(content)
+        problems = check_site(toy.project.site)
+        assert problems and not any("\n" in problem for problem in problems), name
+        path.write_bytes(before)
+    assert check_site(toy.project.site) == []
+
+
 def test_no_bound_errs_against_its_own_value(toy):
     toy.build()
     page = toy.page

@@ -10,8 +10,11 @@ from pathlib import Path
 import pytest
 from conftest import ROWS, git
 
+from measured_report.files.atomic import remove
+from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.staging import digests_below
+from measured_report.site import targets
 from measured_report.site.check import check_site
 from measured_report.site.publish import publish
 from measured_report.site.sums import SUMS, sums_text
@@ -52,12 +55,15 @@ def test_publishing_switches_a_link(toy, place):
 def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")
-    targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 62)]
+    (tmp_path / "mine/new-12ab").mkdir()  # as a publication that was killed leaves one
+    (tmp_path / ".www.versions").symlink_to(tmp_path / "mine")
+    targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "www", "no/where", "long" * 62)]
     for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:/", "dir:", "ftp:x", ""):
         with pytest.raises(UsageError) as error:
             publish(toy.project.site, target)
         assert "\n" not in str(error.value)
-    assert letter.read_text() == "dear" and not list(tmp_path.glob(".*.versions"))
+    assert letter.read_text() == "dear" and (tmp_path / "mine/new-12ab").is_dir()
+    assert [path.name for path in tmp_path.glob(".*.versions")] == [".www.versions"]
 
 
 def written_by_the_user(folder: Path) -> Path:
@@ -110,11 +116,16 @@ def test_what_was_damaged_after_it_was_published_is_repaired_and_a_build_with_a_
     before = place.resolve()
     index = toy.project.site / "index.html"
     index.write_text(index.read_text() + "<script>alert(1)</script>")
-    sums = {path: digest for path, digest in digests_below(toy.project.site).items() if path != SUMS}
-    (toy.project.site / SUMS).write_text(sums_text(sums))
-    with pytest.raises(ReportError, match="not published"):
+    renew_sums(toy.project.site)
+    remove(toy.project.root / CACHE)  # so that it may have been built elsewhere
+    with pytest.raises(ReportError, match=r"problems found: 1; the first: index\.html: a script runs"):
         publish(toy.project.site, f"dir:{place}")
     assert place.resolve() == before
+
+
+def renew_sums(site: Path) -> None:
+    sums = {path: digest for path, digest in digests_below(site).items() if path != SUMS}
+    (site / SUMS).write_text(sums_text(sums))
 
 
 DAMAGES = {
@@ -128,6 +139,7 @@ DAMAGES = {
     "pipe": lambda site: ((site / "data.zip").unlink(), os.mkfifo(site / "data.zip")),
     "sums": lambda site: (site / SUMS).write_text("nothing"),
     "no sums": lambda site: (site / SUMS).unlink(),
+    "others with their sums": lambda site: ((site / "more.htm").write_text("more"), renew_sums(site)),
 }
 
 
@@ -136,6 +148,15 @@ def test_finding_3_only_what_the_build_made_is_published(toy, place, damage):
     before = place.resolve()
     damage(toy.project.site)
     with pytest.raises(ReportError, match=r"^not published: \S[^\n]*$"):
+        publish(toy.project.site, f"dir:{place}")
+    assert place.resolve() == before
+
+
+def test_finding_3_what_a_place_does_not_keep_as_it_was_is_not_shown(toy, place, monkeypatch):
+    before = place.resolve()
+    change(toy)
+    monkeypatch.setattr(targets, "sync_below", lambda folder: (folder / "data.zip").write_bytes(b""))
+    with pytest.raises(UsageError, match="does not keep what is written there"):
         publish(toy.project.site, f"dir:{place}")
     assert place.resolve() == before
 
@@ -191,11 +212,12 @@ def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
     assert len(list(versions.iterdir())) == 4, "two of the user's, this version and the one before"
 
 
-@pytest.mark.parametrize("inside", ["www", "data/www", ".", "../site"])
-def test_nothing_is_published_into_the_site_itself(toy, inside):
+@pytest.mark.parametrize("inside", ["www", "data/www", ".", "../site", "../.site-0123abcd"])
+@pytest.mark.parametrize("kind", ["dir", "rsync"])
+def test_nothing_is_published_into_the_site_itself(toy, kind, inside):
     before = sorted(toy.project.site.rglob("*"))
     with pytest.raises(UsageError, match="outside of it"):
-        publish(toy.project.site, f"dir:{toy.project.site}/{inside}")
+        publish(toy.project.site, f"{kind}:{toy.project.site}/{inside}")
     assert sorted(toy.project.site.rglob("*")) == before
 
 
@@ -214,6 +236,7 @@ def remote(toy, tmp_path) -> Path:
 
 def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remote, tmp_path):
     root = toy.project.root
+    git(root, "push", "--quiet", "origin", "HEAD:refs/backup/refs/heads/gh-pages")  # whose name ends alike
     before = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
     assert publish(toy.project.site, "") == "origin, branch gh-pages"
     first = git(remote, "rev-parse", "gh-pages")
@@ -242,6 +265,19 @@ def test_finding_3_the_filters_of_whoever_publishes_and_reads_change_no_byte(toy
         assert (tmp_path / "there" / name).read_bytes() == (toy.project.site / name).read_bytes()
 
 
+def test_finding_3_what_git_has_not_taken_as_it_is_goes_nowhere(toy, remote, tmp_path, monkeypatch):
+    own = tmp_path / "bin/git"
+    own.parent.mkdir()
+    real = shutil.which("git")
+    altering = f'case " $* " in *" fast-import "*) sed s/Stiff/Stuff/ | {real} "$@";; *) exec {real} "$@";; esac'
+    own.write_text(f"#!/bin/sh\n{altering}\n")
+    own.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{own.parent}:{os.environ['PATH']}")
+    with pytest.raises(UsageError, match=r"git has not taken .* as it is"):
+        publish(toy.project.site, "")
+    assert git(remote, "for-each-ref") == ""
+
+
 def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):
     inner = toy.project.root / "inner"
     shutil.copytree(toy.project.site, inner / "site")
@@ -250,10 +286,37 @@ def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origi
     assert git(remote, "for-each-ref") == ""
 
 
-def test_finding_8_a_token_is_not_printed(toy, remote):
-    with pytest.raises(UsageError) as error:
-        publish(toy.project.site, "git:http://someone:secret@127.0.0.1:9/x.git")
-    assert "secret" not in str(error.value)
+@pytest.mark.parametrize(
+    "target",
+    [
+        "git:https://someone:secr@et@there/x.git",
+        "git:https://someone:secret@there/x.git#refs/heads/x",
+        "ftp:https://someone:secret@there/x.git",
+        "dir:https://someone:secret@there/www",
+    ],
+)
+def test_finding_8_a_token_is_not_printed(toy, remote, monkeypatch, target):
+    settings = {"COUNT": "1", "KEY_0": f"url.{remote.parent}/.insteadOf", "VALUE_0": "https://someone:secr@et@there/"}
+    for name, value in settings.items():
+        monkeypatch.setenv(f"GIT_CONFIG_{name}", value)
+    remote.rename(remote.with_name("x.git"))
+    try:
+        said = publish(toy.project.site, target)
+    except UsageError as error:
+        said = str(error)
+    assert "://there/" in said and "et@" not in said
+
+
+@pytest.mark.parametrize("name", ["GIT_DIR", "GIT_OBJECT_DIRECTORY", "GIT_COMMON_DIR", "GIT_NAMESPACE"])
+def test_what_another_git_has_set_leads_to_no_other_repository(toy, remote, tmp_path, monkeypatch, name):
+    git(tmp_path, "init", "--quiet", "other")
+    before = sorted((tmp_path / "other").rglob("*"))
+    there = {"GIT_OBJECT_DIRECTORY": tmp_path / "other/.git/objects", "GIT_NAMESPACE": "other"}
+    with monkeypatch.context() as set_there:
+        set_there.setenv(name, str(there.get(name, tmp_path / "other/.git")))
+        publish(toy.project.site, "")
+    assert sorted((tmp_path / "other").rglob("*")) == before
+    assert git(remote, "for-each-ref", "--format=%(refname)") == "refs/heads/gh-pages"
 
 
 def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):

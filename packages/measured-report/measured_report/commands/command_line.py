@@ -56,7 +56,7 @@ def main() -> int:
         project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
         damaged = recover(project.results.parent, load_record)
         for line in damaged:
-            print(UNPRINTABLE.sub("?", line), file=sys.stderr)
+            _say(line)
         with cached_sources(project.root):
             result = arguments.run(project, arguments) or int(bool(damaged))
         print(end="", flush=True)
@@ -77,8 +77,8 @@ def main() -> int:
         print(f"{error.filename or 'the output cannot be written'}: {error.strerror or error}", file=sys.stderr)
         return 1
     except ReportError as error:
-        if said := " ".join(str(error).split()):  # whoever failed may have said it
-            print(UNPRINTABLE.sub("?", said), file=sys.stderr)
+        if str(error):  # whoever failed may have said it
+            _say(str(error))
         return 2 if isinstance(error, UsageError) else 1
 
 
@@ -88,6 +88,11 @@ def interrupt_again(unraisable: "sys.UnraisableHookArgs") -> None:
         signal.setitimer(signal.ITIMER_REAL, 0.01)
     else:
         sys.__unraisablehook__(unraisable)
+
+
+def _say(text: str) -> None:
+    """Say in one line, without what moves a terminal, what is wrong."""
+    print(UNPRINTABLE.sub("?", " ".join(text.split())), file=sys.stderr)
 
 
 def _drop_output() -> None:

@@ -96,7 +96,8 @@ class Edition:
             return self._prose(level, named, told, names)
         except ReportError as error:
             is_untold = any(state.section == anchor for state in self.left_out)
-            if not (is_untold or isinstance(error, ResultsError)):
+            lacks = is_untold or any(state.kind == "damaged" for state in self.left_out)
+            if not (lacks or isinstance(error, ResultsError)):
                 raise
             if not is_untold:
                 self.left_out.append(State(anchor, "damaged", notes=(f"{anchor}: nothing can be said ({error})",)))

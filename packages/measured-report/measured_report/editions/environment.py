@@ -20,12 +20,11 @@ from pathlib import Path
 
 import measured_report
 from measured_report.editions.stack import Stack, release_date
-from measured_report.files.atomic import locked
+from measured_report.files.atomic import locked, remove
 from measured_report.files.config import config, read_toml
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import end_with
 from measured_report.files.root import ROOT
-from measured_report.files.staging import remove
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")

@@ -11,7 +11,7 @@ from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import changes, identity_of, sections
-from measured_report.records.provenance import EDITED, MISSING, checkout_source, package_versions
+from measured_report.records.provenance import EDITED, MISSING, code_in, package_versions
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record
 
@@ -84,10 +84,13 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
 
 
 def package_version(project: Project) -> str:
-    """The version that an edition is of; of a checkout with edits, with the digest of its code."""
+    """The version that an edition is of; of a checkout with edits, with the digest of its code.
+
+    Git is not asked: in a repository that a manifest names it would run what that one's settings say.
+    """
     label, manifest = project.label, project.manifest
     if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
-        return f"{label.version}+{checkout_source(folder)}"
+        return f"{label.version}+{label.source}.{code_in(folder)}"
     return label.package_version
 
 

@@ -89,7 +89,7 @@ def put_record(record: Path, files: Mapping[str, bytes]) -> None:
     with locked(folder.parent):
         new, whole = (folder / f".{record.stem}{ending}" for ending in (NEW, WHOLE))
         for left in (new, whole):  # of a process that was killed: this takes the place of both
-            _remove(left)
+            remove(left)
         new.mkdir()
         try:
             for name, content in files.items():
@@ -124,6 +124,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
     """A path to write to, which takes the place of ``path`` once the block has ended well."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.part")
+    temporary.unlink(missing_ok=True)  # of a process that was killed, or a link that leads elsewhere
     try:
         yield temporary
         with temporary.open("rb") as file:
@@ -143,13 +144,13 @@ def recover(results: Path, load: Callable[[Path], Any]) -> list[str]:
     for folder in sorted({path.parent for ending in (WHOLE, NEW) for path in results.glob(f"*/.*{ending}")}):
         with locked(results), suppress(OSError):  # a copy that can only be read stays as it is
             for unfinished in folder.glob(f".*{NEW}"):
-                _remove(unfinished)
+                remove(unfinished)
             for whole in folder.glob(f".*{WHOLE}"):
                 try:
                     _refuse_other(whole, load)
                 except RecordError as error:
                     aside = whole.with_suffix(ASIDE)
-                    _remove(aside)
+                    remove(aside)
                     os.rename(whole, aside)
                     said.append(f"damaged: {error}; it was not put in place, and is at {folder.name}/{aside.name}")
                 else:
@@ -193,9 +194,10 @@ def _put_in_place(whole: Path) -> None:
     shutil.rmtree(new)
 
 
-def _remove(path: Path) -> None:
+def remove(path: Path) -> None:
+    """Remove whatever is there: a folder, a file, or a link, but not what it leads to."""
     if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
+        shutil.rmtree(path, ignore_errors=True)
     else:
         path.unlink(missing_ok=True)
 

@@ -70,13 +70,17 @@ class Cache:
         place = self.root / FOLDER / name
         # Always of this name, so that no more than one is ever left. Two that write it at once damage it at worst.
         part = place.with_name(f"{name}.part")
-        try:
+        with suppress(OSError):
             place.parent.mkdir(mode=0o700, exist_ok=True)
+            if place.parent.is_symlink():  # what it leads to is somebody's
+                return
             place.parent.chmod(0o700)  # of an older one
-            part.write_bytes(_mark(name, content) + content)
-            os.replace(part, place)
-        except OSError:
-            with suppress(OSError):
+            part.unlink(missing_ok=True)
+            try:
+                with part.open("xb") as file:
+                    file.write(_mark(name, content) + content)
+                os.replace(part, place)
+            finally:
                 part.unlink(missing_ok=True)
 
     def remove(self, start: str) -> None:
@@ -88,7 +92,8 @@ class Cache:
         self._remove("*.part")
 
     def _remove(self, pattern: str) -> None:
-        for entry in (self.root / FOLDER).glob(pattern):
+        folder = self.root / FOLDER
+        for entry in () if folder.is_symlink() else folder.glob(pattern):
             with suppress(OSError):
                 entry.unlink()
 
@@ -104,7 +109,8 @@ def _mark(name: str, content: bytes | memoryview) -> bytes:
 def _key() -> bytes:
     """This user's key, made where there is none; one for this process alone where none can be kept unseen."""
     with suppress(OSError, RuntimeError):  # where there is no home
-        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "measured-report"
+        told = Path(os.environ.get("XDG_CACHE_HOME", ""))  # which counts only as a whole path: others lie in a checkout
+        folder = (told if told.is_absolute() else Path.home() / ".cache") / "measured-report"
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         place, part = folder / "key", folder / f"key.{secrets.token_hex(4)}"
         if not place.exists():

@@ -12,9 +12,14 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from measured_report.files.atomic import atomic_file, is_own_file, locked
+from measured_report.files.atomic import atomic_file, is_own_file, locked, remove
 
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # from linux/fcntl.h and linux/fs.h
+
+
+def staged(folder: Path) -> re.Pattern:
+    """What matches the names of the folder's staging folders; others may begin alike, and are none."""
+    return re.compile(rf"\.{re.escape(folder.name)}-[0-9a-f]{{8}}")
 
 
 @contextmanager
@@ -24,9 +29,8 @@ def staging_folder(folder: Path) -> Iterator[Path]:
     What is there afterwards is removed, as is what processes that were killed have left.
     """
     with locked(folder.parent):
-        ours = re.compile(rf"\.{re.escape(folder.name)}-[0-9a-f]{{8}}")  # others may begin alike, and are not ours
         for left in folder.parent.iterdir():
-            if ours.fullmatch(left.name):
+            if staged(folder).fullmatch(left.name):
                 remove(left)
         fresh = folder.with_name(f".{folder.name}-{secrets.token_hex(4)}")
         try:
@@ -122,11 +126,3 @@ def _move_into(folder: Path, fresh: Path) -> None:
                 path.rmdir()
         elif path.relative_to(folder) not in kept:
             path.unlink()
-
-
-def remove(path: Path) -> None:
-    """Remove whatever is there: a folder, a file, or a link, but not what it leads to."""
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path, ignore_errors=True)
-    else:
-        path.unlink(missing_ok=True)

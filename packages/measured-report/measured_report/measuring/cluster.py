@@ -65,7 +65,7 @@ def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
             else:
                 started = _over_ssh(cluster) if cluster.hosts else _on_this_host(cluster, device)
                 client = Client(stack.enter_context(started))
-        except (OSError, ValueError, RuntimeError, asyncssh.Error) as error:
+        except (OSError, ValueError, LookupError, RuntimeError, asyncssh.Error) as error:
             said = " ".join(str(error).split()) or type(error).__name__
             raise ReportError(f"CLUSTER={cluster.asked}: no workers could be started or reached: {said:.200}") from None
         yield stack.enter_context(client)
@@ -98,7 +98,7 @@ def _over_ssh(cluster: ClusterAddress) -> Iterator[SpecCluster]:
     try:
         pem = security.tls_client_key + security.tls_client_cert
         told = asyncio.run(_tell(hosts, f'umask 077; cat > {place}; echo "$SSH_CONNECTION"', pem))
-        addresses = [said.split()[2] for said in told]
+        addresses = [said.split()[-2] for said in told]  # whatever a shell there says before
         # The scheduler outlives this process for a while where nobody could stop it.
         scheduling = {"protocol": "tls", "port": 0, "idle_timeout": "60s", **NO_DASHBOARD}
         working = {"memory_limit": 0, "death_timeout": str(CONNECT_S), **NO_DASHBOARD}

@@ -1,6 +1,7 @@
 """The address of a cluster: processes of this host, hosts that ssh reaches, or a Dask scheduler that is there."""
 
 import re
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +11,8 @@ HOST = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
 SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
 LOOPBACK = re.compile(r"tcp://(127\.[0-9.]+|localhost|\[::1\]):")
 PROCESS_LIMIT = 256
+BYTE_LIMIT = 1 << 20
+"""Of a list of hosts."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,9 @@ def read_cluster(asked: str) -> ClusterAddress:
 def _read_hosts(asked: str, path: Path) -> tuple[tuple[str, str], ...]:
     """Read a file of hosts: a line each, as ssh knows it, and the folder of the project there where it is another."""
     try:
+        found = path.stat()
+        if not stat.S_ISREG(found.st_mode) or found.st_size > BYTE_LIMIT:  # a pipe or a device may have no end
+            raise ValueError
         text = path.read_text(encoding="utf-8")
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else "is no text"

@@ -57,8 +57,7 @@ def _source() -> str:
 
 def checkout_source(folder: Path) -> str:
     """The commit that a checkout of the package is at, with ``.edited.`` and the digest of its code if that differs."""
-    module = config().package.replace("-", "_")
-    code = _digest(sorted([*(folder / module).rglob("*.py"), *(folder / "src" / module).rglob("*.py")]), folder)
+    module, code = config().package.replace("-", "_"), code_in(folder)
     commit = git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]
     if not commit:
         return f"x{code}"
@@ -67,6 +66,12 @@ def checkout_source(folder: Path) -> str:
         if git(folder, "status", "--porcelain", "--", module, f"src/{module}")
         else f"g{commit}"
     )
+
+
+def code_in(folder: Path) -> str:
+    """The digest of the package's code in a checkout."""
+    module = config().package.replace("-", "_")
+    return _digest(sorted([*(folder / module).rglob("*.py"), *(folder / "src" / module).rglob("*.py")]), folder)
 
 
 def wheel_source(path: Path) -> str:

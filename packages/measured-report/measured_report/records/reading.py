@@ -40,6 +40,8 @@ class _Measured(Struct):
     commit: Text | None
     command: Text
     seconds: Annotated[float, Meta(ge=0.0, le=1e8)]
+    started: Text = ""
+    ended: Text = ""
 
 
 def load_record(path: Path, cache: Cache | None = None) -> Record:
@@ -83,10 +85,12 @@ def _checked(content: bytes, path: Path) -> Record:
             if others := part.keys() - names:
                 raise ValueError(f"nothing here is called {min(others)!r:.80}")
         msgspec.convert(record.machine, _Machine)
-        date = msgspec.convert(record.measured, _Measured).date
-        if datetime.fromisoformat(date).tzinfo is None:
-            raise ValueError(f"the date {date} has no time zone")
-    except (ValueError, RecursionError, msgspec.ValidationError) as error:
+        measured = msgspec.convert(record.measured, _Measured)
+        for date in filter(None, (measured.date, measured.started, measured.ended)):
+            if datetime.fromisoformat(date).tzinfo is None:
+                raise ValueError(f"the date {date} has no time zone")
+        _ = record.span  # which may begin before there are dates
+    except (ValueError, OverflowError, RecursionError, msgspec.ValidationError) as error:
         # In one line, without characters that could do anything to whoever reads it.
         said = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
         raise RecordError(f"{place} is no whole record: {said:.300}") from None

@@ -19,7 +19,7 @@ from measured_report.values.quantities import VALUES_FILE
 
 ARCHIVE = "data.zip"
 FIGURES = "figures.csv"
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
+FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # as OWASP has it
 
 
 def archived(

@@ -17,6 +17,7 @@ from measured_report.editions.status import State, package_version
 from measured_report.files.atomic import locked
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
+from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.files.staging import Draft, digests_below, replace, staging_folder
 from measured_report.pages.prose import LAYOUT, Templates
@@ -55,6 +56,9 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
     with staging_folder(project.site) as fresh, locked(project.results.parent, alone=False), _uncollected():
         cache.sweep()
         digest, there = _digest(project, address), digests_below(project.site)
+        if project.site.is_symlink() and SUMS not in there and any(project.site.iterdir()):
+            elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
+            raise ReportError(f"{elsewhere}, where something lies that no build made; it was left alone")
         if kept := cache.get(BUILT, (digest, there)):
             return kept
         draft = Draft(fresh, project.site, there)
@@ -67,6 +71,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
             templates.converter.keep()
             draft.write(SUMS, sums_text(draft.digests))
         replace(project.site, fresh)
+        cache.put(SUMS, SUMS, draft.digests[SUMS])  # publishing compares them
         built = {
             release: Built(
                 [name for name, chapter in edition.chapters.items() if chapter.state.notes],

@@ -20,6 +20,13 @@ FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 
 def check_site(site: Path) -> list[str]:
     """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
+    try:
+        return _problems_of(site)
+    except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError) as error:
+        return [f"it can't be read: {type(error).__name__}: {' '.join(str(error).split()):.200}"]
+
+
+def _problems_of(site: Path) -> list[str]:
     problems = []
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])  # drawings are parts of pages
     texts = {path.resolve(): path.read_text(encoding="utf-8") for path in files}

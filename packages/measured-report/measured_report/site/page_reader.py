@@ -8,7 +8,7 @@ SCRIPT = "page.js"
 
 FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
 """Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
-ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal"}
+ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
 """Elements that run, hold another page, or change where links lead."""
 PICTURES = {"svg", "img", "video", "canvas"}
 """What says in words what it shows."""

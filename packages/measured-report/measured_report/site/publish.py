@@ -13,7 +13,7 @@ from measured_report.files.atomic import RecordError, locked
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.site.check import check_site
 from measured_report.site.sums import copy_whole
-from measured_report.site.targets import MARK, TARGETS
+from measured_report.site.targets import MARK, TARGETS, without_password
 
 DEFAULT = "git:origin"
 QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
@@ -25,18 +25,21 @@ def publish(site: Path, target: str) -> str:
     A target is ``dir:PATH``, ``rsync:HOST:PATH`` or ``git:REMOTE#BRANCH``; empty: the branch gh-pages of origin.
     """
     scheme, _, place = (target or DEFAULT).partition(":")
+    told = f"TARGET={without_password(target)}"
     if scheme not in TARGETS or not place or place.startswith("-") or "\0" in place:
         places = "dir:PATH, rsync:HOST:PATH or git:REMOTE"
-        raise UsageError(f"TARGET={target!r} is no place to publish to; use TARGET={places}")
+        raise UsageError(f"{told!r} is no place to publish to; use TARGET={places}")
     try:
         with _checked_copy(site) as copy:
-            return TARGETS[scheme](copy, place, site)
+            return without_password(TARGETS[scheme](copy, place, site))
     except RecordError as error:  # of a file that is none
         raise ReportError(f"not published: {error}") from None
+    except UsageError as error:
+        raise UsageError(without_password(str(error))) from None
     except shutil.Error as error:  # of each file that could not be copied: source, target and reason
-        raise UsageError(f"TARGET={target}: {error.args[0][0][2]}") from None
+        raise UsageError(f"{told}: {error.args[0][0][2]}") from None
     except OSError as error:
-        raise UsageError(f"TARGET={target}: {error.strerror}") from None
+        raise UsageError(f"{told}: {error.strerror}") from None
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from measured_report.files.atomic import read_own_file
+from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 
 SUMS = "SHA256SUMS"
@@ -29,7 +30,11 @@ def copy_whole(site: Path, copy: Path) -> None:
     damaged = [] if all(lines) else [f"{SUMS} is damaged"]
     missing = [f"there is no {name}" for name in sorted(digests.keys() - there)]
     strange = [f"{name} is not of the build" for name in sorted(there - digests.keys() - {SUMS})]
-    for problem in (*damaged, *missing, *strange):
+    built = Cache(site.parent).get(SUMS, SUMS)  # None where the site was built elsewhere
+    other = (
+        [f"{SUMS} is not that of the last build"] if built not in (None, hashlib.sha256(content).hexdigest()) else []
+    )
+    for problem in (*damaged, *missing, *strange, *other):
         raise ReportError(f"not published: {site.name}/: {problem}; make report builds it again")
     for name, digest in {**digests, SUMS: hashlib.sha256(content).hexdigest()}.items():
         content = read_own_file(site / name, BYTE_LIMIT)

@@ -11,9 +11,9 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from measured_report.files.atomic import locked, sync, sync_below
+from measured_report.files.atomic import locked, remove, sync, sync_below
 from measured_report.files.errors import UsageError
-from measured_report.files.staging import remove, replace
+from measured_report.files.staging import replace, staged
 from measured_report.records.identity import files_digest
 
 ATTRIBUTES = "* -text -filter -ident -working-tree-encoding\n"
@@ -22,6 +22,9 @@ MARK = ".published"  # a file of every copy that is published: only what has it 
 VERSION = re.compile(r"[0-9a-f]{16}")
 UNFINISHED = re.compile(r"(new|link)-[0-9a-f]+")
 BRANCH = "gh-pages"
+OTHER_REPOSITORY = {f"GIT_{what}" for what in ("DIR", "WORK_TREE", "INDEX_FILE", "OBJECT_DIRECTORY", "COMMON_DIR")}
+OTHER_REPOSITORY |= {"GIT_ALTERNATE_OBJECT_DIRECTORIES", "GIT_NAMESPACE", "GIT_SHALLOW_FILE", "GIT_DEFAULT_HASH"}
+"""Settings of the environment that would lead to another repository: a hook, or another git, sets them."""
 SUBJECT = "The report, as make publish made it"
 
 
@@ -33,9 +36,8 @@ def to_folder(copy: Path, place: str, site: Path) -> str:
     # Path.expanduser would raise for a user that does not exist.
     path = Path(os.path.abspath(os.path.expanduser(place)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
-        raise UsageError(f"TARGET=dir:{place}: there is no folder {path.parent}")
-    if path.parent.resolve().joinpath(path.name).is_relative_to(site.resolve()):
-        raise UsageError(f"TARGET=dir:{place} lies inside {site.name}/, which is rebuilt; use a place outside of it")
+        raise UsageError(f"TARGET=dir:{place}: there is no folder to put it into")
+    _refuse_inside(site, path)
     versions = path.with_name(f".{path.name}.versions")
     _refuse_foreign(path, versions)
     was_there = versions.is_dir()
@@ -54,8 +56,19 @@ def to_folder(copy: Path, place: str, site: Path) -> str:
     return str(path)
 
 
+def _refuse_inside(site: Path, path: Path) -> None:
+    """UsageError for a place that the next build removes."""
+    place = path.parent.resolve() / path.name
+    if place.is_relative_to(site.resolve()) or (
+        place.parent == site.parent.resolve() and staged(site).fullmatch(place.name)
+    ):
+        raise UsageError(f"{path} lies where {site.name}/ is rebuilt; use a place outside of it")
+
+
 def _refuse_foreign(path: Path, versions: Path) -> None:
     """UsageError unless what is there is nothing, is empty, or was published here before."""
+    if versions.is_symlink():
+        raise UsageError(f"{versions} is a link to something else; it was left alone")
     if path.is_symlink():
         if path.resolve().parent != versions.resolve():
             raise UsageError(f"{path} is a link to something else; it was left alone")
@@ -126,7 +139,7 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
         made = ["git", "-C", folder]
         _run([*made, "init", "--quiet", "--bare"])
         objects = {"GIT_ALTERNATE_OBJECT_DIRECTORIES": f"{folder}/objects"}
-        before = _run([*git, "ls-remote", remote, ref]).partition("\t")[0]
+        before = _tip(git, remote, ref)
         if before:
             _run([*git, "fetch", "--quiet", "--no-tags", "--no-write-fetch-head", remote, ref])
             if not _run([*git, "log", "-1", "--format=%s", before]).startswith(SUBJECT):
@@ -138,11 +151,17 @@ def to_branch(copy: Path, place: str, site: Path) -> str:
         commit, tree = _run([*made, "rev-parse", ref, f"{ref}^{{tree}}"]).split()
         _refuse_other(copy, _run([*made, "ls-tree", "-rz", tree]))
         if before and _run([*git, "rev-parse", f"{before}^{{tree}}"]) == tree:
-            return without_password(f"{there}, as before")
+            return f"{there}, as before"
         _run([*git, "push", "--quiet", f"--force-with-lease={ref}:{before}", remote, f"{commit}:{ref}"], objects)
-        if _run([*git, "ls-remote", remote, ref]).partition("\t")[0] != commit:
+        if _tip(git, remote, ref) != commit:
             raise UsageError(f"{there} has another commit than the one that was pushed")
-    return without_password(there)
+    return there
+
+
+def _tip(git: list[str], remote: str, ref: str) -> str:
+    """The commit that a branch of a remote is at, which also lists what is called so in another folder of names."""
+    lines = _run([*git, "ls-remote", remote, ref]).splitlines()
+    return next((line.partition("\t")[0] for line in lines if line.endswith(f"\t{ref}")), "")
 
 
 def _refuse_other(copy: Path, listed: str) -> None:
@@ -157,7 +176,7 @@ def _refuse_other(copy: Path, listed: str) -> None:
 
 def without_password(text: str) -> str:
     """The same without what opens the addresses in it."""
-    return re.sub(r"(?<=://)[^/@\s]*@", "", text)
+    return re.sub(r"(?<=//)[^/\s]*@", "", text)
 
 
 def _author(git: list[str]) -> dict[str, str]:
@@ -171,6 +190,8 @@ def _author(git: list[str]) -> dict[str, str]:
 
 def to_rsync(copy: Path, place: str, site: Path) -> str:
     """Publish with rsync, to a folder of this or another machine or to a module of a daemon."""
+    if ":" not in place:
+        _refuse_inside(site, Path(os.path.abspath(place)))
     place = place.rstrip("/") + "/"
     there = _rsync_names(place)
     if there and MARK not in there:  # where there is no folder yet there is nothing
@@ -198,8 +219,7 @@ def _rsync_names(place: str) -> set[str]:
 def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> str:
     """Return what a program prints; UsageError, with the line that says why, when it fails or is not there."""
     name = "ghp-import" if "ghp_import" in command else command[0]
-    # Set by a hook or another git, these would lead to another repository.
-    own = {each: value for each, value in os.environ.items() if each not in ("GIT_DIR", "GIT_WORK_TREE")}
+    own = {each: value for each, value in os.environ.items() if each not in OTHER_REPOSITORY}
     own |= {"GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C", **(settings or {})}
     try:
         done = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=own, check=False)
@@ -208,7 +228,7 @@ def _run(command: Sequence[str], settings: Mapping[str, str] | None = None) -> s
     if done.returncode:
         said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
         reason = said[0] if said else f"exit status {done.returncode}"
-        raise UsageError(f"not published: {name}: {without_password(reason)}")
+        raise UsageError(f"not published: {name}: {reason}")
     return done.stdout.strip()
 
 
