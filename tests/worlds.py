@@ -184,7 +184,7 @@ def equal_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
 
 
 def noisier(name: str, times: float) -> Scenario:
-    """Runs of one case are so many times as far apart, and so are the frames of a run."""
+    """Runs of one case are so many times as far apart, and so are a run's frames; ratios are known as badly."""
 
     def rows(records: Records, place: Place) -> list[Row]:
         found = records[place].rows
@@ -200,6 +200,8 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
         middle = row.get(PERCENTILE.sub("", column))
         if PERCENTILE.search(column) and is_number(middle):
             new[column] = max(0.0, middle + times * (value - middle))
+        elif column == "ratio_resolution" and is_number(value):
+            new[column] = times * value
     return new
 
 

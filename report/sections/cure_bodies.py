@@ -110,8 +110,9 @@ def _spinning_ball_goes_straight(results: Results, runs: Mapping[tuple[str, str,
     drifts = extreme(results, "points_aside", "with the term of material points", max, points)
     travel = extreme(results, "pivot_travel", "way of the ball", max, [found["plain"].travel_mm for _, found in exact])
     straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, unit="mm")
-    outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"))
-    numbers = {"aside": most, "points": drifts, "travel": travel, "straight": straight}
+    far = at_least(travel, 500.0, why="a way on which it would be seen")
+    outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"), far)
+    numbers = {"points": drifts, "travel": travel, "straight": straight}
     return Claim("spinning_ball_goes_straight", outcome, numbers)
 
 

@@ -1,12 +1,12 @@
 """Whose the launches of a frame are, and what a frame takes without some of them."""
 
-from measured_report.claims.claim import Claim, at_least
+from measured_report.claims.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import worlds_name
-from report.shared.arithmetic import Column, cell_or_absent, share, table_of, total
-from report.shared.timing import cell, resolution
+from report.shared.arithmetic import Column, cell_or_absent, extreme, share, table_of, total
+from report.shared.timing import cell, fine_enough, resolution
 
 order = 174
 page = "cost"
@@ -45,17 +45,28 @@ def derive(results: Results) -> Section:
     every = total(results, "launches", "launches of a frame with one world", list(launches.values()))
     part = share(results, "engine_share", "launches of the engine, of all of a frame", launches["engine"], every)
     claim = Claim("mostly_the_engine", at_least(part, 50.0, why="most"), {"part": part, "every": every, **launches})
-    return Section(
-        tables={"switched": _switched(results, counts), "kernels": _kernels(results, first, counts)}, claims=[claim]
-    )
+    switched = _switched(results, counts)
+    tables = {"switched": switched, "kernels": _kernels(results, first, counts)}
+    return Section(tables=tables, claims=[claim, _little_to_leave_out(results, counts, switched.numbers["resolution"])])
+
+
+def _little_to_leave_out(results: Results, counts: list[int], resolution: Value) -> Claim:
+    """Tell whether any one part less makes a frame much shorter."""
+    saved = [results.derived[_saved_name(name, count)] for count in counts for name in SWITCHED]
+    largest = extreme(results, "saved_most", "most of a frame's time that one part takes", max, saved)
+    outcome = all_of(at_most(largest, 10.0, why="little"), fine_enough(resolution))
+    return Claim("little_to_leave_out", outcome, {"largest": largest})
 
 
 def _saved(results: Results, row: Row | None, name: str, count: int) -> Value:
     """Derive how much less of a frame's time is taken without this [%]."""
     taken = cell(results, row, "frame_ratio", f"a batch of {count}")
-    value = f"saved_{name}_{count}".replace("-", "_")
     formula = f"one less the time of a frame without {SWITCHED[name]} over that of a whole frame"
-    return results.value(value, formula, lambda taken: 100 * (1 - taken), taken, unit="%")
+    return results.value(_saved_name(name, count), formula, lambda taken: 100 * (1 - taken), taken, unit="%")
+
+
+def _saved_name(name: str, count: int) -> str:
+    return f"saved_{name}_{count}".replace("-", "_")
 
 
 def _switched(results: Results, counts: list[int]) -> Table:

@@ -6,13 +6,13 @@ from itertools import takewhile
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, at_least, at_most
+from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, departure, ratio, share, table_of
-from report.shared.timing import cell, decade_axis, draw_line, ratio_cell, resolutions, world_axis
+from report.shared.timing import cell, decade_axis, draw_line, fine_enough, ratio_cell, resolutions, world_axis
 
 order = 170
 page = "cost"
@@ -33,23 +33,30 @@ def derive(results: Results) -> Section:
         for row in rows
     }
     floor_bound = results.chosen("over_floor_bound", "what a frame may cost beside its steps", 1.15)
+    resolution = resolutions(results, "resolution", rows)
     cheap = _first_worlds_are_cheap(results, rows)
     numbers = {**cheap.numbers, "is_cheap": cheap.outcome == HOLDS, "ends": [rows[0], rows[-1]]}
     times = Figure(lambda: _draw_times(rows), [row.frame_ms for row in rows], numbers)
     return Section(
-        tables={"worlds": _table(rows, over_floor, resolutions(results, "resolution", rows))},
+        tables={"worlds": _table(rows, over_floor, resolution)},
         figures={"times": times},
-        claims=[_near_floor(results, over_floor, floor_bound), _rate(results), cheap, _memory_settles(results, rows)],
+        claims=[
+            _near_floor(results, over_floor, floor_bound, resolution),
+            _rate(results),
+            cheap,
+            _memory_settles(results, rows),
+        ],
     )
 
 
-def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value) -> Claim:
+def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value, resolution: Value) -> Claim:
     """The bound holds for each of FLOOR_COUNTS, so one that wasn't measured leaves it open."""
     lost = {count: cell(results, None, "frame_ms", f"a batch of {count} worlds") for count in FLOOR_COUNTS}
     cells = {count: over_floor.get(count, lost[count]) for count in FLOOR_COUNTS}
     worst = results.value("over_floor_worst", "largest of those at 1, 4096 and 16384 worlds", max, *cells.values())
     counts = [row.worlds for row in results.rows if row.worlds.value in FLOOR_COUNTS]
-    return Claim("near_floor", at_most(worst, bound), {"bound": bound, "worst": worst, "counts": counts})
+    outcome = all_of(at_most(worst, bound), fine_enough(resolution))
+    return Claim("near_floor", outcome, {"bound": bound, "worst": worst, "counts": counts})
 
 
 def _rate(results: Results) -> Claim:

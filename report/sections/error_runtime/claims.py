@@ -22,7 +22,7 @@ from report.sections.error_runtime.runs import (
     named,
     with_shipped_steps,
 )
-from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share
+from report.shared.arithmetic import cell_count, log_slope, ratio, resolved, share, told
 
 SHIPPED_C = with_shipped_steps("as-shipped", "c")
 
@@ -60,8 +60,8 @@ def _c_is_cheapest(points: Points) -> Claim:
     if not front:
         outcome = Outcome("unknown", "no run counts").having_read(*compared)
     shipped = points.results.row.get(SHIPPED)
-    numbers = {"c": c, "warp": warp, "gain": gain, "engine": ENGINES[shipped.backend] if shipped else "Warp"}
-    return Claim("c_is_cheapest", outcome, numbers | {"others": named(others)})
+    words = {"engine": ENGINES[shipped.backend] if shipped else "Warp", "others": named(others)}
+    return Claim("c_is_cheapest", outcome, {**told(noise, {"c": c, "warp": warp, "gain": gain}), **words})
 
 
 def _rk4(points: Points, name: str, method: str) -> Claim:

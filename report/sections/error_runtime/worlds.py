@@ -1,5 +1,7 @@
 """One core of C against many worlds in Warp."""
 
+from dataclasses import replace
+
 import numpy as np
 from markupsafe import Markup
 
@@ -33,8 +35,9 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
     )
     engine = ENGINES[rows[0].backend]
     said = (Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True))
-    claim = _crossover_claim(points, engine, one_core, rates, crossover)
     worst = resolutions(results, "worlds_resolution", rows)
+    claim = _crossover_claim(points, engine, one_core, rates, crossover)
+    claim = replace(claim, outcome=claim.outcome.having_read(worst))
     numbers = {"rates": Markup("; ").join(said), "resolution": worst, "crossover": crossover, "engine": engine}
     figure = Figure(
         draw=lambda: draw_worlds(rows, rates, one_core, crossover, engine),

@@ -1,7 +1,6 @@
 """What the scene has and does not use, what each of it costs, and that nothing changes without it."""
 
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -12,8 +11,9 @@ from measured_report.values.results import Results, Row
 from report.names import cases_html
 from report.sections.leave_out.tables import audit_table, cost_figure, cost_table
 from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
-from report.shared.arithmetic import DEVICES, difference, extreme, largest_size, noise_floor, ratio
-from report.shared.timing import cell, ratio_cell, resolution, resolutions
+from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio, told
+from report.shared.timing import cell, ratio_cell, resolution
+from report.shared.timing import resolutions as largest_resolution
 
 order = 150
 page = "cost"
@@ -42,8 +42,9 @@ def derive(results: Results) -> Section:
         for key in timed
         if key[1] not in (REFERENCE, BASELINE) and (key[0], key[2]) in panels
     }
+    resolutions = _resolutions(results, timed)
     return Section(
-        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, _resolutions(results, timed))},
+        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, resolutions)},
         figures={"cost": cost_figure(timed, panels)},
         claims=[
             _faster_on_gpu(results, timed, faster),
@@ -51,7 +52,7 @@ def derive(results: Results) -> Section:
             _buffers_on_cpu(results, timed, faster),
             _less_memory(results, timed),
             _same_slip_on_gpu(results, runs, differences),
-            _each_helps(results, faster),
+            _each_helps(faster, resolutions),
             _same_bits(results, runs),
         ],
     )
@@ -60,7 +61,9 @@ def derive(results: Results) -> Section:
 def _resolutions(results: Results, timed: Timed) -> dict[str, Value]:
     """Derive by device to within what its ratios are known."""
     return {
-        device: resolutions(results, f"{device}_resolution", (row for key, row in timed.items() if key[0] == device))
+        device: largest_resolution(
+            results, f"{device}_resolution", (row for key, row in timed.items() if key[0] == device)
+        )
         for device in DEVICES
     }
 
@@ -89,7 +92,8 @@ def _buffers_on_cpu(results: Results, timed: Timed, faster: Faster) -> Claim:
     part = results.value("cpu_buffers_part", formula, lambda a, b, c: 100 * (a - b) / (a - c), *times, unit="%")
     is_faster = faster.get(("cpu", "without-buffers", 1), NOT_TIMED)
     outcome = all_of(is_faster, at_least(part, 50.0, why="most of it"))
-    return Claim("buffers_on_cpu", outcome, {"before": before, "time": time})
+    taken = ratio_cell(results, rows[1])
+    return Claim("buffers_on_cpu", outcome, told(taken, {"time": time}))
 
 
 def _less_memory(results: Results, timed: Timed) -> Claim:
@@ -128,16 +132,14 @@ def _same_slip_on_gpu(results: Results, runs: Runs, differences: Mapping[tuple[s
     return Claim("same_slip_on_gpu", outcome, numbers)
 
 
-def _each_helps(results: Results, faster: Faster) -> Claim:
+def _each_helps(faster: Faster, resolutions: Mapping[str, Value]) -> Claim:
     """Tell whether each thing left out alone makes a frame faster at all, with any number of worlds, on any device."""
     alone = {case: [faster[key] for key in faster if key[1] == case] for _, case, _ in faster if case != ALL}
     helping = [case for case, found in alone.items() if HOLDS in found]
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
     reads = all_of(*(outcome for found in alone.values() for outcome in found)).reads
-    spreads = [value for name, value in results.derived.items() if re.fullmatch("cpu_.*_spread", name) and value.value]
-    widest = [extreme(results, "cpu_spread", "largest of these ranges on the CPU", max, spreads)] if spreads else []
-    outcome = replace(outcome, reads=reads).having_read(*widest)
-    return Claim("each_helps", outcome, {"helping": cases_html(helping), "spread": widest[0] if widest else ""})
+    outcome = replace(outcome, reads=reads).having_read(*resolutions.values())
+    return Claim("each_helps", outcome, {"helping": cases_html(helping)})
 
 
 def _is_faster(results: Results, timed: Timed, device: str, case: str, worlds: int) -> Outcome:

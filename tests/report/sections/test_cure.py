@@ -14,7 +14,7 @@ from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
 from report.sections.cure.ways import BEST, TERM
 
 Change = Callable[[dict], Mapping]
-BELOW = {"noise": noise, "cure_cost": cure_cost, "cure_limits": cure_limits}
+BELOW = {"noise": noise, "cure_limits": cure_limits}
 """Sections that section cure reads, in their order."""
 
 
@@ -24,16 +24,11 @@ def results_of(section: str, change: Change, others: Mapping[str, Results]) -> R
     return Results(replace(record, rows=[{**row, **change(row)} for row in record.rows]), path, others)
 
 
-def free(row: dict) -> Mapping:
-    """What makes the whole cure cost no time, which is not what was measured."""
-    return {"frame_ratio": 1.0} if row["case"] == "best" else {}
-
-
 def section_with(**changes: Change) -> Section:
-    """Section cure were it free, with rows of it and of those that it reads changed."""
+    """Section cure, with rows of it and of those that it reads changed."""
     others: dict[str, Results] = {}
     for name, module in BELOW.items():
-        others[name] = results_of(name, {"cure_cost": free, **changes}.get(name, lambda row: {}), others)
+        others[name] = results_of(name, changes.get(name, lambda row: {}), others)
         module.derive(others[name])
     return cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
 
@@ -73,12 +68,10 @@ def test_alike_within_the_noise_is_a_tie(claims):
     "changes",
     [
         {"cure_limits": lambda row: {"kept": False} if row["way"] == "best" else {}},
-        {"cure_cost": lambda row: {"frame_ratio": 2.0} if row["case"] == "best" else {}},
-        {"cure_cost": lambda row: {}},
         {"cure": at(TERM, slip_mm=0.001)},
         {"cure": at(BEST, slip_mm=20.0)},
     ],
-    ids=["it loses cubes", "it is slow", "it costs what was measured", "the term slips less", "it slips"],
+    ids=["it loses cubes", "the term slips less", "it slips"],
 )
 def test_it_is_not_recommended_where(changes):
     assert claims_with(**changes)["what_to_use"].outcome != HOLDS
