@@ -122,7 +122,6 @@ function begin() {
     form.set(settings);
     history.replaceState(null, "", `#${write(settings)}`);
     run.disabled = true;
-    cancel.disabled = false;
     slip.textContent = "shaking …";
     status.textContent = "";
     const tracked = await readTracked();
@@ -132,6 +131,7 @@ function begin() {
     const draw = () => plot(svg, [...behind, { name: "this run", colour: "--series-3", points }], { x: "time of the shake [s]", y: "displacement [mm]" });
     draw();
     view.begin(settings.edge_mm / 1e3);
+    cancel.disabled = false; // not before there is something to cancel
     const how = { shakeFrames: SHAKE_FRAMES, floor_mm_s: tracked.rows[0].creep_floor_mm_s };
     const row = await pool.run({ kind: "shake", mjcf: tracked.mjcf, settings, how }, ({ frames, shaken }) => {
       for (const moved of view.add(frames, shaken)) points.push([points.length * FRAME_S, moved]);

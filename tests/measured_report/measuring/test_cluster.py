@@ -177,7 +177,10 @@ def hosts(tmp_path, monkeypatch):
             start_new_session=True,
         )
         await process.redirect(own.stdin, own.stdout, own.stderr)
-        process.exit(await own.wait())
+        status = await own.wait()
+        await process.stdout.drain()  # what was said last goes out before the channel is closed
+        await process.stderr.drain()
+        process.exit(status)
 
     async def serve() -> None:
         options = {"server_host_keys": [key], "authorized_client_keys": str(home / "authorized")}
