@@ -31,6 +31,7 @@ CORNERS = " ".join(f"{x} {y} {z}" for x in (-0.1, 0.1) for y in (-0.1, 0.1) for 
 BY_FORMULA = [("plane", other) for other in ("sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh")]
 BY_FORMULA += [("sphere", other) for other in ("sphere", "capsule", "cylinder", "box")]
 BY_FORMULA += [("capsule", "capsule"), ("capsule", "box")]
+BY_FORMULA += [("box", "box")]
 BY_FORMULA += [("hfield", other) for other in ("sphere", "capsule", "ellipsoid")]
 BY_SEARCH = [("sphere", "ellipsoid"), ("sphere", "mesh"), ("capsule", "ellipsoid")]
 BY_SEARCH += [("capsule", "cylinder"), ("ellipsoid", "ellipsoid"), ("ellipsoid", "cylinder"), ("ellipsoid", "box")]
@@ -82,7 +83,7 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
         data.qvel[:] = random.normal(0.0, 2.0, model.nv)
         mujoco.mj_fwdPosition(model, data)
         mujoco.mj_fwdVelocity(model, data)
-        if data.ncon:
+        if data.ncon and abs(data.contact.dist.min() + DEPTH_M) < DEPTH_M:
             yield data
 
 
@@ -121,15 +122,24 @@ def is_corner(kind: int, out: np.ndarray) -> bool:
     return kind in (contact_place_c.BOX, mujoco.mjtGeom.mjGEOM_MESH) and np.abs(out).max() < 1.0 - 1e-6
 
 
+def is_edge(kind: int, out: np.ndarray) -> bool:
+    """Whether it is touched at an edge whose direction is known."""
+    if kind == contact_place_c.CYLINDER:
+        return np.hypot(out[0], out[1]) > contact_place_c.UPRIGHT
+    return kind == contact_place_c.BOX and (np.abs(out) < 1e-6).sum() == 1
+
+
 def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
-    """Whether at most one of both is touched at a corner, and a mesh at none but by a plane."""
+    """Whether it is the nearest contact, at two edges or at most one corner, and that of no mesh but by a plane."""
     contact = data.contact[0]
     normals = [data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3] for geom in contact.geom]
     kinds = model.geom_type[contact.geom]
-    corners = [is_corner(*each) for each in zip(kinds, normals, strict=True)]
-    if kinds[0] == mujoco.mjtGeom.mjGEOM_HFIELD and corners[0]:
+    corners, edges = ([of(*each) for each in zip(kinds, normals, strict=True)] for of in (is_corner, is_edge))
+    if (kinds[0] == mujoco.mjtGeom.mjGEOM_HFIELD and corners[0]) or contact.dist > data.contact.dist.min():
         return False
-    return not all(corners) and not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
+    if all(corners):
+        return all(edges)
+    return not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
 
 
 def smooth_states(model: mujoco.MjModel, seed: int, step_s: float) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
@@ -161,7 +171,7 @@ def test_the_twin_in_c_is_the_rate_of_the_row(first, second):
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 def test_the_kernel_adds_what_the_twin_adds(cone):
     with wp.ScopedDevice("cpu"):
-        for first, second in [("plane", "cylinder"), ("sphere", "box"), ("capsule", "ellipsoid")]:
+        for first, second in [("plane", "cylinder"), ("sphere", "box"), ("capsule", "ellipsoid"), ("box", "box")]:
             model = pair(first, second, cone, 6)
             model.geom_margin[:] = 0.0
             m = mjw.put_model(model)
