@@ -94,13 +94,13 @@ class Claim:
 
     @cached_property
     def sentence(self) -> Markup:
-        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why."""
-        if self.outcome.is_opposite and (opposite := self.said("opposite")):
-            return opposite
-        if self.outcome.name != "unknown":
-            return self.said(self.outcome.name)
-        asked = self.said("asks")
-        sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
+        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why; where it
+        fails and only the opposite has words, that it is not shown."""
+        parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
+        if said := next(filter(None, map(self.said, parts)), ""):
+            return said
+        asked, found = self.said("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
+        sentence = Markup("{}{} {}").format(asked[:1].upper(), asked[1:], found)
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     def checked(self) -> "Claim":
