@@ -97,7 +97,7 @@ class Claim:
         """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why; where it
         fails and only the opposite has words, that it is not shown."""
         parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
-        if said := next(filter(None, map(self.said, parts)), ""):
+        if said := next(filter(None, map(self.said, parts)), Markup("")):
             return said
         asked, found = self.said("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
         sentence = Markup("{}{} {}").format(asked[:1].upper(), asked[1:], found)
