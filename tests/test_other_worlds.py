@@ -33,8 +33,8 @@ PART = re.compile(r"[.;:]\s")
 QUESTION = re.compile("(?:what|how|which|where|whose) ", re.IGNORECASE)
 OF_ALL = re.compile(r"\b(?:not (?!seen|known|measured)|never|all|every|always|why)\b", re.IGNORECASE)
 VERB = re.compile(
-    r"(?<!that )(?<!what )\b(?:is|are|was|were|has|have|acts|breaks|changes|costs|creeps|decides|drifts|ends|falls|fits|"
-    r"follows|forgets|gains|helps|holds|keeps|leaves|lets|loses|matters|moves|needs|pays|slips|stays|takes|turns|works)\b"
+    r"(?<!that )(?<!what )\b(?:is|are|was|were|has|have|acts|breaks|changes|costs|creeps|decides|drifts|ends|falls|"
+    r"fits|follows|forgets|gains|helps|holds|keeps|leaves|lets|loses|matters|moves|needs|pays|slips|stays|takes|turns|works)\b"
 )
 
 

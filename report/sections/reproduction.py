@@ -127,6 +127,8 @@ def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
     *first, last = places.values()
     listed = Markup("{} and {}").format(Markup(", ").join(first), last) if first else escape(last)
     numbers = {"shipped": shipped, "stiff": stiff, "places": listed, "bound": bound}
+    differ = {pads: at_most(apart, bound).name == "fails" for pads, apart in (("shipped", shipped), ("stiff", stiff))}
+    numbers |= {"only_shipped": not differ["stiff"], "only_stiff": not differ["shipped"]}
     return Claim("same_on_both_engines", at_most(difference, bound), numbers, effect=slips.outcome)
 
 

@@ -157,7 +157,12 @@ def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
 
 
 def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
-    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all."""
+    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all.
+
+    A share is known no better than the effect that it is of.
+    """
+    if share.noise is None and noise.value is not None and effect.value and share.value is not None:
+        share = replace(share, noise=abs(share.value / effect.value) * noise.value)
     return all_of(
         greater(effect, 0.0, noise=noise, why="there is something to explain"),
         at_least(share, 50.0, why="most of it"),
