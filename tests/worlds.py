@@ -20,6 +20,7 @@ from unittest import mock
 
 import numpy as np
 import pandas as pd
+from markupsafe import Markup
 
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import Project, own_release
@@ -28,10 +29,11 @@ from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
+from measured_report.sensitivity.inert import NUMBER
 from measured_report.sensitivity.perturbed import load_trace_once
 from measured_report.site.build import build
 from measured_report.site.check import check_site
-from measured_report.site.pages import undrawn
+from measured_report.site.pages import contents_of
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
@@ -292,22 +294,44 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
 
 
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
+CELL = re.compile("<td[^>]*>(.*?)</td>", re.DOTALL)
 
 
-def outcomes_of(project: Project) -> dict[str, str]:
-    """The outcome of every claim that the pages of the release say, by section and name."""
+@dataclass(frozen=True)
+class Said:
+    """What the pages of a release say."""
+
+    outcomes: Mapping[str, str]
+    """Of every claim, by section and name."""
+    words: frozenset[str]
+    """Those outside sentences: titles, headings, alternative texts and what else tables have than numbers."""
+
+
+def said_of(project: Project) -> Said:
+    """What the pages of the release say."""
     templates = Templates(project.templates)
     editions = editions_of(project, templates)
     lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    pages = "".join(undrawn(editions, templates, project.release).values())
-    return {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
+    parts = [part for content in contents_of(editions, templates, project.release) for part in content.parts]
+    pages = "".join(part.html({figure.anchor: figure.undrawn for figure in part.figures}) for part in parts)
+    outcomes = {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
+    words = [text for part in parts for text in (part.title, *(heading for _, heading in part.headings))]
+    words += [figure.wording("alt", figure.numbers) for part in parts for figure in part.figures if figure.is_there]
+    words += CELL.findall(pages)
+    return Said(outcomes, frozenset(Markup(NUMBER.sub("#", word)).striptags() for word in words))
 
 
-def otherwise(scenario: Scenario, before: Mapping[str, str]) -> dict[str, str]:
-    """The claims of the own release that have another outcome in a scenario than in the tracked results."""
+@cache
+def said(scenario: Scenario) -> Said:
+    """What the pages of the own release say in a scenario."""
     with project_of(scenario, [own_release()]) as project:
-        found = outcomes_of(project)
+        return said_of(project)
+
+
+def otherwise(scenario: Scenario) -> dict[str, str]:
+    """The claims of the own release that have another outcome in a scenario than in the tracked results."""
+    before, found = said(AS_MEASURED).outcomes, said(scenario).outcomes
     outcomes = {claim: found.get(claim, "unsaid") for claim in sorted(before.keys() | found.keys())}
     return {claim: outcome for claim, outcome in outcomes.items() if before.get(claim) != outcome}
 
@@ -333,13 +357,11 @@ def problems_of(scenario: Scenario) -> list[str]:
 
 
 def main(names: Sequence[str]) -> int:
-    with project_of(AS_MEASURED, [own_release()]) as project:
-        before = outcomes_of(project)
     failed = False
     for scenario in SCENARIOS:
         if names and scenario.name not in names:
             continue
-        found, known = otherwise(scenario, before), kept(scenario.name)
+        found, known = otherwise(scenario), kept(scenario.name)
         keep(scenario.name, found)
         problems = problems_of(scenario)
         failed |= bool(problems)

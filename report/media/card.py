@@ -10,6 +10,8 @@ from measured_report.parts.figures import INK, own_style
 from measured_report.values.quantities import Quantity
 from report.shared.drawing import SHIPPED, STIFF
 
+TITLE = "Slip of a shaken cube, Newton's contacts"
+
 
 def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
     """The picture as PNG, of 1200 × 630 pixels; ``slips`` are by release, and by what they are of."""
@@ -29,7 +31,7 @@ def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
         axes.grid(visible=False)
         axes.tick_params(bottom=False, labelbottom=False)
         axes.spines[["bottom", "left"]].set_visible(False)
-        axes.set_title("Slip of a shaken cube, Newton's contacts", fontsize=28, pad=24)
+        axes.set_title(TITLE, fontsize=28, pad=24)
         handles = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
         drawing.legend(handles.values(), handles.keys(), loc="outside lower left", ncols=2, fontsize=22)
         buffer = io.BytesIO()

@@ -34,7 +34,7 @@ class Clips:
         """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
         size, files = (row.width_px.value, row.height_px.value), map(self._address, (row.poster, row.file))
-        label = f"Two runs side by side, with a plot of both displacements that grows. At the end: {self._said(row)}."
+        label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
         return Markup(
             '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
             'src="{}" aria-label="{}"{}></video><figcaption>{}</figcaption></figure>'

@@ -6,7 +6,7 @@ from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_least, at_most, beyond
+from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, beyond
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent
@@ -20,9 +20,12 @@ from report.shared.arithmetic import (
     departure,
     difference,
     extreme,
+    largest_size,
     noise_floor,
     other_cell,
     other_value,
+    resolved,
+    share,
     size_difference,
 )
 from report.shared.drawing import mark_points
@@ -108,8 +111,11 @@ def _follows(results: Results, runs: Sequence[Run], bound: Value) -> Claim:
     numbers["tried"] = cell_count(results, "tried_count", "runs that were tried", [row.pad_ke for row in results.rows])
     numbers |= {"shipped": shipped.drift_mm_s, "shipped_law": shipped.predicted_drift_mm_s}
     numbers |= {"fix": fix.drift_mm_s, "fix_law": fix.predicted_drift_mm_s}
-    outcome, is_wide = at_most(numbers["largest"], bound), at_least(width, 3.0, why="enough to see a law")
-    outcome = outcome.having_read(width)
+    fastest = largest_size(results, "drift_most", "fastest of these drifts", [run.drift for run in runs], unit="mm/s")
+    formula = "noise of the drift, of the fastest"
+    noise = share(results, "drift_noise", formula, noise_floor(results, "drift_floor"), fastest)
+    outcome = all_of(at_most(numbers["largest"], bound), resolved(noise, bound)).having_read(width)
+    is_wide = at_least(width, 3.0, why="enough to see a law")
     if outcome == HOLDS and is_wide == FAILS:
         reason = "the friction rows of all runs brake too much alike to tell"
         outcome = Outcome("unknown", reason).having_read(width)

@@ -10,7 +10,7 @@ from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row, Series
-from report.shared.arithmetic import departure, needs_shaking, noise_floor, other_cell, share, size_share
+from report.shared.arithmetic import departure, needs_shaking, noise_floor, other_cell, resolved, share, size_share
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 80
@@ -99,7 +99,10 @@ def _creep_is_rounding(results: Results, double: Row, single: Row, warp: Row) ->
     rounded = departure(results, "rounded_departure", formula, numbers["single"], numbers["warp"])
     creeps = greater(numbers["warp"], 0.0, noise=noise_floor(results, "drift_floor"), why="a creep to explain")
     gone, same = at_most(remaining, 50.0, why="most of it is gone"), at_most(rounded, 10.0, why="the same creep")
-    yield Claim("creep_is_rounding", all_of(creeps, gone, same), numbers)
+    formula = "noise of the drift, of MuJoCo Warp's creep"
+    noise = size_share(results, "creep_noise", formula, noise_floor(results, "drift_floor"), numbers["warp"])
+    seen = resolved(noise, 10.0, why="the same creep")
+    yield Claim("creep_is_rounding", all_of(creeps, gone, same, seen), numbers)
 
     motion, velocity = warp.joint_motion_mrad_s, warp.joint_velocity_mrad_s
     formula = "how much of its velocity the fastest arm joint's position follows"

@@ -46,6 +46,10 @@ SQUEEZED = """[...document.querySelectorAll("svg.narrow")].filter((drawing) =>
   [...drawing.querySelectorAll("clipPath rect")].some((axes) =>
     axes.width.baseVal.value < drawing.viewBox.baseVal.width / 2)).map((drawing) => drawing.closest("figure").id)"""
 """Drawings for a phone whose axes, to which lines are clipped, have less than half of the width."""
+WRAPPED = (
+    """[...document.querySelectorAll("pre")].filter((code) => getComputedStyle(code).whiteSpace !== "pre").length"""
+)
+"""Blocks of code whose statements break where the screen ends."""
 COVERS_TEXT = """(() => {
   const top = document.querySelector(".top"), text = document.querySelector("main p");
   return top && getComputedStyle(top).position === "fixed"
@@ -119,6 +123,7 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
         assert not tab.evaluate(COVERS_TEXT), path.name
+        assert tab.evaluate(WRAPPED) == 0, path.name
         tab.evaluate(axe)
         found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
         for rule in found:

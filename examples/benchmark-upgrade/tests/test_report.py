@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from measured_report.claims.not_shown import overstated
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import states_of
 from measured_report.site.build import build
@@ -22,6 +23,10 @@ def test_no_record_is_stale():
 def test_the_pages_are_whole_and_every_number_is_what_was_measured():
     build(PROJECT)
     assert check_site(PROJECT.site) == []
+
+
+def test_what_only_is_not_shown_is_not_said_to_be_otherwise():
+    assert overstated(PROJECT.templates) == []
 
 
 def test_episodes_are_compared_seed_by_seed():

@@ -29,7 +29,8 @@ def cause(results: Results, proportional: Claim) -> Claim:
     } | {"that the drift goes with the timeconst": proportional.outcome}
     lacking = Markup(", ").join(words for words, outcome in outcomes.items() if outcome != HOLDS)
     # Without a slip the others need not be known.
-    numbers = {"has_slip": slip != FAILS, "slip": results.row[SHIPPED].slip_mm, "lacking": lacking}
+    bound = other_value(results, "reproduction", "slip_bound", unit="mm")
+    numbers = {"has_slip": slip != FAILS, "slip": results.row[SHIPPED].slip_mm, "lacking": lacking, "bound": bound}
     return Claim("cause", all_of(slip, *outcomes.values()), numbers)
 
 

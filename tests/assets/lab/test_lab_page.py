@@ -108,6 +108,8 @@ def test_from_a_file_it_says_that_it_can_not(site, browser):
     tab = browser.new_page()
     tab.goto((site / "lab.html").as_uri())
     assert "from a file" in tab.text_content("#lab-status")
+    tab.goto((site / "index.html").as_uri())
+    assert not tab.get_by_text("press Run").is_visible()
     tab.close()
 
 

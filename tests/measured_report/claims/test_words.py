@@ -3,8 +3,10 @@
 import pytest
 from conftest import MODULE, TEMPLATE
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome
+from measured_report.claims.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
+from measured_report.claims.not_shown import overstated
 from measured_report.files.errors import ReportError
+from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 
 pytestmark = pytest.mark.words
@@ -52,3 +54,37 @@ def test_a_sentence_stands_where_it_is_written(toy):
     toy.build()
     assert "Because it is stiff.\nStiff is <data" in toy.page
     assert toy.page.index("It helps") < toy.page.index('<figure id="toy-way"') < toy.page.index("All cases")
+
+
+@pytest.mark.parametrize(
+    ("fails", "found"),
+    [
+        ("It does not.", "It does not"),
+        ("The solver matters: the slip changes by {{ slip }}.", "The solver matters"),
+        ("A heavy cube slips no farther, {{ slip }} against {{ slip }}.", "A heavy cube slips no farther, # against #"),
+        ("It slips {{ slip }}, farther than with soft pads.", "It slips #, farther than with soft pads"),
+        ("{% if few %} It slips {{ slip }}. {% else %} It stays. {% endif %}", "It stays"),
+        ("Not all {{ count }} runs end alike.", "Not all # runs end alike"),
+        ("It is not shown that it slips: {{ slip }}. It sticks.", "It sticks"),
+        ("It slips {{ slip }}, no more than {{ bound }}, and {{ slip }} deeper.", ""),
+        ("It is not shown that no cube slips: {{ slip }} with soft pads, none with stiff ones.", ""),
+        ("No loss is seen in any run.", ""),
+        ("It slips less in {{ count }} of {{ all }} runs; {{ slip }} times faster.", ""),
+    ],
+)
+def test_what_only_is_not_shown_is_not_said_to_be_otherwise(tmp_path, fails, found):
+    words = f"{{% claim slips %}}\n{{% holds %}} Never.\n{{% fails %}} {fails}\n{{% asks %}} x\n{{% endclaim %}}"
+    (tmp_path / "toy.md.j2").write_text(words, encoding="utf-8")
+    assert [line.partition("“")[2].partition("”")[0] for line in overstated(tmp_path)] == ([found] if found else [])
+
+
+def test_no_template_says_more_than_that_something_is_not_shown():
+    """Those of the example and of a new report are looked at by their own tests."""
+    assert overstated(ROOT / "templates") == []
+
+
+def test_a_claim_may_have_words_for_the_opposite_alone(toy):
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("{% fails %}", "{% opposite %}"))
+    wording = Templates(toy.project.templates).text("sections/toy.md.j2").words["claim", "helps"]
+    assert Claim("helps", OPPOSITE, {"gain": "3"}, wording).text == "It does not."
+    assert Claim("helps", FAILS, {"gain": "3"}, wording).text == "Whether it helps is not shown."

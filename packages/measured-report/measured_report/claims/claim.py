@@ -94,13 +94,13 @@ class Claim:
 
     @cached_property
     def sentence(self) -> Markup:
-        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why."""
-        if self.outcome.is_opposite and (opposite := self.said("opposite")):
-            return opposite
-        if self.outcome.name != "unknown":
-            return self.said(self.outcome.name)
-        asked = self.said("asks")
-        sentence = Markup("{}{} cannot be told").format(asked[:1].upper(), asked[1:])
+        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why; where it
+        fails and only the opposite has words, that it is not shown."""
+        parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
+        if said := next(filter(None, map(self.said, parts)), Markup("")):
+            return said
+        asked, found = self.said("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
+        sentence = Markup("{}{} {}").format(asked[:1].upper(), asked[1:], found)
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     def checked(self) -> "Claim":
@@ -157,7 +157,12 @@ def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
 
 
 def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
-    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all."""
+    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all.
+
+    A share is known no better than the effect that it is of.
+    """
+    if share.noise is None and noise.value is not None and effect.value and share.value is not None:
+        share = replace(share, noise=abs(share.value / effect.value) * noise.value)
     return all_of(
         greater(effect, 0.0, noise=noise, why="there is something to explain"),
         at_least(share, 50.0, why="most of it"),

@@ -11,7 +11,7 @@
 
     {% table cases %} All cases. {% endtable %}
 
-A claim may have ``{% opposite %}`` beside ``{% fails %}``, for a test that shows it.
+A claim may have ``{% opposite %}`` beside ``{% fails %}`` or in place of it, for a test that shows it.
 Each stands where it is printed. Its parts can name what Python hands over with it, and nothing else.
 """
 
@@ -95,7 +95,8 @@ class WordTags(Extension):
             token = next(parser.stream)
             part, line = token.value, token.lineno
         said = {block.name.rpartition(SEPARATOR)[2] for block in blocks}
-        if missing := [part for part in parts if part not in OPTIONAL | said]:
+        optional = OPTIONAL | ({"fails"} if "opposite" in said else set())
+        if missing := [part for part in parts if part not in optional | said]:
             parser.fail(f"{kind.value} {name} has no {{% {missing[0]} %}}", kind.lineno)
         call = nodes.Call(nodes.Name(kind.value, "load"), [nodes.Const(name)], [], None, None)
         # Jinja keeps every block of a template, those as well that are never reached where they stand.
