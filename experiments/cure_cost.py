@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.cure import BEST, POSITIONS, TERMS
+from experiments.cure import BEST, FIRM, TERMS
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.comparing import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
@@ -13,8 +13,9 @@ from measured_report.measuring.batch import Batch, Plan
 CASES = (
     AS_SHIPPED,
     replace(AS_SHIPPED, name="term", **TERMS["term"]),
-    replace(AS_SHIPPED, name="kept", **POSITIONS["kept"]),
     replace(AS_SHIPPED, name="best", **BEST),
+    replace(AS_SHIPPED, name="firm", **FIRM),
+    replace(AS_SHIPPED, name="firm-euler", integrator="euler", **FIRM),
     replace(AS_SHIPPED, name="term-rk4", integrator="rk4", **TERMS["term"]),
 )
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}

@@ -62,7 +62,9 @@ PLANTS = {
         ["geom_solref", "shape default kf 1000 → 850", "shape default mu 1 → 0.8", "solver default integrator 3 → 0"],
         ["alarm: penetration", "make bisect CLAIM=defaults.as_the_scene"],
     ),
-    "timeconst-3": Plant([(KERNELS, TIMECONST, f"{TIMECONST} * 1.03")], ["geom_solref"], ["penetration"], 0),
+    "timeconst-3": Plant(
+        [(KERNELS, TIMECONST, f"{TIMECONST} * 1.03")], ["geom_solref"], ["timeconst 0.002 → 0.00206 s, +3.0 %"], 0
+    ),
     "harmless": Plant([(BUILDER, FRICTION, f"{FRICTION}  # and no more")], ["all as they were"], ["moved: nothing"], 0),
 }
 

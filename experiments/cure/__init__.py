@@ -37,6 +37,9 @@ SETTINGS = {
 BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}
 """All remedies together, at the price of none but the kernels': Euler has no damping in its step, and centred the term
 takes the error of the step along."""
+FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}
+FIRM |= TERMS["centred"] | POSITIONS["kept"]
+"""The remedies on stiff pads, where the normal rows need none."""
 
 
 def cases(quick: bool) -> list[Case]:

@@ -12,8 +12,8 @@ order = 144
 page = "cure"
 label = "what the cure costs"
 
-CASES = ("as-shipped", "term", "kept", "best", "term-rk4")
-TESTED = ("term", "best")
+CASES = ("as-shipped", "term", "best", "firm", "firm-euler", "term-rk4")
+TESTED = ("term", "best", "firm", "firm-euler")
 """Those that should be no slower."""
 Times = Mapping[tuple[str, int], Quantity]
 """What a frame takes more than as shipped [%], by case and number of worlds."""
@@ -43,6 +43,7 @@ def derive(results: Results) -> Section:
 
 def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Claim:
     """Tell whether a frame is seen to take longer, by more than the resolution, with any number of worlds."""
+    name = case.replace("-", "_")
     found, noises = ([of[case, count] for count in CURE_WORLDS] for of in (extra, seen))
     both = [quantity for pair in zip(found, noises, strict=True) for quantity in pair]
 
@@ -54,19 +55,19 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
 
     formula = "by how much a frame takes longer{}, most of all numbers of worlds"
     slower = results.value(
-        f"{case}_beyond", formula.format(" than the resolution"), beyond, *both, unit="%", is_noise=True
+        f"{name}_beyond", formula.format(" than the resolution"), beyond, *both, unit="%", is_noise=True
     )
-    numbers = {"worst": results.value(f"{case}_worst", formula.format(" where it is seen"), worst, *both, unit="%")}
+    numbers = {"worst": results.value(f"{name}_worst", formula.format(" where it is seen"), worst, *both, unit="%")}
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
-    numbers["unseen"] = results.value(f"{case}_unseen", formula, max, *noises, unit="%", is_noise=True)
+    numbers["unseen"] = results.value(f"{name}_unseen", formula, max, *noises, unit="%", is_noise=True)
     outcomes = []
     for count, more, noise in zip(CURE_WORLDS, found, noises, strict=True):
         longer = results.value(
-            f"{case}_longer_{count}", "this, or none where it is less", lambda a: max(a, 0.0), more, unit="%"
+            f"{name}_longer_{count}", "this, or none where it is less", lambda a: max(a, 0.0), more, unit="%"
         )
         outcomes.append(within(longer, noise, why="the resolution of the ratio"))
     return Claim(
-        f"{case}_costs_nothing", all_of(*outcomes, fine_enough(numbers["unseen"])).having_read(slower), numbers
+        f"{name}_costs_nothing", all_of(*outcomes, fine_enough(numbers["unseen"])).having_read(slower), numbers
     )
 
 

@@ -23,6 +23,8 @@ page = "limits"
 label = "the cure at its limits"
 
 WAYS = {"term": "the term", "best": "the whole cure"}
+FIRM_WAYS = ("firm", "firm-euler")
+"""Ways on stiff pads, which runs about other pads are not tried with."""
 FAMILIES = {
     "steps": "steps, shipped and stiff pads",
     "ke-critical": "pads' ke with kd = 2√ke",
@@ -42,11 +44,14 @@ def derive(results: Results) -> Section:
     whole = {name: ways for name, ways in runs.items() if {"plain", *WAYS} <= set(ways)}
     kept = [row.creep_mm_s for ways in whole.values() for row in ways.values() if row.kept]
     count = _count(results, "run_count", "runs", whole.values())
-    breaks, less = list(_breaks_nothing(results, whole)), list(_creeps_less(results, whole))
+    firm = {name: ways for name, ways in runs.items() if {"plain", *FIRM_WAYS} <= set(ways)}
+    breaks = [_breaks_nothing(results, whole, way) for way in WAYS]
+    breaks += [_breaks_nothing(results, firm, way) for way in FIRM_WAYS]
+    less = list(_creeps_less(results, whole))
     term, best = (claim.numbers["gain"] for claim in less)
     numbers: dict[str, Any] = {"count": count, "is_so": at_least(best, 2.0, why="clearly less") == HOLDS}
     numbers["is_so"] = numbers["is_so"] and greater(best, term, noise=2.0, why="a gain that differs") == HOLDS
-    numbers["has_lost"] = any(claim.numbers["lost_count"].value for claim in breaks)
+    numbers["has_lost"] = any(claim.numbers["lost_count"].value for claim in breaks[: len(WAYS)])
     return Section(
         tables={"families": _table(results, whole)},
         figures={"creep": Figure(lambda: _draw(whole), kept, numbers)},
@@ -64,23 +69,21 @@ def _count(results: Results, name: str, formula: str, runs: Iterable[Mapping[str
     return cell_count(results, name, formula, [ways["plain"].substeps for ways in runs])
 
 
-def _breaks_nothing(results: Results, runs: Runs) -> Iterator[Claim]:
-    """Tell for each way whether each run that keeps the cube with nothing done keeps it this way too."""
-    plain = _kept(runs, "plain")
-    for way in WAYS:
-        mine = _kept(runs, way)
-        lost = [name for name in plain if name not in mine]
-        won = [found for name, found in mine.items() if name not in plain]
-        count = _count(results, f"kept_{way}", "runs that keep the cube with nothing done", plain.values())
-        formula = "of these, runs that lose it this way"
-        lost_count = _count(results, f"lost_{way}", formula, [plain[name] for name in lost])
-        won_count = _count(results, f"won_{way}", "runs that keep it only this way", won)
-        outcome = Outcome("unknown", "no run keeps the cube without it")
-        if plain:
-            outcome = at_most(lost_count, 0, why="none of them is lost")
-        numbers = {"count": count, "lost_count": lost_count, "won": won_count}
-        lost_names = some_html([case_html(name) for name in lost])
-        yield Claim(f"{way}_breaks_nothing", outcome.having_read(count), numbers | {"lost": lost_names})
+def _breaks_nothing(results: Results, runs: Runs, way: str) -> Claim:
+    """Tell whether each run that keeps the cube with nothing done keeps it this way too."""
+    plain, mine, name = _kept(runs, "plain"), _kept(runs, way), way.replace("-", "_")
+    lost = [run for run in plain if run not in mine]
+    won = [found for run, found in mine.items() if run not in plain]
+    count = _count(results, f"kept_{name}", "runs that keep the cube with nothing done", plain.values())
+    formula = "of these, runs that lose it this way"
+    lost_count = _count(results, f"lost_{name}", formula, [plain[run] for run in lost])
+    won_count = _count(results, f"won_{name}", "runs that keep it only this way", won)
+    outcome = Outcome("unknown", "no run keeps the cube without it")
+    if plain:
+        outcome = at_most(lost_count, 0, why="none of them is lost")
+    numbers = {"count": count, "lost_count": lost_count, "won": won_count}
+    lost_names = some_html([case_html(run) for run in lost])
+    return Claim(f"{name}_breaks_nothing", outcome.having_read(count), numbers | {"lost": lost_names})
 
 
 def _creeps_less(results: Results, runs: Runs) -> Iterator[Claim]:

@@ -24,9 +24,9 @@ def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:
     return cell_or_absent(row, column, unit, f"{what} was not measured on this machine")
 
 
-def ratio_cell(results: Results, row: Row | None, column: str = "frame_ratio") -> Quantity:
+def ratio_cell(results: Results, row: Row | None) -> Quantity:
     """Look up a row's time over that of the case that it was timed in turn with."""
-    return cell(results, row, column, "this case")
+    return cell(results, row, "frame_ratio", "this case")
 
 
 def resolution(results: Results, name: str, *rows: Row | None) -> Value:
@@ -74,11 +74,9 @@ def decade_axis(axes: Axes) -> None:
     axes.minorticks_off()
 
 
-def draw_line(
-    axes: Axes, counts: list[int], cells: list[Quantity], series: int, label: str, scale: float = 1.0
-) -> None:
+def draw_line(axes: Axes, counts: list[int], cells: list[Quantity], series: int, label: str) -> None:
     """What there is of ``cells`` against the number of worlds, as the series of that number."""
-    there = [(count, scale * cell.value) for count, cell in zip(counts, cells, strict=True) if cell.value is not None]
+    there = [(count, cell.value) for count, cell in zip(counts, cells, strict=True) if cell.value is not None]
     if there:
         line, marker = (("-", "o"), ("--", "s"))[series]
         style: dict[str, Any] = {"color": SERIES[series], "linestyle": line, "marker": marker, "markevery": 1}

@@ -1,4 +1,7 @@
-// Numbers and classes of a run, in the definitions of experiments/facts/metrics.py and classes.py.
+// Numbers and classes of a run, in the definitions of experiments/facts/metrics.py and classes.py. Here a shake may be slower
+// than the lift before it, which no case there is.
+
+import { LIFT_PEAK_M_S } from "./task.js";
 
 export const DROP_DISTANCE = 0.08;
 const ON_GROUND = 0.025;
@@ -36,10 +39,9 @@ export function slope(values) {
   return up / down / FRAME_S;
 }
 
-/** Largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped. @param {{shake_amplitude_m: number, shake_frequency_hz: number}} of */
+/** Largest speed at which the hand is driven [m/s], by the lift or the shake. @param {{shake_amplitude_m: number, shake_frequency_hz: number}} of */
 function drivePeak({ shake_amplitude_m, shake_frequency_hz }) {
-  const [amplitude, frequency] = shake_amplitude_m > 0 ? [shake_amplitude_m, shake_frequency_hz] : [0.03, 1];
-  return amplitude * 2 * Math.PI * frequency * DRIVE_SHAPE;
+  return Math.max(LIFT_PEAK_M_S, shake_amplitude_m * 2 * Math.PI * shake_frequency_hz * DRIVE_SHAPE);
 }
 
 /**

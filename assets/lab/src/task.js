@@ -9,6 +9,8 @@ const PHASE_SECONDS = [0.25, 1.0, 0.75, 1.5];
 export const FINGER_OPEN = 0.035;
 const APPROACH_HEIGHT = 0.1;
 const LIFT_HEIGHT = 0.2;
+/** In the middle of the lift, whose way is s²(3 − 2s). */
+export const LIFT_PEAK_M_S = (1.5 * LIFT_HEIGHT) / PHASE_SECONDS[PHASE.lift];
 const SHAKE_RATIO = [0.65, 0.35];
 const POSITION_TOLERANCE = 0.005;
 const ROTATION_TOLERANCE = (2 * Math.PI) / 180;

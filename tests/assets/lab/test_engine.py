@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from experiments.facts.case import LEAN
-from experiments.facts.classes import CLASSES
+from experiments.facts.classes import CLASSES, STABLE
 from experiments.lab.double import DoubleShake
 from measured_report.files.root import ROOT
 from report import lab_check
@@ -79,6 +79,11 @@ def test_it_ends_whatever_it_is_asked():
     rows = rows_in_node(RECORD, queries, 150)
     assert len(rows) == RANDOM_COUNT and {row["class"] for row in rows} <= set(CLASSES)
     assert all(row["reason"] or row["slip_mm"] is not None for row in rows)
+
+
+def test_a_cube_that_is_shaken_slower_than_it_was_lifted_has_not_exploded():
+    [row] = rows_in_node(RECORD, ["amplitude_mm=0.5"], 60)
+    assert row["class"] in STABLE
 
 
 def test_what_an_address_says_badly_is_as_shipped_or_in_range():

@@ -11,7 +11,7 @@ from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results
 from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
-from report.sections.cure.ways import BEST, TERM
+from report.sections.cure.ways import FIRM, FIRM_EULER, STIFF_TERM, TERM, TESTED
 
 Change = Callable[[dict], Mapping]
 BELOW = {"noise": noise, "cure_limits": cure_limits}
@@ -50,26 +50,29 @@ def test_what_slips_less_without_having_been_tested_is_named_and_not_recommended
     rows = load_record(Project("1.4.0").record_path("cure")).rows
     shaken = [row for row in rows if row.get("shake") == "3cm" and row["kind"] == "run"]
     slips = {row["case"]: row["slip_mm"] for row in shaken if row["slip_mm"] is not None}
-    best = slips[f"{BEST.setting}-3cm-{BEST.parts}"]
     told, untested = claims["what_to_use"], claims["less_untested"]
-    assert (told.outcome, told.numbers["slip"].value) == (HOLDS, best)
-    assert not told.numbers["is_tied"]
-    assert untested.outcome == HOLDS and untested.numbers["least"].value == min(slips.values()) < best
+    assert (told.outcome, told.numbers["slip"].value) == (HOLDS, slips[f"{FIRM.setting}-3cm-{FIRM.parts}"])
+    tested = {f"{way.setting}-3cm-{way.parts}" for way in TESTED}
+    least = min(slip for case, slip in slips.items() if case not in tested)
+    assert (untested.outcome, untested.numbers["least"].value) == (FAILS, least)
     assert untested.numbers["total"].value == len(shaken)
-    assert 0 < untested.numbers["count"].value <= sum(slip < best for slip in slips.values())
+    untested = claims_with(cure=at(STIFF_TERM, slip_mm=0.001))["less_untested"]
+    assert (untested.outcome, untested.numbers["count"].value) == (HOLDS, 1)
 
 
-def test_alike_within_the_noise_is_a_tie(claims):
-    slip = claims["what_to_use"].numbers["slip"].value
-    assert claims_with(cure=at(TERM, slip_mm=slip + 0.001))["what_to_use"].numbers["is_tied"]
+def test_only_what_loses_no_cube_is_compared_with(claims):
+    changes = {"cure": at(FIRM_EULER, slip_mm=0.0001)}
+    assert claims["what_to_use"].outcome == HOLDS == claims_with(**changes)["what_to_use"].outcome
+    changes["cure_limits"] = lambda row: {"kept": True} if row["way"] == "firm-euler" else {}
+    assert claims_with(**changes)["what_to_use"].outcome != HOLDS
 
 
 @pytest.mark.parametrize(
     "changes",
     [
-        {"cure_limits": lambda row: {"kept": False} if row["way"] == "best" else {}},
+        {"cure_limits": lambda row: {"kept": False} if row["way"] == "firm" else {}},
         {"cure": at(TERM, slip_mm=0.001)},
-        {"cure": at(BEST, slip_mm=20.0)},
+        {"cure": at(FIRM, slip_mm=20.0)},
     ],
     ids=["it loses cubes", "the term slips less", "it slips"],
 )

@@ -34,7 +34,8 @@ def diff(project: Project, arguments: argparse.Namespace) -> int:
     sides = [project.of(str(stack.label)) for stack in stacks]
     for side, stack in zip(sides, stacks, strict=True):
         refuse_unmeasured(side, stack)
-    comparison = compare(*(derive_edition(side, templates) for side in sides))
+    editions = editions_of(project, templates, among=[side.release for side in sides])
+    comparison = compare(*(editions[side.release] for side in sides))
     print(alarm.diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
     return int(comparison.is_alarm)
 

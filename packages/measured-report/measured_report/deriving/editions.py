@@ -119,7 +119,7 @@ class Edition:
         section, sections = told[anchor], {name: chapter.section for name, chapter in self.chapters.items()}
         known = {
             "release": self.project.release,
-            "sections": {name: chapter.names for name, chapter in self.chapters.items()},
+            "sections": _Names({name: chapter.names for name, chapter in self.chapters.items()}),
             **_things(anchor, {**sections, **told}, partial(stale_mark, self.chapters.values())),
             "claim": _finder(anchor, "claim", {claim.name: self._html(claim, anchor) for claim in section.claims}),
         }
@@ -156,6 +156,14 @@ class Edition:
             return derive(given, self.project.release) if arguments > 1 else derive(given[""]), {}
 
         return self.cache.derived((self.project.profile, self.project.release, name), file, (), read, derive).section
+
+
+class _Names(dict[str, Mapping[str, Any]]):
+    """What each section's words can name; of one that was not measured there is nothing to say."""
+
+    def __missing__(self, name: str) -> Mapping[str, Any]:
+        outline_of(name)  # for a name that no section has
+        return dict.fromkeys(("claim", "table", "figure", "download"), lambda thing: Markup(""))
 
 
 def editions_of(

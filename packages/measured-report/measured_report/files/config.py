@@ -48,7 +48,6 @@ class Changes:
     """How long they take on two cores of a CPU [s], by profile, where no record says."""
     headline: str = ""
     """The value that says most, as ``section.case.column``; messages give it as an example."""
-    headline_label: str = ""
     headlines: Mapping[str, str] = field(default_factory=dict)
     """Values that the history shows, by what they are called."""
     example_claim: str = ""
