@@ -162,4 +162,4 @@ def _same_bits(results: Results, runs: Runs) -> Claim:
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
         outcome = decided(all(map(is_identical, others)), largest)
-    return Claim("same_bits", outcome, {"largest": largest})
+    return Claim("same_bits", outcome)

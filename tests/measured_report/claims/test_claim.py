@@ -100,6 +100,8 @@ def test_an_explanation_needs_an_effect_and_a_share_of_no_more_than_all():
     for percent, expected in share.items():
         assert explains(replace(quantity(percent), unit="%"), quantity(2.0), noise=NOISE) == expected
     assert explains(replace(quantity(100.0), unit="%"), quantity(0.05), noise=NOISE).said == "cannot tell"
+    share = replace(quantity(70.0, noise=None), unit="%")
+    assert [explains(share, quantity(effect), noise=NOISE).said for effect in (2.0, 0.2)] == ["holds", "cannot tell"]
     for effect, is_said in ((HOLDS, True), (FAILS, False), (Outcome("unknown"), False)):
         html = replace(make_claim(HOLDS), effect=effect).html("toy")
         assert ("Since it is soft." in html) == is_said
