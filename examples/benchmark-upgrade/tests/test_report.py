@@ -24,9 +24,9 @@ def test_the_pages_are_whole_and_every_number_is_what_was_measured():
     assert check_site(PROJECT.site) == []
 
 
-def test_episodes_are_compared_seed_by_seed():
+def test_episodes_are_compared_seed_by_seed_as_far_as_both_go():
     rows = [
-        SimpleNamespace(steps="70 - 80 90", states="aaaabbbbccccdddd"),
+        SimpleNamespace(steps="70 - 80 90 99", states="aaaabbbbccccddddffff"),
         SimpleNamespace(steps="- 60 81 90", states="aaaab0bbcccceeee"),
     ]
     step = Step("task", ("1", "2"), tuple(rows))
