@@ -1,17 +1,13 @@
 """The rooms: who may read whom, and that the picture of them is the one that the imports make."""
 
-import importlib.util
 import re
 from graphlib import TopologicalSorter
 
 import pytest
 
+from docs import rooms
 from measured_report.files.root import ROOT
 from measured_report.records.identity import sections
-
-SPEC = importlib.util.spec_from_file_location("rooms", ROOT / "docs" / "rooms.py")
-rooms = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(rooms)
 
 SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
 WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")

@@ -10,7 +10,7 @@ from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.format import unit_label
 from measured_report.values.quantities import alike
-from report.sections.upgrade.ends import with_mark
+from report.sections.upgrade.ends import released, with_mark
 from report.sections.upgrade.tables import HEADLINES
 
 WIDTH, HEIGHT, EDGE = 60.0, 24.0, 4.0  # of the line beside a number's name, which keeps from the edges [px]
@@ -21,8 +21,8 @@ DOT = Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.5" style="fill: var(--series-
 
 
 def derive(releases: Releases, shown: str) -> Section:
-    """Derive the table of the page, which is the same for each edition; ``releases`` are oldest first."""
-    return Section(tables={"numbers": _numbers(releases)})
+    """Derive the table of the page, which is the same for each release; ``releases`` are oldest first."""
+    return Section(tables={"numbers": _numbers(released(releases, shown))})
 
 
 def _numbers(releases: Releases) -> Table:

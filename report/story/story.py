@@ -9,6 +9,7 @@ from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least
 from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity
+from report.sections.upgrade.ends import released
 from report.story.figures import draw_mechanism, draw_suspects
 from report.story.found import CASES, Found
 
@@ -39,7 +40,7 @@ UNSEEN, FAILED = Markup("not measured"), Markup("run failed")
 
 def derive(releases: Releases, shown: str) -> Section:
     """Derive figures, table and claims of the story of the release ``shown``."""
-    every = {release: Found(chapters) for release, chapters in releases.items()}
+    every = {release: Found(chapters) for release, chapters in released(releases, shown).items()}
     found = every[shown]
     if "reproduction" not in found.chapters:
         return Section()

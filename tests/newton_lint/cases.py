@@ -1,6 +1,6 @@
 """Scenes in which something creeps, each predicted by the lint from the scene alone and measured in MuJoCo C.
 
-``python tests/newton_lint/cases.py`` prints them all; ``test_law_measured.py`` runs a few of each kind.
+``python tests/newton_lint/cases.py`` prints them all; ``test_law.py`` runs a few of each kind.
 """
 
 import math

@@ -1,21 +1,15 @@
 """The whole law, from the scene alone, held against MuJoCo's C engine: one case in six here, all in ``cases.py``."""
 
-import importlib.util
 import math
-import sys
-from pathlib import Path
 
 import mujoco
 import pytest
 
 from newton_lint.law import Contact, Option, Response, response_of, settled_impedance, shared_slide_m_s, solref_taken
+from tests.newton_lint.cases import Case, cases
 
-SPEC = importlib.util.spec_from_file_location("cases", Path(__file__).with_name("cases.py"))
-module = importlib.util.module_from_spec(SPEC)
-sys.modules["cases"] = module
-SPEC.loader.exec_module(module)
 RELEASE = tuple(int(each) for each in mujoco.__version__.split(".")[:2])
-CASES = [case for case in module.cases() if case.since <= RELEASE]
+CASES = [case for case in cases() if case.since <= RELEASE]
 CONTACT = Contact((0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0), 0.8, 2.0)
 
 
@@ -35,7 +29,7 @@ def test_a_prediction_is_the_engines(case):
 @pytest.mark.parametrize("slope", [0.6, 1.1])
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 def test_what_is_beyond_the_cone_slides(cone, slope):
-    case = module.Case("incline", (("cone", cone), ("slope", slope)))
+    case = Case("incline", (("cone", cone), ("slope", slope)))
     assert math.isinf(case.predicted_mm_s()) == (slope > 1.0)
 
 

@@ -1,9 +1,7 @@
 """Holds, prescriptions and pages of a pinch and an incline."""
 
-import importlib.util
 import json
 import re
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,18 +9,14 @@ import pytest
 from newton_lint.command import main
 from newton_lint.fix import edited
 from newton_lint.prescribe import Prescription, Setting, Trial
-
-SPEC = importlib.util.spec_from_file_location("cases", Path(__file__).with_name("cases.py"))
-cases = importlib.util.module_from_spec(SPEC)
-sys.modules["cases"] = cases
-SPEC.loader.exec_module(cases)
+from tests.newton_lint.cases import Case
 
 
 @pytest.fixture
 def written(tmp_path):
     def write(kind: str, **changes) -> str:
         path = tmp_path / f"{kind}.xml"
-        path.write_text(cases.Case(kind, tuple(changes.items())).text)
+        path.write_text(Case(kind, tuple(changes.items())).text)
         return str(path)
 
     return write
@@ -85,7 +79,7 @@ def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
     for kind, changes in (("pinch", {"grip": 60}), ("incline", {"cone": "pyramidal", "solref": "0.05 1"})):
         assert main([written(kind, **changes), "--json"]) == 1
         [slip] = [each for each in json.loads(capsys.readouterr().out)["findings"] if each["rule"] == "slip"]
-        measured = cases.Case(kind, tuple(changes.items())).measured_mm_s()
+        measured = Case(kind, tuple(changes.items())).measured_mm_s()
         assert slip["value"] == pytest.approx(measured, rel=0.1)
         assert slip["changes"][0]["attributes"] == {"cone": "elliptic", "impratio": "10"}
     assert main([written("incline", mu=0.1)]) == main([written("pinch", impratio=100)]) == 0

@@ -15,7 +15,7 @@ from metaworld.policies import ENV_POLICY_MAP
 from measured_report.measuring.measurement import absent
 
 TASKS = tuple(sorted(ALL_V3_ENVIRONMENTS))
-FIRST_SEEDS = range(10)
+FIRST_SEEDS = range(50)
 """For all tasks: enough to see which ones a release may have changed."""
 FRESH_SEEDS = range(100, 150)
 """For those: a test on runs that had no part in choosing them."""

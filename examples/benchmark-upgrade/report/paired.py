@@ -5,7 +5,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import comb
 
+import pandas as pd
+
 from measured_report.deriving.chapters import Releases
+from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 
@@ -37,8 +40,8 @@ class Step:
 
     @property
     def pairs(self) -> Sequence[tuple[str, str]]:
-        """Steps to success of each seed in either, or that it failed."""
-        return list(zip(*(row.steps.split() for row in self.rows), strict=True))
+        """Steps to success of each seed that both have, or that it failed; all begin with the same."""
+        return list(zip(*(row.steps.split() for row in self.rows), strict=False))
 
     @property
     def lost(self) -> int:
@@ -60,17 +63,17 @@ class Step:
     def other_states(self) -> int:
         """Episodes that do not end in the same state to the last bit."""
         old, new = ([row.states[at : at + DIGITS] for at in range(0, len(row.states), DIGITS)] for row in self.rows)
-        return sum(a != b for a, b in zip(old, new, strict=True))
+        return sum(a != b for a, b in zip(old, new, strict=False))
 
     def is_beyond_chance(self, kind: str, tests: int) -> bool:
         """Whether ``success`` or ``time`` differs beyond what chance does in one of 20 releases, over all ``tests``."""
         split = (self.lost, self.gained) if kind == "success" else (self.slower, self.faster)
         return sign_test(*split) < LEVEL / tests
 
-    def value(self, results: Results, what: str, formula: str) -> Value:
+    def value(self, results: Results, what: str) -> Value:
         """One of its counts as a value of ``results``."""
         count, cells = getattr(self, what), [row.success_count for row in self.rows]
-        name = f"{what}_{self.task}_{self.releases[1]}"
+        name, formula = f"{what}_{self.task}_{self.releases[1]}", f"episodes {what}, of the same seeds"
         return results.value(name, formula, lambda *_: count, *cells, across=True)
 
 
@@ -79,3 +82,15 @@ def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator
     for task in tasks:
         for (old, before), (new, after) in pairwise(rows_of(releases, section, task).items()):
             yield Step(task, (old, new), (before, after))
+
+
+def changes(results: Results, steps: Sequence[Step], tests: int) -> Table:
+    """Every step that differs beyond chance, in whether or in when an episode succeeds."""
+    found = [step for step in steps if any(step.is_beyond_chance(kind, tests) for kind in ("success", "time"))]
+    found.sort(key=lambda step: (list(map(int, step.releases[1].split("."))), step.task))
+    counts = ("lost", "gained", "slower", "faster")
+    lines = [
+        {"MuJoCo": " → ".join(step.releases)} | {what: step.value(results, what) for what in counts} for step in found
+    ]
+    names = pd.Index([step.task for step in found], name="task")
+    return Table(pd.DataFrame(lines, index=names, columns=["MuJoCo", *counts], dtype=object))

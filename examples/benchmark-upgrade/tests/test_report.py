@@ -29,9 +29,9 @@ def test_what_only_is_not_shown_is_not_said_to_be_otherwise():
     assert overstated(PROJECT.templates) == []
 
 
-def test_episodes_are_compared_seed_by_seed():
+def test_episodes_are_compared_seed_by_seed_as_far_as_both_go():
     rows = [
-        SimpleNamespace(steps="70 - 80 90", states="aaaabbbbccccdddd"),
+        SimpleNamespace(steps="70 - 80 90 99", states="aaaabbbbccccddddffff"),
         SimpleNamespace(steps="- 60 81 90", states="aaaab0bbcccceeee"),
     ]
     step = Step("task", ("1", "2"), tuple(rows))

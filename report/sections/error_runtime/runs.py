@@ -1,14 +1,14 @@
 """The points of the diagram of error against run time, sorted, and what is derived from all of them."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.fronts import front
 from report.shared.timing import cell
 
 PADS = {"as-shipped": "shipped pads", "stiff": "stiff pads"}
@@ -157,3 +157,26 @@ def named(rows: Sequence[Row]) -> Markup:
         for method, knobs in by_method.items()
     ]
     return Markup("; ").join(phrases)
+
+
+def front(rows: Iterable[Row], error: str, groups: Sequence[str] = ()) -> frozenset[str]:
+    """The cases of the rows that have both and that no other has a smaller ``error`` in less time than.
+
+    Only rows that are alike in the columns ``groups`` compete.
+    """
+    competing: dict[tuple, list[Row]] = {}
+    for row in rows:
+        if None not in (row[error].value, row.ms_per_s.value):
+            competing.setdefault(tuple(row[name] for name in groups), []).append(row)
+    cases: set[str] = set()
+    for group in competing.values():
+        best = pareto_front(*(np.array([row[column].value for row in group]) for column in (error, "ms_per_s")))
+        cases |= {row.case for row, is_best in zip(group, best, strict=True) if is_best}
+    return frozenset(cases)
+
+
+def pareto_front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """Which points no other point beats: none is at most as far off at most as dear, and better in one; shape [n]."""
+    no_worse = (error[None, :] <= error[:, None]) & (cost[None, :] <= cost[:, None])
+    better = (error[None, :] < error[:, None]) | (cost[None, :] < cost[:, None])
+    return ~(no_worse & better).any(axis=1)

@@ -9,8 +9,7 @@ from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import cases_html
-from report.sections.leave_out.tables import audit_table, cost_figure, cost_table
-from report.sections.leave_out.variants import ALL, REFERENCE, Runs, Timed, is_identical, reference_of
+from report.sections.leave_out.tables import ALL, REFERENCE, Timed, audit_table, cost_figure, cost_table
 from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio, told
 from report.shared.timing import cell, ratio_cell, resolution
 from report.shared.timing import resolutions as largest_resolution
@@ -23,6 +22,8 @@ MANY_COUNT = 16384
 """The most worlds, for which there is a target."""
 BASELINE = "as-shipped"
 NOT_TIMED = Outcome("unknown", "it was not timed on this machine")
+Runs = Mapping[tuple[str, str], Row]
+"""A row of each device and case: the run to the end is the same in those of all numbers of worlds."""
 Faster = Mapping[tuple[str, str, int], Outcome]
 """Whether a case is faster than exactly as shipped, by device, case and number of worlds."""
 
@@ -111,8 +112,14 @@ def _less_memory(results: Results, timed: Timed) -> Claim:
     return Claim("less_memory", at_least(saving, bound), numbers)
 
 
+def _reference_of(runs: Runs, device: str) -> Row | None:
+    """Find what slip and trajectory are compared with: the untrimmed scene, or the first that was run to the end."""
+    ran = (row for (of_device, _), row in runs.items() if of_device == device and row.slip_mm.value is not None)
+    return next(ran, None)
+
+
 def _difference(results: Results, runs: Runs, device: str, case: str) -> Value:
-    reference = reference_of(runs, device)
+    reference = _reference_of(runs, device)
     of_reference = cell(results, reference, "slip_mm", "a run to the end")
     name = f"{device}_{case}_difference".replace("-", "_")
     formula = f"slip of {case} less that of {reference.case if reference else REFERENCE}, on the same device"
@@ -153,7 +160,7 @@ def _is_faster(results: Results, timed: Timed, device: str, case: str, worlds: i
 
 def _same_bits(results: Results, runs: Runs) -> Claim:
     """Judged on the CPU: a GPU adds up in another order each time, and does not even repeat itself."""
-    reference = reference_of(runs, "cpu")
+    reference = _reference_of(runs, "cpu")
     compared = [row for row in runs.values() if row.device == "cpu" and "differing_frame_count" in row]
     others = [row for row in compared if row is not reference]
     formula = "largest distance of any body in any frame from where it is in the reference, on the CPU"
@@ -161,5 +168,5 @@ def _same_bits(results: Results, runs: Runs) -> Claim:
     largest = results.value("cpu_pose_difference", formula, max, *cells, unit="mm")
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
-        outcome = decided(all(map(is_identical, others)), largest)
+        outcome = decided(all(row.differing_frame_count.value == 0 for row in others), largest)
     return Claim("same_bits", outcome)

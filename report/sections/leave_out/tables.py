@@ -13,9 +13,12 @@ from measured_report.parts.section import Figure, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, name_of, worlds_name
-from report.sections.leave_out.variants import ALL, REFERENCE, Timed
 from report.shared.arithmetic import DEVICES, Column, cell_or_absent, table_of
 from report.shared.drawing import SHIPPED, name_lines
+
+REFERENCE, ALL = "untrimmed", "without-all"
+Timed = Mapping[tuple[str, str, int], Row]
+"""Rows by device, case and number of worlds."""
 
 
 def audit_table(results: Results) -> Table:

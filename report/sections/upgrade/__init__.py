@@ -13,7 +13,7 @@ from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.upgrade import tables
 from report.sections.upgrade.cause import cause_claims, nothing_to_explain
-from report.sections.upgrade.ends import Ends, change, floor, machines_differ, unchanged, up_to
+from report.sections.upgrade.ends import Ends, change, floor, machines_differ, released, unchanged, up_to
 
 order = 200
 page = "releases"
@@ -21,8 +21,9 @@ label = "other releases"
 
 
 def derive(results: Results, releases: Releases) -> Section:
-    floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
     shown = results.edition
+    releases = released(releases, shown)
+    floors = {unit: floor(results, releases, name, unit) for unit, name in tables.FLOORS.items()}
     seen = up_to(releases, shown)
     flipped = list(flips(seen, shown))
     ends, newest = Ends(seen), Ends(releases)

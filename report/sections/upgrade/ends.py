@@ -9,8 +9,14 @@ from measured_report.changes.moves import Move
 from measured_report.changes.query import Query
 from measured_report.claims.claim import HOLDS, Outcome, beyond
 from measured_report.deriving.chapters import Releases
+from measured_report.editions.label import read_label
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
+
+
+def released(releases: Releases, shown: str) -> Releases:
+    """Return what a page compares: no trial with other packages than a release comes with, but for the one shown."""
+    return {name: found for name, found in releases.items() if name == shown or not read_label(name).pins}
 
 
 def up_to(releases: Releases, shown: str) -> Releases:

@@ -162,6 +162,6 @@ def _draw_slips(releases: Releases) -> Drawing:
         axes.annotate(text, (place, height), xytext=(7, 0), textcoords="offset points", va="center", color=colour)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
-    axes.set_xticks(range(len(releases)), list(releases))
+    axes.set_xticks(range(len(releases)), [name.replace("+", "\n+") for name in releases])
     axes.set(xlim=(-0.3, (1.5 if is_narrow() else 1.3) * len(releases)), xlabel="Newton release", ylabel="slip [mm]")
     return drawing

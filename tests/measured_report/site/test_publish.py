@@ -194,12 +194,6 @@ def test_finding_8_what_is_published_is_on_the_disk_before_it_is_shown(toy, tmp_
     assert {str(version.parent), str(tmp_path)} <= synced
 
 
-def test_finding_8_no_place_and_no_branch_ends_in_a_traceback(toy, remote):
-    for target in ("dir:/", "git:origin#refs/heads/x"):
-        with pytest.raises(UsageError, match=r"^\S[^\n]*$"):
-            publish(toy.project.site, target)
-
-
 def test_only_what_was_published_and_leftovers_of_kills_go(toy, place):
     versions = place.with_name(".www.versions")
     letters = [written_by_the_user(versions / name) for name in ("mine", "0123456789abcdef")]

@@ -26,8 +26,8 @@ from newton_lint.of_newton.contacts import (
     Shapes,
     contacts_of,
 )
-from newton_lint.of_newton.prediction import predictions
-from newton_lint.of_newton.rules import Engine, lint
+from newton_lint.of_newton.report import predictions
+from newton_lint.of_newton.rules import Engine, lint, read
 from newton_lint.prediction import Load
 
 DT = 1.0 / 960.0
@@ -197,7 +197,7 @@ def test_a_kf_of_0_that_is_read_takes_the_friction_and_the_creep(kf):
     engine = Engine(DT, contacts="newton", cone="elliptic")
     gone = kf == 0.0 and kf_is_read()
     assert [finding.parameter for finding in lint(model, engine) if "friction away" in finding.message] == ["mu"] * gone
-    assert len(predictions(model, engine, Load(load_n=1.0))) == 1 - gone
+    assert len(predictions(read(model, engine), Load(load_n=1.0))) == 1 - gone
 
 
 @pytest.mark.parametrize(("condim", "unread"), [(3, 2), (4, 1), (6, 0)])

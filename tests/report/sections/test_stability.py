@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from measured_report.values.results import Results, Row
-from report.sections.error_runtime.fronts import front, pareto_front
+from report.sections.error_runtime.runs import front, pareto_front
 from report.sections.stability.passing import explicit_margin, passed, passing
 
 Made = Callable[[Sequence[dict]], list[Row]]

@@ -12,6 +12,7 @@ from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
+from report.sections.upgrade.ends import released
 
 SOFT, STIFF = ROWS
 
@@ -142,3 +143,10 @@ def test_the_page_of_an_edition_speaks_of_that_edition(upgraded):
         claims = {claim.name: claim for claim in edition.chapters["upgrade"].section.claims}
         ends[release] = tuple(claims["slip_is_the_same"].numbers[side] for side in "ab")
     assert ends == {"1.4.0": ("1.4.0", "1.8.0"), "1.6.0": ("1.4.0", "1.6.0"), "1.8.0": ("1.4.0", "1.8.0")}
+
+
+def test_a_trial_with_other_packages_is_compared_on_its_own_page_alone():
+    trial = "1.8.0+mujoco-4.0.0"
+    releases = dict.fromkeys(["1.4.0", "1.8.0", trial])
+    assert list(released(releases, "1.8.0")) == ["1.4.0", "1.8.0"]
+    assert list(released(releases, trial)) == ["1.4.0", "1.8.0", trial]

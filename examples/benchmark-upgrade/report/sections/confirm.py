@@ -10,7 +10,7 @@ from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.paired import Step, rows_of, steps_of
+from report.paired import Step, changes, rows_of, steps_of
 
 order = 20
 page = "releases"
@@ -31,10 +31,10 @@ def derive(results: Results, releases: Releases) -> Section:
     tasks = [row.case for row in results.rows]
     found = {task: rows_of(releases, "confirm", task) for task in tasks}
     steps = list(steps_of(releases, "confirm", tasks))
-    row, enough = results.row, 0.8 * (results.row[DIAL].seed_count.value or 0)
+    row, seeds = results.row, results.row[DIAL].seed_count
     turns, moved, slow = row[DIAL].success_count, row[PUSH].untouched_mm, row[LOCK].step_median
     claims = [
-        Claim("dial_turns", at_least(turns, enough, ENOUGH), {"count": turns, "all": row[DIAL].seed_count}),
+        Claim("dial_turns", at_least(turns, 0.8 * (seeds.value or 0), ENOUGH), {"count": turns, "all": seeds}),
         Claim("thermos_rests", at_most(moved, REST_MM, "what nobody touches rests"), {"moved": moved}),
         Claim("lock_in_time", at_most(slow, LOCK_STEPS, "half as long again as with MuJoCo 3.3"), {"steps": slow}),
         _lost("dial_lost", DIAL, steps, 2 * len(tasks)),
@@ -43,13 +43,13 @@ def derive(results: Results, releases: Releases) -> Section:
         _since("thermos_leaves", "untouched_mm", REST_MM, found[PUSH]),
     ]
     tables = {
-        "success": _by_release(found, "success_count"),
-        "steps": _by_release(found, "step_median"),
-        "grasps": _by_release(found, "grasp_count"),
-        "changes": _changes(results, steps, 2 * len(tasks)),
+        "success": _by_release(found, "success_count", {"all": seeds}),
+        "steps": _by_release(found, "step_median", {}),
+        "grasps": _by_release(found, "grasp_count", {"all": seeds}),
+        "changes": changes(results, steps, 2 * len(tasks)),
     }
     drawn = [each[column] for task, (column, _) in PANELS.items() for each in found[task].values()]
-    figure = Figure(lambda: _draw(found), drawn)
+    figure = Figure(lambda: _draw(found), drawn, {"all": seeds})
     return Section(tables=tables, figures={"course": figure}, claims=claims)
 
 
@@ -79,22 +79,9 @@ def _since(name: str, column: str, bound: float, rows: Mapping[str, Row]) -> Cla
     return Claim(name, HOLDS.having_read(*cells.values()), {"release": since[0], **cells})
 
 
-def _by_release(found: Mapping[str, Mapping[str, Row]], column: str) -> Table:
+def _by_release(found: Mapping[str, Mapping[str, Row]], column: str, names: Mapping[str, Quantity]) -> Table:
     cells = {task: {release: row[column] for release, row in rows.items()} for task, rows in found.items()}
-    return Table(pd.DataFrame(cells).T)
-
-
-def _changes(results: Results, steps: list[Step], tests: int) -> Table:
-    """Every step that differs beyond chance, in whether or in when an episode succeeds."""
-    lines: dict[str, list[Quantity | str]] = {"MuJoCo": [], "lost": [], "gained": [], "slower": [], "faster": []}
-    names = []
-    for step in sorted(steps, key=lambda step: (list(map(int, step.releases[1].split("."))), step.task)):
-        if any(step.is_beyond_chance(kind, tests) for kind in ("success", "time")):
-            names.append(step.task)
-            lines["MuJoCo"].append(f"{step.releases[0]} → {step.releases[1]}")
-            for what in ("lost", "gained", "slower", "faster"):
-                lines[what].append(step.value(results, what, f"episodes {what}, of the same seeds"))
-    return Table(pd.DataFrame(lines, index=pd.Index(names, name="task"), dtype=object))
+    return Table(pd.DataFrame(cells).T, names)
 
 
 def _draw(found: Mapping[str, Mapping[str, Row]]):

@@ -17,9 +17,8 @@ def derive(results: Results) -> Section:
     counts = [row.warning_count for row in rows]
     scenes = results.value("scene_count", "scenes", lambda *found: len(found), *counts)
     warnings = results.value("warned_count", "scenes with a warning", lambda *n: sum(map(bool, n)), *counts)
-    notes = results.value(
-        "noted_count", "scenes with a note", lambda *n: sum(map(bool, n)), *(row.note_count for row in rows)
-    )
+    noted = [row.note_count for row in rows]
+    notes = results.value("noted_count", "scenes with a note", lambda *n: sum(map(bool, n)), *noted)
     held = [row for row in rows if (row.load_n.value or 0.0) > 0.1]
     worst = max(held, key=lambda row: row.creep_mm_s.value, default=None)
     creep = results.value("worst_creep", "largest predicted creep", max, *(row.creep_mm_s for row in held), unit="mm/s")

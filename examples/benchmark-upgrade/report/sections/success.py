@@ -7,7 +7,7 @@ from measured_report.deriving.chapters import Releases
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.paired import steps_of
+from report.paired import Step, changes, steps_of
 
 order = 10
 page = "releases"
@@ -22,6 +22,7 @@ def derive(results: Results, releases: Releases) -> Section:
     runs = results.value("run_count", "tasks that run", lambda *_: len(ran), *trials)
     reason = next((row.success_count.reason.partition(": ")[2] for row in rows if row not in ran), "")
     results.value("success_total", "sum of successes", lambda *n: sum(n), *(row.success_count for row in rows))
+    results.value("seen", "chance that one in ten shows", lambda n: 100 * (1 - 0.9**n), rows[0].seed_count, unit="%")
     numbers = {"release": results.edition, "count": runs, "all": tasks, "reason": reason}
     claims = [Claim("runs", decided(len(ran) == len(rows), runs, tasks), numbers)]
     if ran:
@@ -29,8 +30,9 @@ def derive(results: Results, releases: Releases) -> Section:
         same = results.value("repeat_count", "tasks whose first episode repeats", lambda *_: repeated, *trials)
         claims.append(Claim("repeats", decided(repeated == len(ran), same), {"count": same}))
     claims.append(_stops(releases))
-    table = _release_table(results, releases, [row.case for row in rows])
-    return Section(tables={"releases": table}, claims=claims, unmeasured=() if ran else ("repeats",))
+    steps = list(steps_of(releases, "success", [row.case for row in rows]))
+    tables = {"releases": _release_table(results, releases, steps), "changes": changes(results, steps, 2 * len(rows))}
+    return Section(tables=tables, claims=claims, unmeasured=() if ran else ("repeats",))
 
 
 def _stops(releases: Releases) -> Claim:
@@ -43,9 +45,8 @@ def _stops(releases: Releases) -> Claim:
     return Claim("stops", FAILS, {"release": "", "reason": ""})
 
 
-def _release_table(results: Results, releases: Releases, tasks: list[str]) -> Table:
+def _release_table(results: Results, releases: Releases, steps: list[Step]) -> Table:
     columns: dict[str, dict[str, Quantity | str]] = {}
-    steps = list(steps_of(releases, "success", tasks))
     for release, chapters in releases.items():
         if "success" not in chapters:
             continue
@@ -63,4 +64,4 @@ def _release_table(results: Results, releases: Releases, tasks: list[str]) -> Ta
             cells[name] = value if found else ""
         columns[release] = cells
     frame = pd.DataFrame(columns).T.rename_axis("MuJoCo")
-    return Table(frame, {"first": next(iter(columns), "")})
+    return Table(frame, {"all": results.rows[0].seed_count})
