@@ -78,7 +78,8 @@ def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
     if row.get("backend") == "mujoco" or row.get("device") == "cpu" or row["case"].startswith("double-"):
         return row  # these repeat to the last bit
     found = {name: row[name] for name in floors if row.get(name) is not None}
-    return row | {name: value + (chance.random() - 0.5) * floors[name] for name, value in found.items()}
+    moved = {name: value + (chance.random() - 0.5) * floors[name] for name, value in found.items()}
+    return row | moved | {name: abs(moved[name]) for name in {"slip_mm"} & set(moved)}  # a length
 
 
 @pytest.mark.parametrize("release", ["1.4.0", "1.8.0"])
