@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from unittest import mock
 
 import pytest
 from hypothesis import settings
@@ -262,13 +263,14 @@ def editions() -> Mapping[str, Edition]:
 
 
 @pytest.fixture(scope="session")
-def poses_path(tmp_path_factory) -> Path:
+def poses_path(tmp_path_factory, kernels) -> Path:
     """The record of a quick measurement of section poses, with its traces, as they would be kept."""
     from experiments.poses import measure
     from experiments.simulation.measurement import Conditions
 
     def make(folder: Path) -> None:
-        measurement = measure(Conditions(device="cpu", quick=True))
+        with mock.patch("experiments.simulation.measurement.QUICK_FRAME_COUNT", 330):
+            measurement = measure(Conditions(device="cpu", quick=True))
         rows, identity = measurement.rows, identity_of("poses", "quick")
         record = Record(section="poses", identity=identity, units=units_of(rows), rows=rows, **BY_HAND)
         path = folder / "poses.json"

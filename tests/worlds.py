@@ -291,16 +291,17 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
             yield project
 
 
+TEMPLATES = Templates(ROOT / "templates")
+"""Of all scenarios, each parsed once."""
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
 
 
 def outcomes_of(project: Project) -> dict[str, str]:
     """The outcome of every claim that the pages of the release say, by section and name."""
-    templates = Templates(project.templates)
-    editions = editions_of(project, templates)
+    editions = editions_of(project, TEMPLATES)
     lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    pages = "".join(undrawn(editions, templates, project.release).values())
+    pages = "".join(undrawn(editions, TEMPLATES, project.release).values())
     return {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
 
 
