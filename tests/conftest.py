@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from unittest import mock
 
 import pytest
 from hypothesis import settings
@@ -269,8 +268,7 @@ def poses_path(tmp_path_factory, kernels) -> Path:
     from experiments.simulation.measurement import Conditions
 
     def make(folder: Path) -> None:
-        with mock.patch("experiments.simulation.measurement.QUICK_FRAME_COUNT", 330):
-            measurement = measure(Conditions(device="cpu", quick=True))
+        measurement = measure(Conditions(device="cpu", quick=True))
         rows, identity = measurement.rows, identity_of("poses", "quick")
         record = Record(section="poses", identity=identity, units=units_of(rows), rows=rows, **BY_HAND)
         path = folder / "poses.json"
