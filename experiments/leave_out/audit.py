@@ -243,8 +243,9 @@ def shake_scene() -> AuditedScene:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="python -m experiments.leave_out.audit", description=__doc__.split("\n")[0])
-    parser.add_argument("scene", nargs="?", default="experiments.audit:shake_scene", metavar="MODULE:FUNCTION")
+    own = "experiments.leave_out.audit"
+    parser = argparse.ArgumentParser(prog=f"python -m {own}", description=__doc__.split("\n")[0])
+    parser.add_argument("scene", nargs="?", default=f"{own}:shake_scene", metavar="MODULE:FUNCTION")
     parser.add_argument("--num-frames", type=int, default=FRAME_COUNT, help="length of the run")
     arguments = parser.parse_args()
     wp.config.log_level = wp.LOG_WARNING
