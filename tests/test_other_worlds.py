@@ -31,7 +31,7 @@ TURNED = ("reversed", "all-equal", "moving-x-0.05", "moving-x-20", "noise-x-60",
 """Scenarios in which everything is there, and is otherwise."""
 PART = re.compile(r"[.;:]\s")
 QUESTION = re.compile("(?:what|how|which|where|whose) ", re.IGNORECASE)
-OF_ALL = re.compile(r"\b(?:not (?!seen|known|measured)|never|all|every|always|why)\b", re.IGNORECASE)
+OF_ALL = re.compile(r"\b(?:not (?!seen|known|measured)|never|all (?!of )|every|always|why)\b", re.IGNORECASE)
 VERB = re.compile(
     r"(?<!that )(?<!what )\b(?:is|are|was|were|has|have|acts|breaks|changes|costs|creeps|decides|drifts|ends|falls|"
     r"fits|follows|forgets|gains|helps|holds|keeps|leaves|lets|loses|matters|moves|needs|pays|slips|stays|takes|turns|works)\b"
