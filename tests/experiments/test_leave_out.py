@@ -1,8 +1,11 @@
 """What makes measuring faster changes nothing that is measured."""
 
 import ctypes
+import re
+import sys
 from contextlib import nullcontext
 from dataclasses import replace
+from importlib import import_module
 
 import newton
 import numpy as np
@@ -14,6 +17,7 @@ from experiments.leave_out.stages import count_launches, element_of, stage_rows
 from experiments.simulation.kernels import Module, modules_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from experiments.simulation.timing import in_the_shake, put_in_state_of
+from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.of_newton import compat
 
@@ -126,3 +130,13 @@ def test_all_kernels_of_a_run_are_known_before_it(monkeypatch):
     assert needed
     scenes = {module.name for module, _ in needed} - {module.name for module, _ in known}
     assert len(scenes) < 5, "only the scene's own kernels are compiled as they are met"
+
+
+def test_the_audit_is_a_program_where_the_page_says_and_finds_the_shake_scene(monkeypatch, capsys):
+    words = (ROOT / "templates/sections/leave_out.md.j2").read_text(encoding="utf-8")
+    program = import_module(re.search(r"python -m ([\w.]+)</code>", words)[1])
+    monkeypatch.setattr(program, "shake_scene", lambda: "the scene")
+    monkeypatch.setattr(program, "audit", lambda scene, frame_count: [program.Item(scene, frame_count, 0)])
+    monkeypatch.setattr(sys, "argv", ["audit"])
+    assert program.main() == 0
+    assert capsys.readouterr().out.split() == ["there", "used", "the", "scene", "300", "0"]
