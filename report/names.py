@@ -48,6 +48,7 @@ term-centred, centred: term centred; full: term centred, in normal rows too; rou
 without-all: without all of it; without-buffers: without room in the buffers; without-ik-in-turn: without waiting for IK
 without-ik-iterations: without most IK iterations; without-state-sync: without writing the state
 without-cube-gap: without the cube's wide gap; without-hand-box: without the hand's box
+firm: the cure on stiff pads; firm-euler: the cure on stiff pads, Euler
 whole-cure: the whole cure; without-visuals: without visual shapes; without-broad-phase: without the broad phase
 """
 """Parts that the name of a case is made of, the longest that fits counts; a # is a number."""
