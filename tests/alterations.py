@@ -24,9 +24,9 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
 from measured_report.files.atomic import remove
 from measured_report.files.cache import FOLDER as CACHE
+from measured_report.parts.drawing import Drawing
 from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, columns_of, is_number, units_of
-from measured_report.site import pages
 from measured_report.site.check import check_site
 
 Row = dict[str, Any]
@@ -115,7 +115,8 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
             path.write_text(json.dumps(record), encoding="utf-8")
         remove(cache)
         shutil.copytree(kept, cache, copy_function=os.link)  # what is written there takes the place of the link
-        with nullcontext() if trial.tried % (AT_ONCE * DRAWN_EVERY) == 0 else patch.object(pages, "draw_all", _undrawn):
+        is_drawn = trial.tried % (AT_ONCE * DRAWN_EVERY) == 0
+        with nullcontext() if is_drawn else patch.multiple(Drawing, begin=lambda *_: None, all=_undrawn):
             status, lines = page(project)
         is_said = status == bool(lines) and all(line.startswith("damaged: ") for line in lines)
         found = [] if is_said else [f"status {status}: {' / '.join(lines)[-300:]}"]
@@ -135,7 +136,7 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
 UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
 
 
-def _undrawn(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+def _undrawn(_: Drawing, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
     meanwhile()
     return [(UNDRAWN, UNDRAWN)] * len(figures)
 

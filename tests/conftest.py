@@ -262,7 +262,7 @@ def editions() -> Mapping[str, Edition]:
 
 
 @pytest.fixture(scope="session")
-def poses_path(tmp_path_factory) -> Path:
+def poses_path(tmp_path_factory, kernels) -> Path:
     """The record of a quick measurement of section poses, with its traces, as they would be kept."""
     from experiments.poses import measure
     from experiments.simulation.measurement import Conditions

@@ -8,6 +8,8 @@ import warp as wp
 
 from experiments.simulation.compiling import load_all
 
+wp.config.enable_backward = False  # as where sections are measured
+
 
 @wp.kernel(module="unique")
 def double(values: wp.array(dtype=float)):
@@ -17,7 +19,7 @@ def double(values: wp.array(dtype=float)):
 
 @wp.kernel(module="unique")
 def factorize(matrix: wp.array2d(dtype=float)):
-    tile = wp.tile_load(matrix, shape=(9, 9))
+    tile = wp.tile_load(matrix, shape=(2, 2))
     wp.tile_store(matrix, wp.tile_cholesky(tile))  # compiled apart, and linked
 
 

@@ -293,6 +293,8 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
             yield project
 
 
+TEMPLATES = Templates(ROOT / "templates")
+"""Of all scenarios, each parsed once."""
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
 CELL = re.compile("<td[^>]*>(.*?)</td>", re.DOTALL)
 
@@ -309,11 +311,10 @@ class Said:
 
 def said_of(project: Project) -> Said:
     """What the pages of the release say."""
-    templates = Templates(project.templates)
-    editions = editions_of(project, templates)
+    editions = editions_of(project, TEMPLATES)
     lost = [state for state in editions[project.release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    parts = [part for content in contents_of(editions, templates, project.release) for part in content.parts]
+    parts = [part for content in contents_of(editions, TEMPLATES, project.release) for part in content.parts]
     pages = "".join(part.html({figure.anchor: figure.undrawn for figure in part.figures}) for part in parts)
     outcomes = {claim: "opposite" if is_opposite else outcome for claim, outcome, is_opposite in CLAIM.findall(pages)}
     words = [text for part in parts for text in (part.title, *(heading for _, heading in part.headings))]

@@ -50,8 +50,9 @@ def prepare(kind: str) -> None:
 
 
 def be_quiet() -> None:
-    """In a process beside others Warp warns no second time."""
+    """In a process beside others Warp warns no second time, and finds the kernels that were compiled before."""
     wp.config.log_level = wp.LOG_ERROR
+    wp.config.enable_backward = False
 
 
 def explained(error: Exception) -> str:

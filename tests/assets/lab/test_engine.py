@@ -76,7 +76,7 @@ def test_it_ends_whatever_it_is_asked():
         said = {name: low * (high / low) ** chance.random() for name, (low, high) in NUMBERS.items()}
         said |= {name: chance.choice(choices) for name, choices in NAMES.items()}
         queries.append("&".join(f"{name}={value}" for name, value in said.items()))
-    rows = rows_in_node(RECORD, queries, 150)
+    rows = rows_in_node(RECORD, queries, 60)
     assert len(rows) == RANDOM_COUNT and {row["class"] for row in rows} <= set(CLASSES)
     assert all(row["reason"] or row["slip_mm"] is not None for row in rows)
 

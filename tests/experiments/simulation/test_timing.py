@@ -27,6 +27,18 @@ def pilot() -> Simulation:
     return in_the_shake(AS_SHIPPED, wp.get_device("cpu"))
 
 
+@pytest.fixture(scope="module")
+def whole_pilot() -> Pilot:
+    """States of the shake with either pads."""
+    return Pilot([AS_SHIPPED, FIXED], wp.get_device("cpu"))
+
+
+@pytest.fixture
+def piloted(monkeypatch, whole_pilot) -> None:
+    """Whoever times cases finds the way to the shake gone already."""
+    monkeypatch.setattr(comparing, "Pilot", lambda cases, device: whole_pilot)
+
+
 def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(pilot):
     two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, pilot.device)
     put_in_state_of(two, pilot)
@@ -41,7 +53,7 @@ def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(pilot):
     assert batch_invalid_reason(two) is None
 
 
-def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
+def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
     cpu = wp.get_device("cpu")
     found = time_cases([AS_SHIPPED, SMALL], 2, cpu, cap_s=0.0)
     assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
@@ -53,11 +65,10 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
 
 
 @pytest.mark.slow
-def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch):
-    pilot = Pilot([FIXED], wp.get_device("cpu"))
-    assert scaling.time_worlds(pilot, 1)["frame_ms"] > 0.0
+def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, whole_pilot):
+    assert scaling.time_worlds(whole_pilot, 1)["frame_ms"] > 0.0
     monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
-    row = scaling.time_worlds(pilot, 1)
+    row = scaling.time_worlds(whole_pilot, 1)
     assert all(row[name] is None for name in (*scaling.ABSENT, *scaling.STEPS))
     assert row["world_substeps_per_s_reason"] == OVERFLOW
 
@@ -101,7 +112,7 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
     return Refusing
 
 
-def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch):
+def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, piloted):
     cpu = wp.get_device("cpu")
     monkeypatch.setattr(comparing, "Simulation", refusing(NO_MEMORY, most=1))
     assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)

@@ -23,7 +23,7 @@ from measured_report.files.cache import FOLDER
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
-from measured_report.parts.drawing import draw_all
+from measured_report.parts.drawing import Drawing
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record
 from measured_report.records.traces import load_trace, packed, trace_path
@@ -145,7 +145,7 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
-    is_there = True
+    is_there, anchor, draw = True, "", None
 
     def drawn(self):
         os.kill(os.getpid(), signal.SIGKILL)
@@ -153,8 +153,9 @@ class Killed:
 
 def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
-    with pytest.raises(ReportError, match="a process was killed"):
-        draw_all([Killed()] * 4, lambda: None)
+    with pytest.raises(ReportError, match="a process was killed"), Drawing() as drawing:
+        drawing.begin([Killed()])
+        drawing.all([Killed()], lambda: None)
 
 
 WORKERS = """

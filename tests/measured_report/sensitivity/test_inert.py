@@ -14,10 +14,11 @@ from measured_report.claims.citations import references
 from measured_report.claims.claim import HOLDS
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
 from measured_report.sensitivity.inert import inert_passages, surveys
-from measured_report.sensitivity.perturbed import CHANGES, Perturbation, of_tracked, perturbed
+from measured_report.sensitivity.perturbed import CHANGES, Perturbation, of_editions, perturbed
 from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
@@ -31,8 +32,8 @@ UNNAMED = re.compile(rf'<(?:data|span)(?![^>]* title="[^"])[^>]*>{ABSENT}<')
 
 
 @pytest.fixture(scope="module")
-def perturbation() -> Perturbation:
-    return of_tracked()
+def perturbation(editions) -> Perturbation:
+    return of_editions(editions, Templates(ROOT / "templates"))
 
 
 def listed(name: str) -> set[str]:

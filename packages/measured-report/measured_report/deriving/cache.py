@@ -9,6 +9,7 @@ from typing import Any
 from measured_report.claims.claim import Claim
 from measured_report.deriving.dependencies import Dependencies, code_digest, digest_of
 from measured_report.files.cache import Cache
+from measured_report.parts.drawing import Drawing
 from measured_report.parts.section import Figure, Pictures, Section
 from measured_report.values.quantities import Value
 
@@ -47,6 +48,7 @@ class DerivedCache:
     """What is kept of the project at ``root``; without one nothing is."""
 
     root: Path | None = None
+    drawing: Drawing = field(default_factory=Drawing)
     _new: list[Entry] = field(default_factory=list)
     """What is to be kept once its figures are drawn."""
     _claims: dict[tuple[str, str, str], Claim] = field(default_factory=dict)
@@ -77,8 +79,10 @@ class DerivedCache:
             return kept
         section, values = derive()
         dependencies.is_closed = True
-        self._new.append(Entry(place, own, dependencies.notes, section, values))
-        return self._new[-1]
+        entry = Entry(place, own, dependencies.notes, section, values)
+        self._new.append(entry)
+        self.drawing.begin(entry.figures.values())
+        return entry
 
     def value(self, name: str, code: Path, given: Sequence[str], make: Callable[[], Any]) -> Any:
         """Return anything else, which ``make`` makes of what is given alone."""

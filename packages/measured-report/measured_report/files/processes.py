@@ -15,13 +15,13 @@ PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the
 
 
 @contextmanager
-def workers(count: int, method: str, begin: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
-    """A pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``begin`` first.
+def workers(count: int, method: str, then: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
+    """A pool of ``count`` processes, started by ``method`` (fork or spawn), each of which calls ``then`` first.
 
     When one of them is killed, as the system does for want of memory, ReportError says so; when the block is left by
     any other error, or by Ctrl-C, the work that is still under way is dropped.
     """
-    pool = ProcessPoolExecutor(count, get_context(method), _begin, (os.getpid(), begin))
+    pool = ProcessPoolExecutor(count, get_context(method), begin, (os.getpid(), then))
     try:
         yield pool
     except BaseException as error:
@@ -34,11 +34,12 @@ def workers(count: int, method: str, begin: Callable[[], None] | None = None) ->
         pool.shutdown(cancel_futures=True)
 
 
-def _begin(parent: int, begin: Callable[[], None] | None) -> None:
+def begin(parent: int, then: Callable[[], None] | None) -> None:
+    """Let this process, which is one of a pool of ``parent``'s, end with it and leave Ctrl-C to it."""
     obey(parent)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    if begin:
-        begin()
+    if then:
+        then()
 
 
 def obey(parent: int) -> None:

@@ -1,34 +1,108 @@
-"""Drawing: all figures of a build at once, on every processor that there is."""
+"""Drawing: the figures of a build on every processor that there is, from when the first of them is derived."""
 
 import gc
 import os
+import pickle
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from multiprocessing import get_context
+from multiprocessing.connection import wait
+from multiprocessing.process import BaseProcess
+from tempfile import TemporaryFile
+from typing import IO
 
-from measured_report.files.processes import workers
+from measured_report.files.errors import ReportError
+from measured_report.files.processes import begin
 from measured_report.parts.section import Figure, Pictures
 
-_figures: Sequence[Figure] = ()
-"""What the worker processes draw; they are forks of this one, so that a figure can hold functions."""
+Key = tuple[str, int]
+"""Tells figures apart: the id, and what draws it."""
 
 
-def draw_all(figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
-    """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
-    global _figures
-    count = min(_processor_count(), len(figures))
-    _figures, places = figures, range(len(figures))
-    if count < 2:
+@dataclass(frozen=True)
+class _Share:
+    """Figures that a process draws, which is a fork of this one, so that a figure can hold functions."""
+
+    process: BaseProcess
+    file: IO[bytes]
+    """Where it writes the drawings, or the error that stopped it."""
+    keys: Sequence[Key]
+
+    def read(self) -> list[Pictures]:
+        """Wait for the drawings; what stopped the process is raised here."""
+        self.process.join()
+        if self.process.exitcode:
+            raise ReportError("a process was killed, perhaps for want of memory; nothing was changed")
+        with self.file:
+            self.file.seek(0)
+            found = pickle.load(self.file)
+        if isinstance(found, Exception):
+            raise found
+        return found
+
+
+class Drawing:
+    """Draws figures; what is under way when the block is left by an error, or by Ctrl-C, is dropped."""
+
+    def __init__(self) -> None:
+        self._waiting: dict[Key, Figure] = {}
+        self._shares: list[_Share] = []
+
+    def __enter__(self) -> "Drawing":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for share in self._shares:
+            share.process.kill()
+
+    def begin(self, figures: Iterable[Figure]) -> None:
+        """Draw these, which ``all`` is to be asked for, on the processors that this process leaves to others."""
+        self._waiting |= {_key(figure): figure for figure in figures if figure.is_there}
+        self._share(_processor_count() - 1)
+
+    def all(self, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+        """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
+        begun = {key for share in self._shares for key in share.keys}
+        self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in begun}
+        count = _processor_count()
+        self._share(count if count > 1 else 0)
         meanwhile()
-        return [*map(_draw, places)]
-    # A drawing makes many objects, and all of a process's drawings together fit into memory.
-    with workers(count, "fork", gc.disable) as pool:
-        drawing = pool.map(_draw, places)
-        meanwhile()
-        return list(drawing)
+        while count > 1 and self._waiting:
+            wait([process.sentinel for process in self._running])
+            self._share(count)
+        drawn = {key: figure.drawn() for key, figure in self._waiting.items()}
+        for share in self._shares:
+            drawn |= zip(share.keys, share.read(), strict=True)
+        return [drawn[_key(figure)] for figure in figures]
+
+    @property
+    def _running(self) -> list[BaseProcess]:
+        return [share.process for share in self._shares if share.process.exitcode is None]
+
+    def _share(self, count: int) -> None:
+        """Let ``count`` processes draw what waits."""
+        while self._waiting and len(self._running) < count:
+            # Ever less at once, so that all end together.
+            keys = list(self._waiting)[: -(-len(self._waiting) // (2 * count))]
+            figures, file = [self._waiting.pop(key) for key in keys], TemporaryFile()  # noqa: SIM115
+            process = get_context("fork").Process(target=_draw, args=(os.getpid(), figures, file))
+            process.start()
+            self._shares.append(_Share(process, file, keys))
 
 
-def _draw(index: int) -> Pictures:
-    return _figures[index].drawn()
+def _key(figure: Figure) -> Key:
+    return figure.anchor, id(figure.draw)
+
+
+def _draw(parent: int, figures: Sequence[Figure], file: IO[bytes]) -> None:
+    begin(parent, gc.disable)  # a drawing makes many objects, and all of a process's drawings together fit into memory
+    try:
+        found: object = [figure.drawn() for figure in figures]
+    except Exception as error:
+        found = error
+    pickle.dump(found, file)
+    file.flush()
 
 
 def _processor_count() -> int:

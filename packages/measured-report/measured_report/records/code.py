@@ -14,12 +14,13 @@ from contextvars import ContextVar
 from functools import cache
 from itertools import accumulate
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.records import syntax
-from measured_report.records.syntax import EFFECTS, Definition, Reader, Source, digest_of
+from measured_report.records.syntax import EFFECTS, Definition, Definitions, Reader, Source, digest_of
 
 CARRIED = "measured_report"
 """The package that carries calls to where they are made: nothing of it changes what they return."""
@@ -29,8 +30,8 @@ as all does that is reached."""
 Node = tuple[str, str]
 """A file, and a name that it defines."""
 
-_known: dict[str, Source] = {}
-"""By the digest of their names and texts: every section imports the same few modules."""
+_known: dict[str, Any] = {}
+"""What was read of modules, by the digest of that and of their names and texts: every section imports the same few."""
 SOURCES = "sources"
 
 
@@ -83,8 +84,8 @@ class Graph:
 
     def __init__(self, roots: tuple[str, ...]):
         self.roots = roots
-        for method in (self.source, self.imported, self.reached, self.digest, self.meanings, self._names_in):
-            setattr(self, method.__name__, cache(method))
+        for name in ("source", "defined", "imported", "reached", "digest", "meanings", "_names_in"):
+            setattr(self, name, cache(getattr(self, name)))
 
     def name_of(self, path: str) -> str:
         """A file's name, below the innermost of the folders that it lies in."""
@@ -92,6 +93,9 @@ class Graph:
 
     def source(self, path: str) -> Source:
         return read_source(Path(path), self.name_of(path))
+
+    def defined(self, path: str) -> Definitions:
+        return _read("definitions", Path(path), self.name_of(path))
 
     def imported(self, path: str) -> list[str]:
         """The files that the source at ``path`` may import."""
@@ -140,12 +144,12 @@ class Graph:
         return {node: self.digest(node) for node in found if self.definitions(node)}
 
     def definitions(self, node: Node) -> tuple[Definition, ...]:
-        return self.source(node[0]).definitions.get(node[1], ())
+        return self.defined(node[0]).get(node[1], ())
 
     def _effects(self, file: str) -> Iterator[Node]:
         """What is done when a file is imported: a decorator of this project may note what it is put on."""
         yield file, EFFECTS
-        for name, found in self.source(file).definitions.items():
+        for name, found in self.defined(file).items():
             decorators = (self._meaning(file, each, word) for each in found for word in each.decorators)
             if any(isinstance(meaning, list) for meaning in decorators):
                 yield file, name
@@ -166,10 +170,9 @@ class Graph:
     def _meaning(self, file: str, definition: Definition, name: str) -> list[Node] | str:
         """What of this project a name stands for, or what it is called elsewhere."""
         first, _, rest = name.partition(".")
-        source = self.source(file)
-        if first in source.definitions and first not in definition.imports:
+        if first in self.defined(file) and first not in definition.imports:
             return [(file, first)]
-        imported = definition.imports.get(first) or source.imports[first]
+        imported = definition.imports.get(first) or self.source(file).imports[first]
         return self.found(f"{imported}.{rest}".rstrip("."))
 
     def found(self, name: str) -> list[Node] | str:
@@ -179,12 +182,12 @@ class Graph:
             return CARRIED
         for end in range(len(parts), 0, -1):
             if file := self.module(parts[:end]):
-                source, (first, *rest) = self.source(file), parts[end:] or [""]
-                if first in source.definitions:
+                imports, (first, *rest) = self.source(file).imports, parts[end:] or [""]
+                if first in self.defined(file):
                     return [(file, first)]
-                if first in source.imports:
-                    return self.found(".".join([source.imports[first], *rest]))
-                return [(file, each) for each in source.definitions]  # whoever has a module may ask it for anything
+                if first in imports:
+                    return self.found(".".join([imports[first], *rest]))
+                return [(file, each) for each in self.defined(file)]  # whoever has a module may ask it for anything
         return name
 
 
@@ -196,11 +199,16 @@ def roots_of(root: Path) -> tuple[str, ...]:
 
 def read_source(path: Path, name: str) -> Source:
     """What the module at ``path`` says; ReportError, with its ``name``, where it can't be read."""
+    return _read("source", path, name)
+
+
+def _read(what: str, path: Path, name: str) -> Any:
     try:
         text = path.read_bytes()
-        key = hashlib.sha256(name.encode() + b"\0" + text).hexdigest()
+        key = hashlib.sha256(f"{what}\0{name}\0".encode() + text).hexdigest()
         if key not in _known:
-            _known[key] = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1]).source()
+            reader = Reader(ast.parse(text, filename=name), PurePosixPath(name).parts[:-1])
+            _known[key] = getattr(reader, what)()
         return _known[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(f"cannot read {name}: {' '.join(str(error).split())}") from None

@@ -114,10 +114,12 @@ def write_record(path: Path, record: Record, traces: Mapping[str, tuple[Seal, by
 
 
 def _text(record: Record) -> str:
-    data = {"schema": SCHEMA, **asdict(record)}
-    rows = data.pop("rows")
-    for row in rows:
-        row |= {column: float(f"{value:{DIGITS}}") for column, value in row.items() if isinstance(value, float)}
+    rows = [
+        {column: float(f"{value:{DIGITS}}") if isinstance(value, float) else value for column, value in row.items()}
+        for row in record.rows
+    ]
+    data = {"schema": SCHEMA, **asdict(replace(record, rows=[]))}  # which would copy every cell
+    del data["rows"]
     if record.traces is None:
         del data["traces"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)

@@ -42,7 +42,10 @@ class Source:
     """By name, at its top level: the plain constants, and how many parameters a function has."""
     imports: Mapping[str, str]
     """What its names are that it imports, as ``experiments.facts.metrics``."""
-    definitions: Mapping[str, tuple[Definition, ...]]
+
+
+Definitions = Mapping[str, tuple[Definition, ...]]
+"""Those of one module by name."""
 
 
 class Reader:
@@ -58,19 +61,22 @@ class Reader:
 
     def source(self) -> Source:
         nodes = list(ast.walk(self._tree))
-        definitions: dict[str, list[Definition]] = {}
-        for node in self._statements:
-            names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
-            for place, name in enumerate(names):
-                definitions.setdefault(name, []).append(self._definition(node, place))
         return Source(
             digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
             assets=tuple(_named_assets(nodes)),
             top=dict(self._top()),
             imports=self._imports,
-            definitions={name: tuple(found) for name, found in definitions.items()},
         )
+
+    def definitions(self) -> Definitions:
+        """What most modules are never asked for, and takes longer than all else."""
+        definitions: dict[str, list[Definition]] = {}
+        for node in self._statements:
+            names = list(dict.fromkeys(_bound(node))) or [EFFECTS]
+            for place, name in enumerate(names):
+                definitions.setdefault(name, []).append(self._definition(node, place))
+        return {name: tuple(found) for name, found in definitions.items()}
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""

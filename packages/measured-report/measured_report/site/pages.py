@@ -18,7 +18,6 @@ from measured_report.files.staging import Draft
 from measured_report.pages.outline import FRONT, Page
 from measured_report.pages.passages import Passage
 from measured_report.pages.prose import LAYOUT, Prose, Templates
-from measured_report.parts.drawing import draw_all
 from measured_report.parts.section import Pictures
 from measured_report.records.record import Record
 from measured_report.records.traces import traces_of
@@ -257,7 +256,7 @@ def _draw(
     # A section is kept with all of its figures, those as well that are not shown as long as something else is.
     wanted = cache.figures | placed
     to_draw = {place: figure for place, figure in wanted.items() if figure.is_there and place not in pictures}
-    pictures |= zip(to_draw, draw_all(list(to_draw.values()), meanwhile), strict=True)
+    pictures |= zip(to_draw, cache.drawing.all(list(to_draw.values()), meanwhile), strict=True)
     cache.keep(pictures)
     return pictures
 

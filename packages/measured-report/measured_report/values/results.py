@@ -64,8 +64,14 @@ class Row:
         self._origins = frozenset({record.origin})
         self._floors = floors
         self._name = name
+        self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
+        if column not in self._read:
+            self._read[column] = self._cell(column)
+        return self._read[column]
+
+    def _cell(self, column: str) -> Any:
         units, case = self._record.units, self._cells["case"]
         if column not in self._cells:
             if column in units:
