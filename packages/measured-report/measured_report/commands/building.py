@@ -126,7 +126,7 @@ def _hint(project: Project, section: str) -> str:
     """Which command measures a section for this report; a CPU's results never stand with those of a GPU."""
     if has_cuda():
         return f"{project.rerun(section)} measures one of them"
-    if not needs_gpu(section, project.root) or not machines_besides(project, "cpu"):
+    if not needs_gpu(section, project.root) or not any(machines_besides(project, "cpu")):
         return f"{project.rerun(section, 'cpu')} measures one of them"
     own = f"; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
     return f"{project.rerun(section)} measures one of them on a GPU{'' if project.label.machine else own}"

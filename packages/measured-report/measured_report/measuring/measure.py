@@ -5,7 +5,7 @@ import os
 import re
 import signal
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -147,7 +147,7 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
         return project
     if label.machine not in ("", machine):
         raise UsageError(f"{asked} has the results of {label.machine}, and this is {machine}")
-    others = machines_besides(project, machine)
+    others = dict.fromkeys(machines_besides(project, machine))
     if not others or label.machine:
         return project
     found = project.of(str(replace(label, machine=machine)))
@@ -155,10 +155,10 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     return found
 
 
-def machines_besides(project: Project, machine: str) -> set[str]:
-    """Other machines that the report has results of, which those of ``machine`` never take the place of."""
-    kept = [record for record in records_of(project) if needs_gpu(record.section, project.root)]
-    return {machine_of(record) for record in kept} - {machine}
+def machines_besides(project: Project, machine: str) -> Iterator[str]:
+    """Other machines that the report has results of, which those of ``machine`` never take the place of, by section."""
+    kept = (record for record in records_of(project) if needs_gpu(record.section, project.root))
+    return filter(machine.__ne__, map(machine_of, kept))
 
 
 def _note_measured(project: Project, stack: Stack) -> None:

@@ -16,6 +16,8 @@ from measured_report.files.errors import ReportError
 from measured_report.files.processes import begin
 from measured_report.parts.section import Figure, Pictures
 
+AT_ONCE = 6
+"""Figures that a process draws: with fewer it takes longer to begin one, and with more the last ends late."""
 Key = tuple[str, int]
 """Tells figures apart: the id, and what draws it."""
 
@@ -59,7 +61,7 @@ class Drawing:
     def begin(self, figures: Iterable[Figure]) -> None:
         """Draw these, which ``all`` is to be asked for, on the processors that this process leaves to others."""
         self._waiting |= {_key(figure): figure for figure in figures if figure.is_there}
-        self._share(_processor_count() - 1)
+        self._share(_processor_count() - 1, least=AT_ONCE)
 
     def all(self, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
         """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
@@ -80,11 +82,10 @@ class Drawing:
     def _running(self) -> list[BaseProcess]:
         return [share.process for share in self._shares if share.process.exitcode is None]
 
-    def _share(self, count: int) -> None:
-        """Let ``count`` processes draw what waits."""
-        while self._waiting and len(self._running) < count:
-            # Ever less at once, so that all end together.
-            keys = list(self._waiting)[: -(-len(self._waiting) // (2 * count))]
+    def _share(self, count: int, least: int = 1) -> None:
+        """Let ``count`` processes draw what waits, as long as that are ``least`` figures."""
+        while len(self._waiting) >= least and len(self._running) < count:
+            keys = list(self._waiting)[:AT_ONCE]
             figures, file = [self._waiting.pop(key) for key in keys], TemporaryFile()  # noqa: SIM115
             process = get_context("fork").Process(target=_draw, args=(os.getpid(), figures, file))
             process.start()

@@ -55,7 +55,7 @@ class Row:
         source: str,
         case: str = "",
         floors: Mapping[str, Floor] = MappingProxyType({}),
-        name: str = "",
+        name_of: Callable[[str], str] = str,
     ):
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
@@ -63,7 +63,7 @@ class Row:
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
         self._floors = floors
-        self._name = name
+        self._name_of = name_of
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
@@ -82,7 +82,8 @@ class Row:
         value = self._cells[column]
         if column not in units or isinstance(value, bool | str):
             return value
-        reason = ": ".join(filter(None, (self._name, self._cells.get(f"{column}_reason")))) if value is None else ""
+        said = (self._name_of(case), self._cells.get(f"{column}_reason")) if value is None else ()
+        reason = ": ".join(filter(None, said))
         noise = cell_noise(column, self._cells, self._floors)
         return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
 
@@ -150,8 +151,8 @@ class Results:
     def rows(self) -> list[Row]:
         """All rows but those that are damaged in what tells them apart."""
         return [
-            Row(self.record, index, self.source, floors=self.floors, name=self.name_of(cells.get("case", "")))
-            for index, (cells, is_whole) in enumerate(zip(self.record.rows, _whole(self.record), strict=True))
+            Row(self.record, index, self.source, floors=self.floors, name_of=self.name_of)
+            for index, is_whole in enumerate(_whole(self.record))
             if is_whole
         ]
 
