@@ -181,9 +181,10 @@ def test_no_process_outlives_the_one_that_started_it(sent):
 
 
 OBEYING = """
-import os, subprocess, sys
+import os, signal, subprocess, sys
 from functools import partial
 from measured_report.files.processes import obey
+signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
 program = "print(flush=True); import time; time.sleep(60)"
 try:
     subprocess.run([sys.executable, "-c", program], preexec_fn=partial(obey, os.getpid()), check=False)
