@@ -145,7 +145,10 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
-    is_there, anchor, draw = True, "", None
+    is_there, draw = True, None
+
+    def __init__(self, anchor: str):
+        self.anchor = anchor
 
     def drawn(self):
         os.kill(os.getpid(), signal.SIGKILL)
@@ -153,9 +156,10 @@ class Killed:
 
 def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
+    figures = [*map(Killed, "abcdefgh")]
     with pytest.raises(ReportError, match="a process was killed"), Drawing() as drawing:
-        drawing.begin([Killed()])
-        drawing.all([Killed()], lambda: None)
+        drawing.begin(figures[:6])
+        drawing.all(figures, lambda: None)
 
 
 WORKERS = """
