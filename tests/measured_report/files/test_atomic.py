@@ -145,7 +145,10 @@ def test_who_comes_second_waits_and_says_so(tmp_path):
 class Killed:
     """A figure whose process is killed while it is drawn, as for want of memory."""
 
-    is_there, anchor, draw = True, "", None
+    is_there, draw = True, None
+
+    def __init__(self, anchor: str):
+        self.anchor = anchor
 
     def drawn(self):
         os.kill(os.getpid(), signal.SIGKILL)
@@ -153,9 +156,10 @@ class Killed:
 
 def test_a_process_that_is_killed_while_it_draws_is_noticed(monkeypatch):
     monkeypatch.setattr("measured_report.parts.drawing._processor_count", lambda: 2)
+    figures = [*map(Killed, "abcdefgh")]
     with pytest.raises(ReportError, match="a process was killed"), Drawing() as drawing:
-        drawing.begin([Killed()])
-        drawing.all([Killed()], lambda: None)
+        drawing.begin(figures[:6])
+        drawing.all(figures, lambda: None)
 
 
 WORKERS = """
@@ -181,9 +185,10 @@ def test_no_process_outlives_the_one_that_started_it(sent):
 
 
 OBEYING = """
-import os, subprocess, sys
+import os, signal, subprocess, sys
 from functools import partial
 from measured_report.files.processes import obey
+signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever whoever runs the tests makes of it
 program = "print(flush=True); import time; time.sleep(60)"
 try:
     subprocess.run([sys.executable, "-c", program], preexec_fn=partial(obey, os.getpid()), check=False)

@@ -67,8 +67,8 @@ class Drawing:
         """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
         begun = {key for share in self._shares for key in share.keys}
         self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in begun}
-        count = _processor_count()
-        self._share(count if count > 1 else 0)
+        count = min(_processor_count(), len(self._waiting))
+        self._share(count if count > 1 else 0)  # a single one is drawn here
         meanwhile()
         while count > 1 and self._waiting:
             wait([process.sentinel for process in self._running])
