@@ -38,8 +38,10 @@ def passing(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def judged_by(row: Row) -> list[Quantity]:
-    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended."""
-    return [row[column] for column in JUDGED_BY.get(row.family, ()) if is_stable(row)]
+    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended, and by what was set
+    where that says how it should end."""
+    measured = JUDGED_BY.get(row.family, ()) if is_stable(row) else ()
+    return [row[column] for column in (*SET.get(row.family, ()), *measured)]
 
 
 def passed(rows: Sequence[Row]) -> list[Row]:
@@ -145,5 +147,6 @@ JUDGED_BY = {
     "overlap": ("exit_speed_mm_s", "exit_bound_mm_s"),
     "long": ("increment_first_mm_per_cycle", "increment_last_mm_per_cycle"),
 }
+SET = {"ke-kd-100": ("pad_ke", "pad_kd", "step_ms")}
 TOGETHER = {"steps": _steps, "ke-critical": _critical, "ke-kd-100": _kd_100, "clamp": _clamp}
 """Families whose rows are judged by each other."""
