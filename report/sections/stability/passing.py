@@ -38,8 +38,8 @@ def passing(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def judged_by(row: Row) -> list[Quantity]:
-    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended, and by what was set
-    where that says how it should end."""
+    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended, and by what says
+    how it should end."""
     measured = JUDGED_BY.get(row.family, ()) if is_stable(row) else ()
     return [row[column] for column in (*SET.get(row.family, ()), *measured)]
 
