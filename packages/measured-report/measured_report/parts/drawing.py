@@ -71,7 +71,8 @@ class Drawing:
         self._share(count if count > 1 else 0)  # a single one is drawn here
         meanwhile()
         while count > 1 and self._waiting:
-            wait([process.sentinel for process in self._running])
+            if running := self._running:  # they may have ended meanwhile, and of none there is nothing to wait for
+                wait([process.sentinel for process in running])
             self._share(count)
         drawn = {key: figure.drawn() for key, figure in self._waiting.items()}
         for share in self._shares:
