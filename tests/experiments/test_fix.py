@@ -19,7 +19,7 @@ import warp as wp
 from conftest import needs_boxes_in_c
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS
+from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS
 from experiments.facts.fix_files import fix_files, without_patch
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SETUP_FRAME_COUNT
@@ -196,9 +196,8 @@ class Pasted(Simulation):
 def test_the_block_of_the_cure_does_what_was_measured(site, monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "assets/fix")
     monkeypatch.setattr(Pasted, "block", block_with(site / "cure.html", "compensated_positions"))
-    case = replace(LEAN, frame_count=330)
-    cured = replace(case, integrator="euler", impratio=400.0, compensated=True)
-    cured = replace(cured, contact_bias=True, bias_centred=True, bias_normal=True)
+    case = replace(FIXED, frame_count=330)
+    cured = replace(case, impratio=400.0, compensated=True, contact_bias=True, bias_centred=True)
     [[pasted]] = run([Pasted([case], wp.get_device("cpu"))])
     [own] = simulate([cured], device="cpu")
     moved = [1e3 * metrics.displacement(trace).vector_m[-1] for trace in (pasted, own)]
