@@ -23,6 +23,7 @@ import pandas as pd
 from markupsafe import Markup
 
 from measured_report.deriving.editions import editions_of
+from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
@@ -228,7 +229,7 @@ def failed(row: Row) -> Row:
 @cache
 def other_release(release: str) -> str:
     """The newest release for the oldest and the other way round."""
-    releases = Project(own_release()).releases
+    releases = [release for release in Project(own_release()).releases if not read_label(release).pins]
     return {releases[0]: releases[-1], releases[-1]: releases[0]}.get(release, release)
 
 
