@@ -128,28 +128,29 @@ CLIP_DAMAGES = {
 }
 
 
-@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
-@pytest.mark.parametrize("damage", CLIP_DAMAGES.values(), ids=CLIP_DAMAGES)
-def test_finding_4_a_clip_that_is_not_the_one_that_was_made_is_named(tmp_path, damage):
+@pytest.fixture
+def project(tmp_path) -> Project:
+    """A project with copies of the clips."""
+    if not OWN.record_path(CLIPS).exists():
+        pytest.skip("no clips were made yet")
     link(tmp_path, "experiments", "report", "assets", "pyproject.toml")
     project = Project(own_release(), root=tmp_path)
     project.results.mkdir(parents=True)
     for path in OWN.results.glob("clips.*"):
         shutil.copy(path, project.results)
+    return project
+
+
+@pytest.mark.parametrize("damage", CLIP_DAMAGES.values(), ids=CLIP_DAMAGES)
+def test_finding_4_a_clip_that_is_not_the_one_that_was_made_is_named(project, damage):
     assert clips_state(project).kind != "damaged"
     damage(project.results)
     state = clips_state(project)
     assert state.kind == "damaged" and "clips" in state.words and "\n" not in state.words
 
 
-@pytest.mark.skipif(not OWN.record_path(CLIPS).exists(), reason="no clips were made yet")
 @pytest.mark.parametrize("lost", ["poster", "width_px", "as_shipped_mm"])
-def test_clips_that_lack_what_a_page_shows_are_named_and_not_shown(tmp_path, lost):
-    link(tmp_path, "experiments", "report", "assets", "pyproject.toml")
-    project = Project(own_release(), root=tmp_path)
-    project.results.mkdir(parents=True)
-    for path in OWN.results.glob("clips.*"):
-        shutil.copy(path, project.results)
+def test_clips_that_lack_what_a_page_shows_are_named_and_not_shown(project, lost):
     data = json.loads(project.record_path(CLIPS).read_text())
     data["rows"] = [{name: cell for name, cell in row.items() if name != lost} for row in data["rows"]]
     data["units"].pop(lost, None)

@@ -11,6 +11,7 @@ from multiprocessing import active_children, get_context
 
 from measured_report.files.errors import ReportError
 
+KILLED = "a process was killed, perhaps for want of memory; nothing was changed"
 PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the one that started it ends
 
 
@@ -28,7 +29,7 @@ def workers(count: int, method: str, then: Callable[[], None] | None = None) -> 
         for process in active_children():
             process.kill()
         if isinstance(error, BrokenProcessPool):
-            raise ReportError("a process was killed, perhaps for want of memory; nothing was changed") from None
+            raise ReportError(KILLED) from None
         raise
     finally:
         pool.shutdown(cancel_futures=True)

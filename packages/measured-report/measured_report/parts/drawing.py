@@ -13,7 +13,7 @@ from tempfile import TemporaryFile
 from typing import IO
 
 from measured_report.files.errors import ReportError
-from measured_report.files.processes import begin
+from measured_report.files.processes import KILLED, begin
 from measured_report.parts.section import Figure, Pictures
 
 AT_ONCE = 6
@@ -35,7 +35,7 @@ class _Share:
         """Wait for the drawings; what stopped the process is raised here."""
         self.process.join()
         if self.process.exitcode:
-            raise ReportError("a process was killed, perhaps for want of memory; nothing was changed")
+            raise ReportError(KILLED)
         with self.file:
             self.file.seek(0)
             found = pickle.load(self.file)
@@ -61,19 +61,19 @@ class Drawing:
     def begin(self, figures: Iterable[Figure]) -> None:
         """Draw these, which ``all`` is to be asked for, on the processors that this process leaves to others."""
         self._waiting |= {_key(figure): figure for figure in figures if figure.is_there}
-        self._share(_processor_count() - 1, least=AT_ONCE)
+        self._start(_processor_count() - 1, least=AT_ONCE)
 
     def all(self, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
         """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
         begun = {key for share in self._shares for key in share.keys}
         self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in begun}
         count = min(_processor_count(), len(self._waiting))
-        self._share(count if count > 1 else 0)  # a single one is drawn here
+        self._start(count if count > 1 else 0)  # a single one is drawn here
         meanwhile()
         while count > 1 and self._waiting:
             if running := self._running:  # they may have ended meanwhile, and of none there is nothing to wait for
                 wait([process.sentinel for process in running])
-            self._share(count)
+            self._start(count)
         drawn = {key: figure.drawn() for key, figure in self._waiting.items()}
         for share in self._shares:
             drawn |= zip(share.keys, share.read(), strict=True)
@@ -83,7 +83,7 @@ class Drawing:
     def _running(self) -> list[BaseProcess]:
         return [share.process for share in self._shares if share.process.exitcode is None]
 
-    def _share(self, count: int, least: int = 1) -> None:
+    def _start(self, count: int, least: int = 1) -> None:
         """Let ``count`` processes draw what waits, as long as that are ``least`` figures."""
         while len(self._waiting) >= least and len(self._running) < count:
             keys = list(self._waiting)[:AT_ONCE]
