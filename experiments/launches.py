@@ -14,7 +14,8 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.switches import SWITCHES
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.batch import Plan, timing
+from measured_report.measuring.turns import alone
 
 WORLD_COUNTS = {"cuda": (1, 16384), "cpu": (1,)}
 WITHOUT = {"sensors": {"sensors": False}, "limits": {"limits": False}}
@@ -29,7 +30,7 @@ OWNERS = {"mujoco_warp": "engine", "newton": "newton", "experiments": "scene"}
 
 def measure(conditions: Conditions) -> Plan:
     counts = WORLD_COUNTS["cuda" if conditions.is_cuda else "cpu"]
-    found = yield [Batch(f"worlds-{count}", measure_worlds, (conditions, count), alone=True) for count in counts]
+    found = yield [timing(f"worlds-{count}", measure_worlds, conditions, count) for count in counts]
     return Measurement([row for rows in found for row in rows])
 
 
@@ -50,7 +51,8 @@ def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, o
         rows.append(row | {"worlds": world_count} | each.columns(found))
     simulation.vary(FIXED)
     pilot.put(simulation, FIXED)
-    return rows + kernel_rows(simulation, world_count)
+    with alone():
+        return rows + kernel_rows(simulation, world_count)
 
 
 def kernel_rows(simulation: Simulation, world_count: int) -> list[dict[str, object]]:

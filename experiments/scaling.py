@@ -12,7 +12,7 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import EngineSteps, batch_invalid_reason, spread
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.batch import Plan, timing
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
@@ -20,7 +20,7 @@ ABSENT = (*(name for name in TIMED if name != "buffer_bytes_per_world"), "world_
 
 
 def measure(conditions: Conditions) -> Plan:
-    [rows] = yield [Batch("worlds", measure_worlds, (conditions,), alone=True)]
+    [rows] = yield [timing("worlds", measure_worlds, conditions)]
     return Measurement(rows)
 
 

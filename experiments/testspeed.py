@@ -26,7 +26,8 @@ from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.switches import SWITCHES
 from experiments.simulation.timing import EngineSteps, elapsed_ms
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.batch import Batch, Plan, timing
+from measured_report.measuring.turns import alone
 
 NEEDS_CUDA = "the engine's benchmark runs on CUDA devices only"
 STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}
@@ -41,8 +42,7 @@ def measure(conditions: Conditions) -> Plan:
         return Measurement([{"case": "none", "reason": NEEDS_CUDA}])
     yield [Batch("compile", measure_worlds, (conditions, 1, 2))]  # what is not compiled yet is, before any time counts
     found = yield [
-        Batch(f"worlds-{count}", measure_worlds, (conditions, count, STEP_COUNTS[count]), alone=True)
-        for count in STEP_COUNTS
+        timing(f"worlds-{count}", measure_worlds, conditions, count, STEP_COUNTS[count]) for count in STEP_COUNTS
     ]
     return Measurement([row for rows in found for row in rows])
 
@@ -59,7 +59,8 @@ def measure_worlds(conditions: Conditions, world_count: int, step_count: int) ->
     wp.synchronize_device(device)
     mjcf = with_keyframe(scene_mjcf(), simulation)
     about = {"worlds": world_count, "contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
-    said = run_testspeed(mjcf, world_count, step_count) if device.is_cuda else {}
+    with alone():
+        said = run_testspeed(mjcf, world_count, step_count) if device.is_cuda else {}
     rows: list[dict[str, object]] = []
     if said:
         row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count, **about}

@@ -2,7 +2,7 @@
 
 import gc
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
@@ -17,26 +17,23 @@ from experiments.simulation import comparing
 from experiments.simulation.comparing import Frames, Pilot
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
-from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn
+from experiments.simulation.resolving import Resolved, in_turn
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
-from experiments.simulation.timing import (
-    WARMUP_COUNT,
-    batch_invalid_reason,
-    elapsed_ms,
-    invalid_reason,
-    put_in_state_of,
-)
-from measured_report.measuring.batch import Batch, Plan
+from experiments.simulation.timing import WARMUP_COUNT, elapsed_ms, invalid_reason, put_in_state_of
+from measured_report.measuring.batch import Batch, Plan, timing
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Of the reference; a second one with half as many tells how far it has converged."""
 WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
-BLOCK_FRAME_COUNT = 3
-"""Frames that are timed together."""
-CAP_S = 30.0
-"""Seconds after which the settings, which are all timed in turn, are not looked at again."""
-TIMED_FRAME_COUNT = WARMUP_COUNT + BLOCK_FRAME_COUNT * (BATCH_COUNT << (LOOK_COUNT - 1))
+HALF_CYCLE = 30
+"""Frames in C that are timed together: as long as the force on the cube takes to have had all its sizes."""
+PART_COUNT = 4
+"""Parts of the settings, each timed in turn by itself, so that one can be built while another is timed."""
+CAP_S = 16.0
+"""Seconds after which the settings of a part are not looked at again."""
+WORLDS_CAP_S = 3.0
+"""The same of a number of worlds, since C on a core that others share is never known to the resolution."""
 REFERENCE = "as-shipped/newton/substeps-16"
 """What the time of each setting is compared with."""
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
@@ -49,10 +46,14 @@ ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_C
 def measure(conditions: Conditions) -> Plan:
     [rows] = yield [Batch("points", measure_points, (conditions,))]
     valid = [row["case"] for row in rows if row["valid"] and row["method"] != "reference"]
-    times, worlds = yield [
-        Batch("times", measure_times, (conditions, valid), alone=True),
-        Batch("worlds", measure_worlds, (conditions,), alone=True),
+    reference = [REFERENCE] if REFERENCE in valid else []
+    others = [name for name in valid if name != REFERENCE]
+    parts = [reference + others[number::PART_COUNT] for number in range(min(PART_COUNT, len(others)))]
+    *found, worlds = yield [
+        *(timing(f"times-{number}", measure_times, conditions, part) for number, part in enumerate(parts)),
+        timing("worlds", measure_worlds, conditions),
     ]
+    times = {name: columns for part in reversed(found) for name, columns in part.items()}
     return Measurement([row | times.get(row["case"], {}) for row in rows] + worlds)
 
 
@@ -78,56 +79,61 @@ def measure_points(conditions: Conditions) -> list[dict]:
 
 
 def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dict[str, object]]:
-    """Time frames of the settings of these names, all in turn, each going on in the shake; columns by name."""
+    """Time frames of the settings of these names in turn, against the first of them; columns by name."""
     device = wp.get_device(conditions.device)
-    points = [point for point in settings(conditions.profile, cpu_too=conditions.is_cuda) if point.case.name in names]
-    points.sort(key=lambda point: point.case.name != REFERENCE)
-    pilot = pilot_at_shake(PADS.values(), device)
-    warps = {
-        point: WarpShake(replace(point, case=replace(point.case, frame_count=1)), pilot, device)  # keeps the last frame
-        for point in points
-        if not point.is_native
-    }
-    starts = dict(zip(PADS, starts_of(pilot, TIMED_FRAME_COUNT), strict=True))
-    shakes = {point: warps.get(point) or NativeShake(point.case, starts[point.pads]) for point in points}
-    blocks = [block_of(shake) for shake in shakes.values()]
+    by_name = {point.case.name: point for point in settings(conditions.profile, cpu_too=conditions.is_cuda)}
+    pilot = Pilot(list(PADS.values()), device)
+    starts = starts_of(pilot_at_shake(PADS.values(), device), WARMUP_COUNT + HALF_CYCLE)
+    blocks = [frames_of(by_name[name], pilot, dict(zip(PADS, starts, strict=True))) for name in names]
     columns = {}
-    for (point, shake), found in zip(shakes.items(), in_turn(blocks, cap_s=CAP_S), strict=True):
-        reason = batch_invalid_reason(shake.simulation) if isinstance(shake, WarpShake) else None
+    for name, block, found in zip(names, blocks, in_turn(blocks, cap_s=CAP_S), strict=True):
+        reason = block.reason if isinstance(block, Frames) else None
         row = absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(found)
-        if points[0].case.name != REFERENCE:
-            row |= absent(RATIO, f"{REFERENCE} has no time here")
-        columns[point.case.name] = row
+        columns[name] = row | ({} if names[0] == REFERENCE else absent(RATIO, f"{REFERENCE} has no time here"))
     return columns
 
 
-def block_of(shake: "WarpShake | NativeShake") -> Callable[[int], float]:
-    """What times the next frames of a shake [ms], each block those that follow."""
-    is_native = isinstance(shake, NativeShake)
-    step, device = (
-        (shake.frame, wp.get_device("cpu")) if is_native else (shake.simulation.step, shake.simulation.device)
-    )
+def frames_of(point: Setting, pilot: Pilot, starts: Mapping[str, Start]) -> "Frames | NativeFrames":
+    """Build what times frames of a setting."""
+    if point.is_native:
+        return NativeFrames(point.case, starts[point.pads])
+    case = replace(point.case, frame_count=1)  # the recorder keeps the last frame only
+    device = wp.get_device(case.device) if case.device else pilot.device
+    return Frames(Simulation([case], device), case, pilot)
 
-    def run_frames(count: int) -> None:
-        for _ in range(count):
-            step()
 
-    run_frames(WARMUP_COUNT)
-    return lambda _: elapsed_ms(device, lambda: run_frames(BLOCK_FRAME_COUNT)) / BLOCK_FRAME_COUNT
+class NativeFrames:
+    """Blocks of frames in C, each of half a cycle of the shake from its start, after a few that are not timed."""
+
+    def __init__(self, case: Case, start: Start):
+        self.shake = NativeShake(case, start)
+
+    def __call__(self, _: int) -> float:
+        """Time of a frame [ms], mean of a block."""
+        shake, start = self.shake, self.shake.start
+        shake.data.qpos[:], shake.data.qvel[:] = start.qpos, start.qvel
+        shake.data.qacc_warmstart[:] = start.qacc_warmstart
+        shake.frame_index = 0
+        shake.frame_ms(0)
+        return elapsed_ms(wp.get_device("cpu"), self._run) / HALF_CYCLE
+
+    def _run(self) -> None:
+        for _ in range(HALF_CYCLE):
+            self.shake.frame()
 
 
 def measure_worlds(conditions: Conditions) -> list[dict]:
     """A row for C on one core, and one for each number of worlds, which is timed against that."""
     device = wp.get_device(conditions.device)
     pilot = Pilot([FIXED], device)
-    shakes = pilot_at_shake(PADS.values(), device)
-    start = starts_of(shakes, max(FRAME_COUNT, TIMED_FRAME_COUNT))[list(PADS).index("stiff")]
-    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
+    start = starts_of(pilot_at_shake(PADS.values(), device), FRAME_COUNT)[list(PADS).index("stiff")]
     reason = invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run())
+    native = NativeFrames(ONE_CORE, start)
+    counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
     row = timed_only(ONE_CORE, reason, "mujoco-c", world_count=1)
-    [found] = in_turn([block_of(NativeShake(ONE_CORE, start))])
+    [found] = in_turn([native])
     one_core = row | (absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(found))
-    return [*(world_row(count, pilot, start) for count in WORLD_COUNTS[counts]), one_core]
+    return [*(world_row(count, pilot, native) for count in WORLD_COUNTS[counts]), one_core]
 
 
 class WarpShake:
@@ -227,12 +233,12 @@ def time_columns(found: Resolved) -> dict[str, object]:
     return comparing.time_columns(replace(found, times=FRAME_RATE * found.times), "ms_per_s", "time_ratio")
 
 
-def world_row(world_count: int, pilot: Pilot, start: Start) -> dict[str, object]:
+def world_row(world_count: int, pilot: Pilot, native: NativeFrames) -> dict[str, object]:
     """The fixed scene in many worlds at once, timed in the shake against C on one core."""
     gc.collect()  # frees the batch before
     case = replace(FIXED, name=f"worlds-{world_count}", frame_count=1)
     frames = Frames(Simulation([case] * world_count, pilot.device), case, pilot)
-    _, found = in_turn([block_of(NativeShake(ONE_CORE, start)), frames])
+    _, found = in_turn([native, frames], cap_s=WORLDS_CAP_S)
     row = timed_only(case, frames.reason, "warp-cuda" if pilot.device.is_cuda else "warp-cpu", world_count)
     return row | (time_columns(found) if not frames.reason else absent(TIME_COLUMNS, f"not timed: {frames.reason}"))
 

@@ -17,7 +17,7 @@ from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Me
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from experiments.simulation.timing import in_the_shake
-from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.batch import Batch, Plan, timing
 from measured_report.measuring.pool import gather, processes, start
 
 WITHOUT = {
@@ -64,7 +64,7 @@ def measure(conditions: Conditions) -> Plan:
         Batch("to-end", run_to_end, (conditions, kinds)),
         Batch("audit", measure_audit, (conditions,)),
         *(Batch(f"stages-{kind}", measure_stages, (kind,), alone=True) for kind in kinds),
-        *(Batch(f"{kind}-{count}", measure_times, (conditions, kind, count), alone=True) for kind, count in timings),
+        *(timing(f"{kind}-{count}", measure_times, conditions, kind, count) for kind, count in timings),
     ]
     stages, timed = dict(zip(kinds, found, strict=False)), dict(zip(timings, found[len(kinds) :], strict=True))
     rows = []

@@ -12,7 +12,7 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, build_key
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, absent
-from experiments.simulation.resolving import CAP_S, Resolved, in_turn
+from experiments.simulation.resolving import BATCH_COUNT, CAP_S, Resolved, in_turn
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import (
     ENGINE_ARRAYS,
@@ -28,7 +28,6 @@ from experiments.simulation.timing import (
 )
 from measured_report.measuring.reasons import is_out_of_memory
 
-MOMENT_COUNT = 8
 MOMENT_FRAME_STEP = 7
 """Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
 BLOCK_FRAME_COUNT = 4
@@ -42,7 +41,10 @@ TIMED = (*TIMES, *RATIO, "buffer_bytes_per_world")
 
 
 class Pilot:
-    """The states that blocks start from: in each round all cases with the same pads start from the same."""
+    """The states that blocks start from: in each round all cases with the same pads start from the same.
+
+    There are as many as ``resolving`` takes rounds in which each is seen once.
+    """
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         self.device = device
@@ -51,14 +53,14 @@ class Pilot:
         simulation = Simulation(worlds, device)
         _run(simulation, SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT)
         self.moments = []
-        for _ in range(MOMENT_COUNT):
+        for _ in range(BATCH_COUNT):
             self.moments.append(_moment_of(simulation))
             _run(simulation, MOMENT_FRAME_STEP)
 
     def put(self, target: Simulation, case: Case, number: int = 0) -> None:
         """Put all worlds of ``target`` where the case starts in the round of that number."""
         world = self.pads.index((case.pad_ke, case.pad_kd))
-        put_in_state_of(target, self.moments[number % MOMENT_COUNT], world)
+        put_in_state_of(target, self.moments[number % BATCH_COUNT], world)
 
 
 def _run(simulation: Simulation, frame_count: int) -> None:

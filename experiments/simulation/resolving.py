@@ -4,8 +4,10 @@ A round times one block of each case, in the opposite order from the round befor
 cancels. What is looked at is the logarithm of a case's time over the reference's in the same round. Its mean has an
 interval from batch means (Law & Carson, "A sequential procedure for determining the length of a steady-state
 simulation", Operations Research 27(5), 1979): the rounds so far make BATCH_COUNT batches, which get longer at each
-look, so that rounds that follow one another need not be independent. Each of LOOK_COUNT looks has its part of the error
-(Bonferroni), so the interval covers whenever one stops.
+look, so that rounds that follow one another need not be independent. Rounds that are BATCH_COUNT apart start from the
+same state. So from the second look on each batch is compared with those that start from its own states, and what a
+ratio differs by from state to state is no noise (a stratified sample: Cochran, "Sampling Techniques", ch. 5). Each of
+LOOK_COUNT looks has its part of the error (Bonferroni), so the interval covers whenever one stops.
 """
 
 import math
@@ -15,13 +17,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from measured_report.measuring.turns import alone
+
 RESOLUTION = 0.01
 """Half of the interval of a ratio that is narrow enough, as a share of the ratio."""
 BATCH_COUNT = 8
 LOOK_COUNT = 5
 """Looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error."""
-T_QUANTILE = 3.4995
-"""Student's t with seven degrees of freedom, two-sided 99 %."""
+T_QUANTILES = {4: 4.6041, 6: 3.7074, 7: 3.4995}
+"""Student's t, two-sided 99 %, by degrees of freedom."""
 CAP_S = 6.0
 """Seconds after which no comparison goes on to another look."""
 
@@ -50,13 +54,20 @@ def in_turn(
     """Time the blocks against the first of them until each ratio is known to ``resolution``.
 
     A case that is known takes no further part; the reference does to the end. Alone it is timed as often as the first
-    look takes.
+    look takes. Nothing else is measured on this host meanwhile: see ``turns``.
 
     Args:
         blocks: Each times a frame of its case [ms] in the round of that number.
         resolution: See ``RESOLUTION``.
         cap_s: Where another look would end after this time [s], the resolution stays as it is.
     """
+    with alone():
+        return _in_turn(blocks, resolution, cap_s, clock)
+
+
+def _in_turn(
+    blocks: Sequence[Callable[[int], float]], resolution: float, cap_s: float, clock: Callable[[], float]
+) -> list[Resolved]:
     start = clock()
     rounds: list[list[float]] = [[] for _ in blocks]
     active = list(range(len(blocks)))
@@ -75,5 +86,10 @@ def _resolved(times: Sequence[float], reference: Sequence[float]) -> Resolved:
     own = np.array(times)
     ratios = own / np.array(reference[: len(times)])
     batches = np.log(ratios).reshape(BATCH_COUNT, -1).mean(axis=1)
-    half = T_QUANTILE * batches.std(ddof=1) / math.sqrt(BATCH_COUNT)
+    pass_count = len(own) // BATCH_COUNT
+    state_count = 1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)  # that batches start from
+    by_state = batches.reshape(-1, state_count)
+    freedom = BATCH_COUNT - state_count
+    deviation = math.sqrt(np.square(by_state - by_state.mean(axis=0)).sum() / freedom)
+    half = T_QUANTILES[freedom] * deviation / math.sqrt(BATCH_COUNT)
     return Resolved(own, ratios, math.exp(batches.mean()), math.expm1(half))

@@ -4,6 +4,7 @@ import os
 import random
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import batches
@@ -124,7 +125,7 @@ def task(name: str, seconds: float = 1.0, alone: bool = False) -> Task:
 
 
 KIND = ("cuda", "NVIDIA H200")
-TWO = [Host("one", KIND, ["0", "1"]), Host("two", KIND, ["0"])]
+TWO = [Host("one", KIND, ["0", "1"], ["0", "1"]), Host("two", KIND, ["0"], ["0"])]
 
 
 def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
@@ -139,7 +140,7 @@ def test_the_longest_goes_first_and_what_must_be_alone_waits_for_an_idle_host():
 
 
 def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
-    host = Host("one", KIND, ["gpu"], ["gpu/0", "gpu/1"])
+    host = Host("one", KIND, ["gpu/0", "gpu/1"], ["gpu"])
     short, long, alone = task("short", 1.0), task("long", 9.0), task("alone", 99.0, alone=True)
     ready, busy, places = [(each, None) for each in (short, alone, long)], {}, []
     while found := next_start(ready, [host], busy):
@@ -150,16 +151,24 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
     assert next_start(ready, [host], {}) == (alone, host, ("one", "gpu"))
 
 
-def test_processes_share_a_gpu_where_a_daemon_lets_them(tmp_path, monkeypatch):
+def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 10)
-    assert worker.shared_processes(["A", "B"]) == []
+    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 80_000)
+    assert worker.processes_of([small, large]) == (["A", "B"], ["A", "B", "B:1"])
     (tmp_path / "control").touch()
-    assert worker.shared_processes(["A", "B"]) == ["A/0", "B/0", "A/1", "B/1"]
-    assert worker.shared_processes(["A", "B", "C"]) == []  # one process each shares nothing
+    assert worker.processes_of([small, large]) == (["A/0", "B/0", "A/1", "B/1"], ["A", "B", "B:1"])
+    three = [replace(large, uuid=uuid) for uuid in "ABC"]
+    assert worker.processes_of(three) == (["A", "B", "C"], ["A", "B", "C"])  # a process each shares nothing
 
 
-def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
+def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_others_that_wait():
+    first, second, other = task("first", alone=True), task("second", alone=True), task("other")
+    assert next_start([(second, None)], TWO[:1], {("one", "0"): first}) == (second, TWO[0], ("one", "1"))
+    assert next_start([(second, None), (other, None)], TWO[:1], {("one", "0"): first}) is None
+
+
+def test_no_batch_is_beside_one_that_is_alone_but_its_like_whatever_happens():
     chance = random.Random(0)
     for _ in range(50):
         ready = [(task(f"t{i}", chance.random(), chance.random() < 0.3), None) for i in range(20)]
@@ -170,7 +179,7 @@ def test_no_two_batches_are_beside_one_that_is_alone_whatever_happens():
                 ready = [pair for pair in ready if pair[0] is not found[0]]
             for host in TWO:
                 there = [each for (name, _), each in busy.items() if name == host.name]
-                assert len(there) <= (1 if any(each.batch.alone for each in there) else len(host.processes))
+                assert len({each.batch.alone for each in there}) <= 1 and len(there) <= len(host.processes)
             assert busy, "something can always be started"
             del busy[chance.choice(list(busy))]
 

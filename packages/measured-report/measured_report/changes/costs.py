@@ -43,9 +43,13 @@ def _overlap(record: Record, other: Record) -> timedelta:
 
 
 def _pause(record: Record) -> timedelta:
-    """How long nothing of it was measured between its beginning and its end, which are told to the second."""
+    """How long nothing of it was measured between its beginning and its end, which are told to the second.
+
+    What it has prepared was beside others.
+    """
     started, ended = record.span
-    return max(timedelta(seconds=1), ended - started - timedelta(seconds=record.measured["seconds"]))
+    measured = record.measured["seconds"] - record.measured.get("prepared_s", 0.0)
+    return max(timedelta(seconds=1), ended - started - timedelta(seconds=measured))
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:

@@ -30,6 +30,13 @@ class Batch:
     arguments: tuple = ()
     alone: bool = False
     """Whether nothing else may run on its host meanwhile, since it measures times."""
+    prepares: bool = False
+    """Whether such a batch has its host for itself only within ``turns.alone``, and prepares beside its like."""
+
+
+def timing(name: str, function: Callable[..., Any], *arguments: Any) -> Batch:
+    """Declare a batch that prepares, and is alone only within ``turns.alone``."""
+    return Batch(name, function, arguments, alone=True, prepares=True)
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]

@@ -28,6 +28,7 @@ from distributed.deploy import ssh
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.measuring import worker
+from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster_address import ClusterAddress, read_cluster
 from measured_report.measuring.executors import Host, Task
 from measured_report.measuring.outcome import BatchOutcome, Failed, Lost
@@ -72,14 +73,14 @@ def connected(cluster: ClusterAddress, device: str) -> Iterator[Client]:
 
 
 def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
-    gpus = [uuid for uuid, _ in worker.gpus()] if device == "cuda" else []
+    gpus = worker.gpus() if device == "cuda" else []
     thread_count = count = cluster.process_count or (len(gpus) if device == "cuda" else os.cpu_count() or 1)
     settings = {}
     if device == "cuda":
         if count > len(gpus):
             raise ReportError(f"CLUSTER={cluster.asked}: this host has {len(gpus)} GPUs, and {count} are asked for")
-        settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpus[:count])
-        thread_count = max(count, len(worker.shared_processes(gpus[:count])))
+        settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpu.uuid for gpu in gpus[:count])
+        thread_count = max(map(len, worker.processes_of(gpus[:count])))
     options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET, "env": settings}
     options |= {"protocol": "tls", "security": Security.temporary()}  # others on this host are not let in
     return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
@@ -162,7 +163,7 @@ class ClusterExecutor:
 
     def __init__(self, client: Client, device: str, processor: str | None, identities: Mapping[str, Identity]):
         self.client, self.device, self.processor = client, device, processor
-        self._preparing = _call(prepare, device, identities, carrying_digest())
+        self._preparing = _call(Batch("prepare", prepare, (device, identities, carrying_digest())))
         self._workers: dict[str, Host | None] = {}
         """By address; None for those that are left out or have not yet introduced themselves."""
         self._running: dict[Future, tuple[Task | None, str]] = {}
@@ -188,8 +189,7 @@ class ClusterExecutor:
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
         address = next(address for address, host in self._workers.items() if host and host.name == process[0])
-        call = _call(task.batch.function, *task.batch.arguments)
-        self._submit(task, address, worker.measure, self.device, process[1], call)
+        self._submit(task, address, worker.measure, self.device, process[1], _call(task.batch))
 
     def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:
         """Yield what has ended within a moment."""
@@ -248,8 +248,8 @@ class ClusterExecutor:
         self._running[future] = task, address
 
 
-def _call(function: Callable, *arguments: Any) -> bytes:
-    return pickle.dumps((function, arguments), protocol=pickle.HIGHEST_PROTOCOL)
+def _call(batch: Batch) -> bytes:
+    return pickle.dumps(batch, protocol=pickle.HIGHEST_PROTOCOL)
 
 
 def _outcome(future: Future) -> Any:
@@ -269,7 +269,7 @@ def main() -> int:
     try:
         with connected(read_cluster(parser.parse_args().cluster), "cuda") as client:
             client.wait_for_workers(1)
-            names = sorted(name for found in client.run(worker.gpus).values() for _, name in found)
+            names = sorted(gpu.name for found in client.run(worker.gpus).values() for gpu in found)
     except ReportError as error:
         print(error, file=sys.stderr)
         return 2

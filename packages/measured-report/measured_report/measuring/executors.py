@@ -36,8 +36,8 @@ class Host:
     kind: tuple
     processes: Sequence[str]
     """Names of its worker processes, each of which measures one batch at once."""
-    shared: Sequence[str] = ()
-    """Those that share its GPUs: where there are any, the others are left to what must be alone."""
+    alone: Sequence[str]
+    """Those for what must be alone, of which one at a time is while others prepare."""
 
 
 class Executor(Protocol):
@@ -58,13 +58,14 @@ class LocalExecutor:
     """This process, one batch after the other, or the ``count`` processes of a pool."""
 
     def __init__(self, machine: Mapping[str, Any], pool: futures.Executor | None = None, count: int = 1):
-        self.hosts = [Host("", kind_of(machine), [str(number) for number in range(count)])]
+        names = [str(number) for number in range(count)]
+        self.hosts = [Host("", kind_of(machine), names, names)]
         self._alone, self._pool = machine, pool
         self._together = {**machine, "sections_at_once": count} if pool else machine
         self._running: dict[Future, Task] = {}
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
-        call = task.batch.function, task.batch.arguments, self._alone if task.batch.alone else self._together
+        call = task.batch, self._alone if task.batch.alone else self._together
         if self._pool:
             future = self._pool.submit(run_batch, *call)
         else:

@@ -3,12 +3,14 @@
 import pickle
 import time
 import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timezone
 from typing import Any, TypeAlias
 
+from measured_report.measuring.batch import Batch
 from measured_report.measuring.reasons import is_expected, reason_of
+from measured_report.measuring.turns import turn
 
 
 @dataclass(frozen=True)
@@ -20,6 +22,9 @@ class Done:
     started: str
     ended: str
     seconds: float
+    """How long it took, without what it has waited for."""
+    alone_s: float = 0.0
+    """How long of that nothing else might run on its host."""
 
 
 @dataclass(frozen=True)
@@ -40,14 +45,17 @@ class Failed:
 BatchOutcome: TypeAlias = Done | Lost | Failed
 
 
-def run_batch(function: Callable, arguments: tuple, machine: Mapping[str, Any]) -> Done | Failed:
+def run_batch(batch: Batch, machine: Mapping[str, Any]) -> Done | Failed:
     """Measure a batch in this process."""
-    started, start = now(), time.perf_counter()
+    start = time.perf_counter()
     try:
-        content = pickle.dumps(function(*arguments), protocol=pickle.HIGHEST_PROTOCOL)
+        with turn(alone=batch.alone, prepares=batch.prepares) as mine:
+            started = now()
+            content = pickle.dumps(batch.function(*batch.arguments), protocol=pickle.HIGHEST_PROTOCOL)
     except Exception as error:  # one batch's fault must not cost the others
         return failed(error)
-    return Done(content, machine, started, now(), round(time.perf_counter() - start, 1))
+    seconds = time.perf_counter() - start - mine.waited_s
+    return Done(content, machine, started, now(), round(seconds, 1), round(mine.alone_s, 1))
 
 
 def failed(error: Exception) -> Failed:

@@ -69,10 +69,10 @@ def _end_with(parent: int) -> None:
 def _answer(device: str, call: bytes) -> BatchOutcome:
     try:
         here = machine(device)  # what the device settles has to be settled before a section is imported
-        function, arguments = pickle.loads(call)
+        batch = pickle.loads(call)
     except Exception as error:  # the device or the code is not there
         return Failed(" ".join(str(error).split()))
-    return run_batch(function, arguments, here)
+    return run_batch(batch, here)
 
 
 if __name__ == "__main__":

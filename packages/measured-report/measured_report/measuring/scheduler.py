@@ -21,19 +21,21 @@ def next_start(
 ) -> tuple[Task, Host, tuple[str, str]] | None:
     """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
-    Where more than one batch runs at a time the longest goes first, and what must be alone on its host goes when
-    nothing else is left to run there. None when nothing can be started beside what is ``busy``.
+    Where more than one batch runs at a time the longest goes first, and those that must be alone on their host, which
+    take turns there, go when nothing else is left to run. None when nothing can be started beside what is ``busy``.
     """
-    in_turn = sum(len(host.shared or host.processes) for host in hosts) == 1
+    in_turn = sum(len({*host.processes, *host.alone}) for host in hosts) == 1
     for host in hosts:
         beside = [task for (name, _), task in busy.items() if name == host.name]
         fit = [task for task, kind in ready if kind in (None, host.kind)]
-        if any(task.batch.alone for task in beside):
-            continue
         shared = fit if in_turn else [task for task in fit if not task.batch.alone]
-        if candidates := shared or ([] if beside else fit):
+        if any(task.batch.alone for task in beside):
+            candidates = [] if shared else fit
+        else:
+            candidates = shared or ([] if beside else fit)
+        if candidates:
             task = candidates[0] if in_turn else max(candidates, key=lambda task: task.seconds)
-            names = host.processes if task.batch.alone else host.shared or host.processes
+            names = host.alone if task.batch.alone else host.processes
             if free := [(host.name, name) for name in names if (host.name, name) not in busy]:
                 return task, host, free[0]
     return None

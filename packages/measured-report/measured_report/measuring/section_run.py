@@ -100,7 +100,10 @@ class SectionRun:
         names = dict.fromkeys(name for machine in machines for name in machine)
         seconds = round(sum(part.seconds for part in parts), 1)
         batches = sorted(self.done.keys() - {WHOLE})
-        times = {f"{'alone' if name in self.alone else 'batch'}_{name}_s": self.done[name].seconds for name in batches}
+        times = {f"batch_{name}_s": self.done[name].seconds for name in batches if name not in self.alone}
+        times |= {f"alone_{name}_s": self.done[name].alone_s for name in batches if name in self.alone}
+        prepared = sum(self.done[name].seconds - self.done[name].alone_s for name in self.alone)
+        times |= {"prepared_s": round(prepared, 1)} if prepared > 0.05 else {}
         record = Record(
             section=self.section,
             identity=self.identity,

@@ -9,6 +9,7 @@ compiles, and knows neither of what must be alone on a host nor of what may shar
 import os
 import pickle
 import platform
+import re
 import select
 import signal
 import subprocess
@@ -33,6 +34,15 @@ SHARE_COUNT = 6
 """Processes that share a GPU: a few worlds leave most of it idle."""
 CORES_EACH = 2
 """Processor cores that there have to be for each of them."""
+ALONE_MIB = 32 << 10
+"""Memory of a GPU that there has to be for each process for what must be alone: each keeps what it has prepared."""
+
+
+@dataclass(frozen=True)
+class Gpu:
+    uuid: str
+    name: str
+    memory_mib: int
 
 
 @dataclass
@@ -92,32 +102,37 @@ def introduce(device: str, processor: str | None, thread_count: int, call: bytes
     A GPU must be called ``processor`` in a label, unless that is None; there may be ``thread_count`` processes.
     """
     node, there = platform.node(), gpus() if device == "cuda" else []
-    names = [uuid for uuid, name in there if processor in (None, slug(name))]
-    shared = shared_processes(names) if names else []
-    if device == "cpu":
-        names = [str(number) for number in range(thread_count)]
-    if not names:
-        others = ", ".join(sorted({name for _, name in there}))
+    mine = [gpu for gpu in there if processor in (None, slug(gpu.name))]
+    if device == "cuda" and not mine:
+        others = ", ".join(sorted({gpu.name for gpu in there}))
         return node, Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}")
-    found = measure(device, names[0], call)
-    if isinstance(found, Done):
-        return node, Host(node, kind_of(found.machine), names[:thread_count], shared[:thread_count])
-    return node, found
+    numbers = [str(number) for number in range(thread_count)]
+    together, alone = (names[:thread_count] for names in (processes_of(mine) if mine else (numbers, numbers)))
+    found = measure(device, alone[0], call)
+    return node, Host(node, kind_of(found.machine), together, alone) if isinstance(found, Done) else found
 
 
-def shared_processes(gpus: Sequence[str]) -> list[str]:
-    """Name processes that share GPUs, those of one far apart; none where no daemon is there that lets them do so."""
-    if not (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
-        return []
+def processes_of(gpus: Sequence[Gpu]) -> tuple[list[str], list[str]]:
+    """Name the processes of GPUs, those of one far apart: for what may run beside others, and for what must be alone.
+
+    The first share the GPUs where a daemon is there that lets them do so. Of the others one at a time measures.
+    """
     count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus) // CORES_EACH)
-    return [f"{gpu}/{number}" for number in range(count) for gpu in gpus] if count > 1 else []
+    alone = [
+        f"{gpu.uuid}:{number}" if number else gpu.uuid
+        for number in range(max(1, count))
+        for gpu in gpus
+        if not number or (number + 1) * ALONE_MIB <= gpu.memory_mib
+    ]
+    if count > 1 and (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
+        return [f"{gpu.uuid}/{number}" for number in range(count) for gpu in gpus], alone
+    return [gpu.uuid for gpu in gpus], alone
 
 
 def measure(device: str, name: str, call: bytes) -> BatchOutcome:
     """Let a process measure a batch, as long as that is wanted."""
-    gpu, is_shared, _ = name.partition("/")
-    settings = {"CUDA_VISIBLE_DEVICES": gpu} if device == "cuda" else {}
-    if settings and not is_shared:
+    settings = {"CUDA_VISIBLE_DEVICES": re.split("[/:]", name)[0]} if device == "cuda" else {}
+    if settings and "/" not in name:
         settings[MPS] = "/nonexistent"  # only one that shares its GPU finds the daemon
     with _processes_lock:
         mine = _processes.setdefault((device, name), Process(device, settings))
@@ -144,10 +159,13 @@ async def stop() -> None:
         process.end()
 
 
-def gpus() -> list[tuple[str, str]]:
-    """List UUID and name of each GPU that this worker may use."""
-    listing = said("nvidia-smi", "--query-gpu=index,uuid,name", "--format=csv,noheader").splitlines()
-    found = [tuple(part.strip() for part in line.split(",", 2)) for line in listing if line.count(",") > 1]
+def gpus() -> list[Gpu]:
+    """List the GPUs that this worker may use."""
+    query = "--query-gpu=index,uuid,memory.total,name"
+    listing = said("nvidia-smi", query, "--format=csv,noheader,nounits").splitlines()
+    found = [[part.strip() for part in line.split(",", 3)] for line in listing if line.count(",") > 2]
     allowed = os.environ.get("CUDA_VISIBLE_DEVICES")
     names = None if allowed is None else {name.strip() for name in allowed.split(",")}
-    return [(uuid, name) for index, uuid, name in found if names is None or names & {index, uuid}]
+    there = [each for each in found if names is None or names & {*each[:2]}]
+    # What shares memory with the processor may not say how much it has.
+    return [Gpu(uuid, name, int(size) if size.isdecimal() else 0) for _, uuid, size, name in there]
