@@ -39,7 +39,7 @@ TIMEOUT_S = 300.0
 
 def measure(conditions: Conditions) -> Plan:
     if not conditions.is_cuda:
-        return Measurement([{"case": "none", "reason": NEEDS_CUDA}])
+        return Measurement((yield [Batch("none", dict, ({"case": "none", "reason": NEEDS_CUDA},))]))
     yield [Batch("compile", measure_worlds, (conditions, 1, 2))]  # what is not compiled yet is, before any time counts
     found = yield [
         timing(f"worlds-{count}", measure_worlds, conditions, count, STEP_COUNTS[count]) for count in STEP_COUNTS

@@ -1,0 +1,19 @@
+"""What sections have measured, before any of it is."""
+
+import inspect
+from importlib import import_module
+
+import pytest
+
+from experiments.simulation.measurement import Conditions
+from measured_report.records.identity import sections
+
+MODULES = {section: import_module(f"experiments.{section}") for section in sections()}
+PLANNED = [section for section, module in MODULES.items() if inspect.isgeneratorfunction(module.measure)]
+
+
+@pytest.mark.parametrize("device", ["cpu", "cuda:0"])
+@pytest.mark.parametrize("section", PLANNED)
+def test_a_section_has_something_to_measure_on_every_device(section, device):
+    plan = MODULES[section].measure(Conditions(device=device, quick=True))
+    assert next(plan), "what measures nothing has no machine to name in its record"
