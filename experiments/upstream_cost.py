@@ -31,9 +31,8 @@ from measured_report.measuring.batch import Batch, Plan
 
 NEEDS = "mujoco-warp==4.0.0"
 """Read by ``measured_report.editions.devices``: the release that the patch is for."""
-NEEDS_CUDA = "what the patch costs is timed on CUDA devices only"
 PATCH = ROOT / "assets/upstream/mujoco_warp-4.0.0.patch"
-WORLD_COUNTS = (1, 4096, 16384)
+WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 RESOLUTION = 0.002
 """One launch more in a hundred is to be seen."""
 CAP_S = 5.0
@@ -42,11 +41,9 @@ TIMEOUT_S = 300.0
 
 
 def measure(conditions: Conditions) -> Plan:
-    if not conditions.is_cuda:
-        return Measurement([{"case": "none", "reason": NEEDS_CUDA}])
+    counts = WORLD_COUNTS["cuda" if conditions.is_cuda else "cpu"]
     [(mjcf, released)] = yield [Batch("compile", measure_released, (conditions,))]
-    batches = [Batch(f"worlds-{count}", measure_apart, (conditions, mjcf, count), alone=True) for count in WORLD_COUNTS]
-    found = yield batches
+    found = yield [Batch(f"worlds-{count}", measure_apart, (conditions, mjcf, count), alone=True) for count in counts]
     return Measurement([released, *(row for rows in found for row in rows)])
 
 
