@@ -73,7 +73,7 @@ def measure_apart(conditions: Conditions, mjcf: str, world_count: int) -> list[d
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(Path(mjw.__file__).parent, Path(folder, mjw.__name__))
         apply(PATCH, Path(folder))
-        path = os.pathsep.join([folder, *filter(None, sys.path)])
+        path = os.pathsep.join([folder, str(ROOT), *filter(None, sys.path)])
         asked = {"mjcf": mjcf, "world_count": world_count, "device": conditions.device}
         answered = _run(
             [sys.executable, "-c", f"from {__name__} import {answer.__name__}; {answer.__name__}()"],
