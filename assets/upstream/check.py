@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from experiments.turntable import MJCF, RADIUS_M, TURN_RAD_S
+from experiments.upstream_cost import apply
 from measured_report.editions.environment import python_with
 
 HERE = Path(__file__).parent
@@ -66,7 +67,7 @@ def copied(python: Path, folder: Path) -> Path:
 def patched(folder: Path) -> Path:
     """Apply the patches to the packages in a folder."""
     for patch in PATCHES.values():
-        subprocess.run(["patch", "-p1", "--silent", f"--input={patch}"], cwd=folder, check=True)
+        apply(patch, folder)
     return folder
 
 

@@ -122,7 +122,7 @@ def _add_excluded(contact: Element, model: mujoco.MjModel) -> None:
 
 
 def _add_equalities(equality: Element, model: mujoco.MjModel) -> None:
-    for index in range(model.neq):
+    for index in np.flatnonzero(model.eq_active0):  # Newton 1.8 adds welds to the world that are off
         joints = (model.eq_obj1id[index], model.eq_obj2id[index])
         names = (_name(model, mujoco.mjtObj.mjOBJ_JOINT, joint) for joint in joints)
         element = SubElement(equality, "joint", dict(zip(("joint1", "joint2"), names, strict=True)))

@@ -4,6 +4,7 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
+from argparse import Namespace
 from dataclasses import replace
 
 import pytest
@@ -16,11 +17,12 @@ from measured_report.editions.label import read_label
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
 from measured_report.editions.stack import Stack, stack_of
-from measured_report.editions.status import expected_packages
+from measured_report.editions.status import expected_packages, states_of, status_matrix
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import measure
+from measured_report.measuring.run import section_runs
 from measured_report.records import provenance
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import write_record
@@ -223,6 +225,23 @@ def test_what_needs_no_gpu_stands_with_what_any_machine_measured(toy):
     assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
     # Its record of a CPU does not keep those of a GPU from the release.
     assert measure.kept_by(toy.project, "nvidia-h200", ["toy", "other"]) == toy.project
+
+
+def test_what_needs_a_version_is_missing_only_where_that_is_and_measured_nowhere_else(toy):
+    pinned = "1.4.0+mujoco-warp-99.0"
+    toy.write("report/sections/other.py", "order = 2\n")
+    toy.write("experiments/other.py", 'NEEDS = "mujoco-warp==99.0"\n')
+    found = {name: {state.section for state in states_of(toy.of(name).project)} for name in ("1.4.0", pinned)}
+    assert found == {"1.4.0": {"toy"}, pinned: {"toy", "other"}}
+    assert "–" in status_matrix(toy.project).splitlines()[1]
+    toy.project.record_path("other").write_text("{}")  # one that is there is shown, whatever is wrong with it
+    assert {state.section: state.kind for state in states_of(toy.project)}["other"] == "damaged"
+
+
+@pytest.mark.skipif(devices.is_about("upstream_cost", package_versions()), reason="this release has all")
+def test_a_section_about_another_version_is_refused_before_anything_is_measured():
+    with pytest.raises(ReportError, match="upstream_cost"):
+        section_runs(Namespace(section=["noise", "upstream_cost"], edition=None, profile="quick", aside=""))
 
 
 def test_the_command_that_is_shown_names_what_make_can_find(toy):

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from measured_report.editions.devices import is_about
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
 from measured_report.files.cache import Cache
@@ -39,10 +40,11 @@ class State:
 
 
 def states_of(project: Project) -> list[State]:
-    """The state of every section of one release."""
+    """The state of every section of one release that is about it."""
     with unchanged_files():
         states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
+        states = [each for each in states if each.kind != "missing" or is_about(each.section, packages, project.root)]
         for index, state in enumerate(states):
             if state.record:
                 now = identity_of(state.section, project.profile, project.root, packages)
@@ -53,7 +55,7 @@ def states_of(project: Project) -> list[State]:
 
 def state_of(project: Project, section: str) -> State:
     """The state of one section."""
-    return next(state for state in states_of(project) if state.section == section)
+    return next((state for state in states_of(project) if state.section == section), State(section, "missing"))
 
 
 def _read_state(project: Project, section: str) -> State:
@@ -104,12 +106,15 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    """The state of every section, in a column for each release that has results."""
+    """The state of every section, in a column for each release that has results; a dash where it is not about it."""
     with unchanged_files():
-        columns = {release: states_of(project.of(release)) for release in project.releases}
+        columns = {
+            release: {state.section: state.summary for state in states_of(project.of(release))}
+            for release in project.releases
+        }
     lines = [("section", *(f"{config().package} {release}" for release in columns))]
-    for states in zip(*columns.values(), strict=True):
-        lines.append((states[0].section, *(state.summary for state in states)))
+    for section in sections(project.root):
+        lines.append((section, *(column.get(section, "–") for column in columns.values())))
     return _aligned(lines)
 
 

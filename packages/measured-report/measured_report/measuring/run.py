@@ -18,6 +18,7 @@ from types import ModuleType
 
 from tqdm import tqdm
 
+from measured_report.editions.devices import is_about
 from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.config import config
@@ -78,6 +79,8 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     """The runs of the sections that were asked for; ReportError where they can't be measured here."""
     label = edition_of(arguments.edition)
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
+    if others := [name for name in arguments.section if not is_about(name, package_versions())]:
+        raise ReportError(f"{', '.join(others)}: what NEEDS names there is not what is installed here")
     arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
     modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
