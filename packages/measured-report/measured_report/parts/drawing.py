@@ -61,8 +61,8 @@ class Drawing:
     def __exit__(self, *_: object) -> None:
         for share in self._shares:
             share.process.kill()
-        for _, turns in self._queues:
-            turns.close()
+        for queue in self._queues:
+            queue[1].close()
 
     def begin(self, figures: Iterable[Figure]) -> None:
         """Draw these, which ``all`` is to be asked for, on the processors that this process leaves to others."""
@@ -73,7 +73,7 @@ class Drawing:
     def all(self, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
         """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
         self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in self._begun}
-        begun = sum(len(queue) for queue, _ in self._queues) if self._running else 0
+        begun = sum(len(queue[0]) for queue in self._queues) if self._running else 0
         count = min(_processor_count(), len(self._waiting) + begun)
         if count > 1:  # a single one is drawn here
             self._start(count)
