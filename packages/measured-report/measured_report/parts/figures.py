@@ -226,7 +226,7 @@ class _Renderer(RendererSVG):
     def get_text_width_height_descent(self, s, prop, ismath):
         return _size_of(s, prop, ismath)
 
-    def _get_font_height_metrics(self, prop):
+    def _get_font_height_metrics(self, prop):  # which Matplotlib asks for where there is one
         return _heights_of(prop)
 
 
