@@ -1,5 +1,6 @@
 """The command line: what it refuses, what it must not import, and the report of the tracked results."""
 
+import gc
 import signal
 import subprocess
 import sys
@@ -29,6 +30,7 @@ def command(monkeypatch) -> Iterator[None]:
     monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)
     monkeypatch.setenv("PATH", NO_GPU["PATH"])
     yield
+    gc.unfreeze()
     for stop, handler in stops.items():
         signal.signal(stop, handler)
 

@@ -14,7 +14,7 @@ from measured_report.files.root import ROOT
 from measured_report.records import provenance
 from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of, sections
-from measured_report.records.syntax import Canonical
+from measured_report.records.syntax import Canonical, _walk
 
 SOURCES = {
     "experiments/toy.py": '''"""A section."""
@@ -210,3 +210,8 @@ def test_a_digest_does_not_depend_on_how_a_python_reads_nested_format_specificat
     without = Canonical().plain(later, ())
     specification.values.append(ast.Constant(""))
     assert Canonical().plain(earlier, ()) == without == Canonical().plain(later, ())
+
+
+def test_a_tree_is_walked_as_python_walks_it():
+    tree = ast.parse(Path(__file__).read_text(encoding="utf-8"))
+    assert _walk(tree) == list(ast.walk(tree))

@@ -1,6 +1,7 @@
 """The command line: which commands there are, the options of each, and how each may end."""
 
 import argparse
+import gc
 import io
 import os
 import pkgutil
@@ -61,6 +62,7 @@ def main() -> int:
             result = arguments.run(project, arguments) or int(bool(damaged))
         print(end="", flush=True)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # there is nothing left to stop
+        gc.freeze()  # nor to be looked for before the process ends, which takes a third of a second after a build
         return result
     except BrokenPipeError:  # whoever reads the output, as head, has enough of it
         _drop_output()

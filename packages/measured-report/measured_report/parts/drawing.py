@@ -4,10 +4,9 @@ import gc
 import os
 import pickle
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from multiprocessing import get_context
-from multiprocessing.connection import wait
 from multiprocessing.process import BaseProcess
 from tempfile import TemporaryFile
 from typing import IO
@@ -17,9 +16,13 @@ from measured_report.files.processes import KILLED, begin
 from measured_report.parts.section import Figure, Pictures
 
 AT_ONCE = 6
-"""Figures that a process draws: with fewer it takes longer to begin one, and with more the last ends late."""
+"""So many figures have to wait before a process is begun while others are derived: it takes as long as half of one."""
+TURN = 4
+"""Bytes of a number that says which figure is next."""
 Key = tuple[str, int]
 """Tells figures apart: the id, and what draws it."""
+Queue = tuple[Sequence[Figure], IO[bytes]]
+"""Figures that processes draw in turn, and the file with their numbers, of which each process takes the next one."""
 
 
 @dataclass(frozen=True)
@@ -29,9 +32,8 @@ class _Share:
     process: BaseProcess
     file: IO[bytes]
     """Where it writes the drawings, or the error that stopped it."""
-    keys: Sequence[Key]
 
-    def read(self) -> list[Pictures]:
+    def read(self) -> dict[Key, Pictures]:
         """Wait for the drawings; what stopped the process is raised here."""
         self.process.join()
         if self.process.exitcode:
@@ -49,6 +51,8 @@ class Drawing:
 
     def __init__(self) -> None:
         self._waiting: dict[Key, Figure] = {}
+        self._begun: set[Key] = set()
+        self._queues: list[Queue] = []
         self._shares: list[_Share] = []
 
     def __enter__(self) -> "Drawing":
@@ -57,54 +61,66 @@ class Drawing:
     def __exit__(self, *_: object) -> None:
         for share in self._shares:
             share.process.kill()
+        for queue in self._queues:
+            queue[1].close()
 
     def begin(self, figures: Iterable[Figure]) -> None:
         """Draw these, which ``all`` is to be asked for, on the processors that this process leaves to others."""
         self._waiting |= {_key(figure): figure for figure in figures if figure.is_there}
-        self._start(_processor_count() - 1, least=AT_ONCE)
+        if len(self._waiting) >= AT_ONCE and self._running < _processor_count() - 1:
+            self._start(1)
 
     def all(self, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
         """Each figure as it is drawn, in their order; ``meanwhile`` is done in any case, while others draw."""
-        begun = {key for share in self._shares for key in share.keys}
-        self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in begun}
-        count = min(_processor_count(), len(self._waiting))
-        self._start(count if count > 1 else 0)  # a single one is drawn here
-        meanwhile()
-        while count > 1 and self._waiting:
-            if running := self._running:  # they may have ended meanwhile, and of none there is nothing to wait for
-                wait([process.sentinel for process in running])
+        self._waiting |= {_key(figure): figure for figure in figures if _key(figure) not in self._begun}
+        begun = sum(len(queue[0]) for queue in self._queues) if self._running else 0
+        count = min(_processor_count(), len(self._waiting) + begun)
+        if count > 1:  # a single one is drawn here
             self._start(count)
+        meanwhile()
         drawn = {key: figure.drawn() for key, figure in self._waiting.items()}
         for share in self._shares:
-            drawn |= zip(share.keys, share.read(), strict=True)
+            drawn |= share.read()
         return [drawn[_key(figure)] for figure in figures]
 
     @property
-    def _running(self) -> list[BaseProcess]:
-        return [share.process for share in self._shares if share.process.exitcode is None]
+    def _running(self) -> int:
+        return sum(share.process.exitcode is None for share in self._shares)
 
-    def _start(self, count: int, least: int = 1) -> None:
-        """Let ``count`` processes draw what waits, as long as that are ``least`` figures."""
-        while len(self._waiting) >= least and len(self._running) < count:
-            keys = list(self._waiting)[:AT_ONCE]
-            figures, file = [self._waiting.pop(key) for key in keys], TemporaryFile()  # noqa: SIM115
-            process = get_context("fork").Process(target=_draw, args=(os.getpid(), figures, file))
+    def _start(self, count: int) -> None:
+        """Let ``count`` processes more draw what waits, and what is left of what others have begun with."""
+        turns = TemporaryFile()  # noqa: SIM115
+        turns.write(b"".join(number.to_bytes(TURN, "big") for number in range(len(self._waiting))))
+        turns.seek(0)
+        self._queues.append((list(self._waiting.values()), turns))
+        self._begun |= self._waiting.keys()
+        self._waiting = {}
+        for _ in range(count):
+            file = TemporaryFile()  # noqa: SIM115
+            process = get_context("fork").Process(target=_draw, args=(os.getpid(), self._queues, file))
             process.start()
-            self._shares.append(_Share(process, file, keys))
+            self._shares.append(_Share(process, file))
 
 
 def _key(figure: Figure) -> Key:
     return figure.anchor, id(figure.draw)
 
 
-def _draw(parent: int, figures: Sequence[Figure], file: IO[bytes]) -> None:
+def _draw(parent: int, queues: Sequence[Queue], file: IO[bytes]) -> None:
     begin(parent, gc.disable)  # a drawing makes many objects, and all of a process's drawings together fit into memory
+    found: object
     try:
-        found: object = [figure.drawn() for figure in figures]
+        found = {_key(figure): figure.drawn() for queue in queues for figure in _taken(*queue)}
     except Exception as error:
         found = error
     pickle.dump(found, file)
     file.flush()
+
+
+def _taken(figures: Sequence[Figure], turns: IO[bytes]) -> Iterator[Figure]:
+    """Those that no other process takes: where the file is read next is the same for all of them."""
+    while turn := os.read(turns.fileno(), TURN):
+        yield figures[int.from_bytes(turn, "big")]
 
 
 def _processor_count() -> int:

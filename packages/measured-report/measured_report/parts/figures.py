@@ -21,7 +21,7 @@ from matplotlib.axis import Axis
 from matplotlib.backends.backend_mixed import MixedModeRenderer
 from matplotlib.backends.backend_svg import FigureCanvasSVG, RendererSVG
 from matplotlib.figure import Figure as Drawing
-from matplotlib.font_manager import FontProperties
+from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
@@ -221,10 +221,13 @@ class _Drawing(Drawing):
 
 
 class _Renderer(RendererSVG):
-    """Asks only once in a process how large a text is."""
+    """Asks only once in a process how large a text is, and how high lines of a font are."""
 
     def get_text_width_height_descent(self, s, prop, ismath):
         return _size_of(s, prop, ismath)
+
+    def _get_font_height_metrics(self, prop):  # which Matplotlib asks for where there is one
+        return _heights_of(prop)
 
 
 class _Canvas(FigureCanvasSVG):
@@ -241,6 +244,15 @@ _texts_to_paths = TextToPath()
 def _size_of(text: str, font: FontProperties, is_formula: bool) -> tuple[float, float, float]:
     """Width, height and descent; no font that is given here changes later."""
     return _texts_to_paths.get_text_width_height_descent(text, font, is_formula)
+
+
+@cache
+def _heights_of(font: FontProperties) -> tuple[float, float, float]:
+    """Ascent, descent and gap of its lines, which Matplotlib would read anew from the font for each text."""
+    face = get_font(findfont(font))
+    scale = font.get_size_in_points() / face.get_sfnt_table("head")["unitsPerEm"]
+    table = face.get_sfnt_table("OS/2")
+    return scale * table["sTypoAscender"], -scale * table["sTypoDescender"], scale * table["sTypoLineGap"]
 
 
 def _fit_narrow(drawing: Drawing) -> None:

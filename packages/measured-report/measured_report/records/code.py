@@ -84,7 +84,7 @@ class Graph:
 
     def __init__(self, roots: tuple[str, ...]):
         self.roots = roots
-        for name in ("source", "defined", "imported", "reached", "digest", "meanings", "_names_in"):
+        for name in ("source", "defined", "imported", "reached", "told", "digest", "meanings", "_names_in"):
             setattr(self, name, cache(getattr(self, name)))
 
     def name_of(self, path: str) -> str:
@@ -142,6 +142,16 @@ class Graph:
                 found.add(node)
                 waiting += (each for meaning in self.meanings(node) if isinstance(meaning, list) for each in meaning)
         return {node: self.digest(node) for node in found if self.definitions(node)}
+
+    def told(self, name: str) -> tuple[str, dict[str, str], list[str]]:
+        """Tell of what may be run its digest, the digests by file of what lies there, and the assets that it names."""
+        reached = self.reached(name)
+        by_file: dict[str, set[str]] = {}
+        for (file, _), digest in reached.items():
+            by_file.setdefault(self.name_of(file), set()).add(digest)
+        code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
+        named = {asset for node in reached for each in self.definitions(node) for asset in each.assets}
+        return digest_of(sorted({*reached.values()})), code, sorted(named)
 
     def definitions(self, node: Node) -> tuple[Definition, ...]:
         return self.defined(node[0]).get(node[1], ())

@@ -40,17 +40,11 @@ def identity_of(section: str, profile: str, root: Path = ROOT, packages: Mapping
 
 def identity_at(name: str, profile: str, root: Path = ROOT, packages: Mapping[str, str] | None = None) -> Identity:
     """The identity of what has a dotted name, or of all that a module of that name has."""
-    graph = files().graph(roots_of(root))
-    reached = graph.reached(name)
-    by_file: dict[str, set[str]] = {}
-    for (file, _), digest in reached.items():
-        by_file.setdefault(graph.name_of(file), set()).add(digest)
-    code = {file: digest_of(sorted(digests)) for file, digests in by_file.items()}
-    named = {asset for node in reached for each in graph.definitions(node) for asset in each.assets}
-    there = (asset for asset in sorted(named) if (root / asset).is_file())
+    digest, code, named = files().graph(roots_of(root)).told(name)
+    there = (asset for asset in named if (root / asset).is_file())
     assets = {asset: hashlib.sha256((root / asset).read_bytes()).hexdigest() for asset in there}
     return Identity(
-        code=digest_of(sorted({*reached.values()})),
+        code=digest,
         config=digest_of([profile, sorted(assets.values())]),
         packages=package_versions() if packages is None else packages,
         profile=profile,

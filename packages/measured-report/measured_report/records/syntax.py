@@ -56,11 +56,11 @@ class Reader:
         aside = (_imports_alone, _is_text, _is_aside)
         self._statements = [node for node in tree.body if not any(is_so(node) for is_so in aside)]
         there = (node for node in tree.body if not isinstance(node, DEFINING))
-        self._imports = {name: what for top in there for node in ast.walk(top) for name, what, _ in self._named(node)}
+        self._imports = {name: what for top in there for node in _walk(top) for name, what, _ in self._named(node)}
         self._names = {*self._imports, *(name for node in self._statements for name in _bound(node))}
 
     def source(self) -> Source:
-        nodes = list(ast.walk(self._tree))
+        nodes = _walk(self._tree)
         return Source(
             digest=hashlib.sha256(ast.dump(self._tree).encode()).hexdigest(),
             modules=tuple(dict.fromkeys(module for node in nodes for _, _, module in self._named(node))),
@@ -80,7 +80,8 @@ class Reader:
 
     def _definition(self, node: ast.stmt, place: int) -> Definition:
         """What defines the name that a statement binds at this place."""
-        inner = {name: what for each in ast.walk(node) for name, what, _ in self._named(each)}
+        nodes = _walk(node)
+        inner = {name: what for each in nodes for name, what, _ in self._named(each)}
         tree, scope = Canonical(), self._names | inner.keys()
         if isinstance(node, DEFINING):
             text = [part for part in tree.plain(node, scope) if part != ("name", repr(node.name))]
@@ -91,7 +92,7 @@ class Reader:
             tree=digest_of([text, place]),
             names=tuple(tree.gaps),
             imports=inner,
-            assets=tuple(_named_assets(ast.walk(node))),
+            assets=tuple(_named_assets(nodes)),
             decorators=tuple(name for name in decorators if name.partition(".")[0] in self._names),
         )
 
@@ -116,7 +117,21 @@ class Reader:
                 yield alias.asname or alias.name, what, what
 
 
+def _walk(node: ast.AST) -> list[ast.AST]:
+    """A node and all below it, in the order of ``ast.walk``, which takes nearly twice as long."""
+    found = [node]
+    for each in found:
+        for name in each._fields:
+            value = getattr(each, name, None)
+            if isinstance(value, list):
+                found += [item for item in value if isinstance(item, ast.AST)]
+            elif isinstance(value, ast.AST):
+                found.append(value)
+    return found
+
+
 IMPORTS = (ast.Import, ast.ImportFrom)
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 
@@ -179,7 +194,7 @@ class Canonical:
             return repr(node)
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
             return GAP if node.id in own else ("Name", node.id)
-        if isinstance(node, ast.Name | ast.Attribute) and (chain := _chain(node)).partition(".")[0] in scope:
+        if isinstance(node, (ast.Name, ast.Attribute)) and (chain := _chain(node)).partition(".")[0] in scope:
             self.gaps.append(chain)
             return GAP, type(node.ctx).__name__, *chain.split(".")[1:]
         if isinstance(node, ast.Raise):
@@ -213,11 +228,11 @@ class Canonical:
 
 def _inner(node: ast.AST, scope: Collection[str]) -> Collection[str]:
     """What of the names means the same within a function: not its parameters, nor what it binds itself."""
-    if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+    if not isinstance(node, FUNCTIONS):
         return scope
     body = node.body if isinstance(node.body, list) else []
-    parameters = {each.arg for each in ast.walk(node.args) if isinstance(each, ast.arg)}
-    outside = {name for each in ast.walk(node) if isinstance(each, ast.Global) for name in each.names}
+    parameters = {each.arg for each in _walk(node.args) if isinstance(each, ast.arg)}
+    outside = {name for each in _walk(node) if isinstance(each, ast.Global) for name in each.names}
     return frozenset(scope) - ((parameters | {name for each in body for name in _bound(each)}) - outside)
 
 

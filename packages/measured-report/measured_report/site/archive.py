@@ -5,6 +5,7 @@ import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
+from itertools import chain
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 from zlib import ZLIB_RUNTIME_VERSION
@@ -81,7 +82,7 @@ def _columns(editions: Mapping[str, Edition]) -> list[dict[str, Any]]:
     units: dict[str, str] = {}
     for record in (chapter.results.record for edition in editions.values() for chapter in edition.chapters.values()):
         units |= record.units
-        for column in {column for row in record.rows for column in row if not column.endswith(REASON)}:
+        for column in {name for name in set().union(*record.rows) if not name.endswith(REASON)}:
             sections.setdefault(column, set()).add(record.section)
     return [
         {
@@ -96,19 +97,20 @@ def _columns(editions: Mapping[str, Edition]) -> list[dict[str, Any]]:
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
     """Write rows as a table; what a row lacks is empty."""
-    columns = tuple(dict.fromkeys(column for row in rows for column in row))
+    columns = tuple(dict.fromkeys(chain.from_iterable(rows)))
     return _csv(columns, (tuple(map(row.get, columns)) for row in rows))
 
 
 def _csv(head: tuple[str, ...], rows: Iterator[tuple]) -> bytes:
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([head, *(map(_inert, row) for row in rows)])
+    inert = ([_inert(cell) if isinstance(cell, str) else cell for cell in row] for row in rows)
+    csv.writer(text, lineterminator="\n").writerows([head, *inert])
     return text.getvalue().encode()
 
 
-def _inert(cell: Any) -> Any:
+def _inert(cell: str) -> str:
     """A cell that no spreadsheet takes for a formula: text that could be one has an apostrophe before it."""
-    return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) and not _is_number(cell) else cell
+    return f"'{cell}" if cell.startswith(FORMULA) and not _is_number(cell) else cell
 
 
 def _is_number(text: str) -> bool:

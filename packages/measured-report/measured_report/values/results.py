@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -159,8 +160,9 @@ class Results:
     @cached_property
     def row(self) -> Rows:
         """Rows by case, those whose case is not unique left out."""
-        cases = Counter(row.case for row in self.rows)
-        return Rows({row.case: row for row in self.rows if cases[row.case] == 1}, self.record)
+        named = [(row.plain["case"], row) for row in self.rows]
+        count = Counter(case for case, _ in named)
+        return Rows({case: row for case, row in named if count[case] == 1}, self.record)
 
     @cached_property
     def seconds(self) -> Quantity:
@@ -218,13 +220,13 @@ def _whole(record: Record) -> list[bool]:
 
     A row lacks it where one of these is null for a reason, or a text is there in all other rows.
     """
-    cells = Counter(column for row in record.rows for column in row)
+    cells = Counter(chain.from_iterable(record.rows))
     # Not the reasons, which say of a number that it is not there: of most rows it may not be.
     texts = {column for column in cells if column not in record.units and not column.endswith(REASON)}
     telling = texts | {column for column in cells if "parameter" in column_of(column).kinds}
     common = {column for column in texts if len(record.rows) > 1 and cells[column] >= len(record.rows) - 1}
     return [
-        common <= set(row) and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
+        row.keys() >= common and not any(row.get(column, 0) is None and row.get(column + REASON) for column in telling)
         for row in record.rows
     ]
 
