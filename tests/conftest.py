@@ -21,6 +21,7 @@ from measured_report.deriving.editions import Edition, derive_edition, editions_
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
+from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import identity_of
@@ -199,6 +200,25 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     toy.measure()
     yield toy
     forget_sections()
+
+
+@pytest.fixture(scope="session")
+def kept(tmp_path_factory) -> Path:
+    """What a build of the project leaves, once one was asked for."""
+    return tmp_path_factory.mktemp("kept")
+
+
+@pytest.fixture
+def built(toy, kept) -> Toy:
+    """The project with its site; a copy, but for the first that asks, as is what is kept for the next build."""
+    if not any(kept.iterdir()):
+        toy.build()
+        for name in (CACHE, "site"):
+            shutil.copytree(toy.project.root / name, kept / name)
+    else:
+        for name in (CACHE, "site"):
+            shutil.copytree(kept / name, toy.project.root / name)
+    return toy
 
 
 def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]) -> Path:
