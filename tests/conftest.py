@@ -1,5 +1,6 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
+import gc
 import importlib
 import os
 import shutil
@@ -30,6 +31,7 @@ from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.build import build
 
+gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
