@@ -25,6 +25,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
@@ -334,7 +335,9 @@ def derived(project: Project) -> Edition:
 
 
 def compared(*projects: Project) -> Comparison:
-    return compare(*map(derived, projects))
+    templates = Templates(projects[0].templates)
+    with unchanged_files():
+        return compare(*(derive_edition(project, templates) for project in projects))
 
 
 @pytest.fixture
