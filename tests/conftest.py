@@ -1,5 +1,6 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
+import gc
 import importlib
 import os
 import shutil
@@ -21,14 +22,17 @@ from measured_report.deriving.editions import Edition, derive_edition, editions_
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
+from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
 from measured_report.records.traces import packed
 from measured_report.site.build import build
 
+gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
@@ -201,6 +205,25 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     forget_sections()
 
 
+@pytest.fixture(scope="session")
+def kept(tmp_path_factory) -> Path:
+    """What a build of the project leaves, once one was asked for."""
+    return tmp_path_factory.mktemp("kept")
+
+
+@pytest.fixture
+def built(toy, kept) -> Toy:
+    """The project with its site; a copy, but for the first that asks, as is what is kept for the next build."""
+    if not any(kept.iterdir()):
+        toy.build()
+        for name in (CACHE, "site"):
+            shutil.copytree(toy.project.root / name, kept / name)
+    else:
+        for name in (CACHE, "site"):
+            shutil.copytree(kept / name, toy.project.root / name)
+    return toy
+
+
 def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]) -> Path:
     """The folder ``name`` that ``make`` fills, for all processes of this run of the tests together."""
     own = factory.getbasetemp()
@@ -312,7 +335,9 @@ def derived(project: Project) -> Edition:
 
 
 def compared(*projects: Project) -> Comparison:
-    return compare(*map(derived, projects))
+    templates = Templates(projects[0].templates)
+    with unchanged_files():
+        return compare(*(derive_edition(project, templates) for project in projects))
 
 
 @pytest.fixture

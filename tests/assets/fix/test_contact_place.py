@@ -9,6 +9,7 @@ import mujoco_warp as mjw
 import numpy as np
 import pytest
 import warp as wp
+from stepping import take_steps
 
 from assets.fix import contact_place
 from experiments.simulation import contact_bias_c, contact_place_c
@@ -222,8 +223,7 @@ def in_warp(*installed: bool, **options) -> np.ndarray:
         m, d = mjw.put_model(model), mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
         if installed:
             contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options)
-        for _ in range(STEP_COUNT):
-            mjw.step(m, d)
+        take_steps(m, d, STEP_COUNT)
         return d.qpos.numpy()
 
 

@@ -87,14 +87,13 @@ CHANGES: dict[str, Callable[[Toy], None]] = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_a_change_of_anything_is_seen(toy, change):
-    toy.build()
-    before = files(toy.project.site)
-    CHANGES[change](toy)
-    toy.build()
-    after = files(toy.project.site)
+def test_a_change_of_anything_is_seen(built, change):
+    before = files(built.project.site)
+    CHANGES[change](built)
+    built.build()
+    after = files(built.project.site)
     assert after != before
-    assert after == from_nothing(toy)
+    assert after == from_nothing(built)
 
 
 def test_a_module_that_the_section_imports_counts(toy):
@@ -204,34 +203,31 @@ print(*({"pandas", "numpy", "matplotlib", "warp", "newton"} & set(sys.modules)))
 
 
 @pytest.mark.parametrize("change", [None, "a word of its template", "a word of a claim", "a layout", "the icon"])
-def test_what_is_kept_takes_neither_numbers_nor_drawing(toy, change):
-    toy.build()
+def test_what_is_kept_takes_neither_numbers_nor_drawing(built, change):
     if change:
-        CHANGES[change](toy)
-    done = program("-c", WARM, toy.project.root)
+        CHANGES[change](built)
+    done = program("-c", WARM, built.project.root)
     assert (done.stdout, done.stderr) == ("\n", "")
-    assert files(toy.project.site) == from_nothing(toy)
+    assert files(built.project.site) == from_nothing(built)
 
 
-def test_only_files_that_changed_are_written(toy):
-    toy.build()
-    site = toy.project.site
+def test_only_files_that_changed_are_written(built):
+    site = built.project.site
     before = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
-    CHANGES["a word of its template"](toy)
-    toy.build()
+    CHANGES["a word of its template"](built)
+    built.build()
     after = {path: (path.stat().st_mtime_ns, path.stat().st_ino) for path in site.rglob("*") if path.is_file()}
     assert {path.name for path in after if after[path] != before[path]} == {"evidence.html", SUMS}
     assert set(before) == set(after)
 
 
-def test_a_site_that_was_altered_is_built_again(toy):
-    toy.build()
-    before = files(toy.project.site)
-    toy.page_path.write_text("altered")
-    (toy.project.site / "more.html").write_text("more")
-    (toy.project.site / "style.css").unlink()
-    toy.build()
-    assert files(toy.project.site) == before
+def test_a_site_that_was_altered_is_built_again(built):
+    before = files(built.project.site)
+    built.page_path.write_text("altered")
+    (built.project.site / "more.html").write_text("more")
+    (built.project.site / "style.css").unlink()
+    built.build()
+    assert files(built.project.site) == before
 
 
 ENTRIES = ("site", "card", "full.1.4.0.toy", "full.1.4.0.front")
@@ -320,16 +316,15 @@ def test_a_key_that_others_can_read_is_none(tmp_path, monkeypatch, mode):
 
 
 @pytest.mark.parametrize("damage", DAMAGE)
-def test_an_entry_that_is_damaged_is_made_again(toy, damage):
-    toy.build()
-    before = files(toy.project.site)
-    cache = toy.project.root / FOLDER
+def test_an_entry_that_is_damaged_is_made_again(built, damage):
+    before = files(built.project.site)
+    cache = built.project.root / FOLDER
     assert {path.name for path in cache.iterdir()} >= set(ENTRIES)
     for name in ENTRIES:
         DAMAGE[damage](cache / name)
-    (toy.project.root / "templates" / "unused.md.j2").write_text("new")
-    toy.build()
-    assert files(toy.project.site) == before
+    (built.project.root / "templates" / "unused.md.j2").write_text("new")
+    built.build()
+    assert files(built.project.site) == before
 
 
 def test_where_nothing_can_be_kept_the_site_is_built(toy):

@@ -16,11 +16,12 @@ from pathlib import Path
 import batches
 import pytest
 from batches import begun, is_running, rows_of, run_of
+from conftest import SOURCES, link
 
 pytest.importorskip("distributed", reason="make test installs the extra that has it")
 
 import asyncssh
-from distributed import LocalCluster
+import dask
 
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -33,13 +34,35 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.scheduler import Scheduler
 from measured_report.records.identity import identity_of
 
+CLUSTER = """
+import sys
+from distributed import LocalCluster
+
+options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
+with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options) as cluster:
+    print(cluster.scheduler_address, flush=True)
+    sys.stdin.read()
+"""
+
 
 @pytest.fixture(scope="module")
-def scheduler():
+def folder(tmp_path_factory) -> Path:
+    """The project as a report without a host of its own: its processes load no simulator, which takes seconds each."""
+    folder = tmp_path_factory.mktemp("project")
+    link(folder, *(name for name in SOURCES if name != "report.toml"))
+    text = (ROOT / "report.toml").read_text(encoding="utf-8")
+    assert len(re.findall("^host = ", text, re.MULTILINE)) == 1
+    (folder / "report.toml").write_text(re.sub("^host = .*", "", text, flags=re.MULTILINE), encoding="utf-8")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def scheduler(folder):
     """Address of a cluster of one worker with two processes, as somebody may have started it."""
-    options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": 50}
-    with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options) as cluster:
-        yield cluster.scheduler_address
+    command, pipe = [sys.executable, "-c", CLUSTER], subprocess.PIPE
+    with subprocess.Popen(command, cwd=folder, stdin=pipe, stdout=pipe, text=True) as cluster:
+        yield cluster.stdout.readline().strip()
+        cluster.communicate()
 
 
 def workers_at(scheduler: str):
@@ -76,9 +99,11 @@ def test_killed_processes_and_workers_cost_nothing_but_what_they_measured(toy, l
 
 
 @pytest.mark.slow
-def test_a_worker_of_this_host_comes_back_however_often_it_is_killed():
+def test_a_worker_of_this_host_comes_back_however_often_it_is_killed(monkeypatch):
+    # By itself Dask looks 15 s after a loss whether there is a worker, and gives up; here 1 s after it.
+    monkeypatch.setitem(dask.config.config["distributed"]["deploy"], "lost-worker-timeout", "1s")
     with clusters.connected(read_cluster("local:1"), "cpu") as client:
-        end = time.monotonic() + 17.0  # by itself Dask looks 15 s after a loss whether there is a worker, and gives up
+        end = time.monotonic() + 3.0
         while time.monotonic() < end:
             for process in client.run(os.getpid, on_error="ignore").values():
                 os.kill(process, signal.SIGKILL)
@@ -137,11 +162,11 @@ if __name__ == "__main__":
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
-def test_measuring_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, scheduler, sent):
+def test_measuring_that_is_stopped_leaves_nothing_running_and_goes_on_where_it_was(toy, log, folder, scheduler, sent):
     own = "local:2" if sent == signal.SIGKILL else scheduler
     driver = subprocess.Popen(
         [sys.executable, "-c", DRIVER, own, str(toy.project.root), str(log)],
-        cwd=ROOT, stderr=subprocess.PIPE, start_new_session=True,
+        cwd=folder, stderr=subprocess.PIPE, start_new_session=True,
     )  # fmt: skip
     while "begin slow" not in log.read_text():
         assert driver.poll() is None, driver.stderr.read().decode()

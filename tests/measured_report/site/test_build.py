@@ -65,25 +65,23 @@ END = "{% endtable %}\n"
         ("return Section", "Section", "toy.py: derive returns a NoneType, and not a Section"),
     ],
 )
-def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(toy, old, new, message):
-    toy.build()
-    before = toy.page
-    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
-    toy.write("report/sections/toy.py", MODULE.replace(old, new))
+def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(built, old, new, message):
+    before = built.page
+    built.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
+    built.write("report/sections/toy.py", MODULE.replace(old, new))
     with pytest.raises(ReportError, match=message) as error:
-        toy.build()
+        built.build()
     assert "\n" not in str(error.value)
-    assert toy.page == before
+    assert built.page == before
 
 
-def test_nothing_is_left_behind_when_drawing_fails(toy):
-    toy.build()
-    before = toy.page
-    toy.write("report/sections/toy.py", MODULE.replace("axes.legend()", "raise OSError('no ink')"))
+def test_nothing_is_left_behind_when_drawing_fails(built):
+    before = built.page
+    built.write("report/sections/toy.py", MODULE.replace("axes.legend()", "raise OSError('no ink')"))
     with pytest.raises(OSError, match="no ink"):
-        toy.build()
-    assert toy.page == before
-    assert not list(toy.project.root.glob(".site-*"))
+        built.build()
+    assert built.page == before
+    assert not list(built.project.root.glob(".site-*"))
 
 
 def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):

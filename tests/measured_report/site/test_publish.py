@@ -20,10 +20,7 @@ from measured_report.site.publish import publish
 from measured_report.site.sums import SUMS, sums_text
 from measured_report.site.targets import MARK
 
-
-@pytest.fixture(autouse=True)
-def is_built(toy) -> None:
-    toy.build()
+pytestmark = pytest.mark.usefixtures("built")
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from functools import lru_cache
 from importlib import import_module
 from inspect import signature
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from measured_report.deriving.chapters import Chapters
 from measured_report.deriving.editions import Edition, derive_section, editions_of
@@ -23,13 +23,16 @@ from measured_report.values.noise import NOISE, noise_floors
 from measured_report.values.quantities import Pointer
 from measured_report.values.results import Results, Series
 
-FACTORS = {"×0": 0.0, "×−1": -1.0, "×1000": 1000.0, "×0.001": 0.001, "×2": 2.0, "×½": 0.5}
+if TYPE_CHECKING:
+    import pandas as pd
+
+FACTORS = {"×0": 0.0, "×1000": 1000.0, "×−1": -1.0, "×0.001": 0.001, "×2": 2.0, "×½": 0.5}
 MISSING = "missing"
 CHANGES = (*FACTORS, MISSING)
 """What is done to a number."""
 LACK = "left out on purpose"
 
-load_trace_once = lru_cache(maxsize=64)(load_trace)
+load_trace_once = lru_cache(maxsize=None)(load_trace)
 
 
 def perturbed(value: Any, change: str) -> Any:
@@ -54,6 +57,9 @@ class PerturbedResults(Results):
 
     traces: Mapping[str, str] = field(default_factory=dict)
     """Change by the pointer of the trace."""
+
+    def loaded(self, *place: Any) -> "pd.DataFrame":
+        return load_trace_once(*place)
 
     def trace(self, case: str) -> Series:
         series = super().trace(case)

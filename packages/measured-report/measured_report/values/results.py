@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
-from measured_report.records.record import Origin, Record
+from measured_report.records.record import Origin, Record, Seal
 from measured_report.records.traces import load_trace, trace_path
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
@@ -174,7 +174,11 @@ class Results:
         source = f"{path.parent.name}/{path.name}"
         if not os.path.lexists(path) if seals is None else case not in seals:
             return Series(None, source, f"there is no {path.name}")
-        return Series(load_trace(path, seals[case] if seals else None), source, origins=frozenset({self.record.origin}))
+        table = self.loaded(path, seals[case] if seals else None)
+        return Series(table, source, origins=frozenset({self.record.origin}))
+
+    def loaded(self, path: Path, seal: Seal | None) -> "pd.DataFrame":
+        return load_trace(path, seal)
 
     def value(
         self,
