@@ -46,18 +46,21 @@ def derive(results: Results) -> Section:
     worst = resolution(results, "resolution", *compared)
     return Section(
         tables={"ways": _table(results, rates, worst)},
-        claims=[_faster(results, gains, worst), _explained(results, list(apart.values()))],
+        claims=[_faster(results, gains), _explained(results, list(apart.values()))],
     )
 
 
-def _faster(results: Results, gains: dict[int, Value], worst: Value) -> Claim:
+def _faster(results: Results, gains: dict[int, Value]) -> Claim:
+    """Tell it as well as the benchmark's loop run here, in turn with our frames, lets one."""
+    loops = (results.row.get(f"each-step-waited-for-{count}") for count in CURE_WORLDS)
+    seen = resolution(results, "loop_resolution", *loops)
     least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", min, *gains.values())
     one, some, many = gains.values()
     some_worlds, many_worlds = (
         cell(results, results.row.get(f"whole-{count}"), "worlds", f"a batch of {count}") for count in CURE_WORLDS[1:]
     )
     numbers = {"one": one, "some": some, "many": many, "some_worlds": some_worlds, "many_worlds": many_worlds}
-    return Claim("faster", all_of(at_least(least, 1.0, why="as fast"), fine_enough(worst)), numbers)
+    return Claim("faster", all_of(at_least(least, 1.0, why="as fast"), fine_enough(seen)), numbers)
 
 
 def _explained(results: Results, apart: list[Value]) -> Claim:
