@@ -6,7 +6,9 @@ from measured_report.claims.claim import Claim, all_of, at_least, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from report.shared.timing import CURE_WORLDS, fine_enough, ratio_cell, resolution
+from report.names import name_of, worlds_name
+from report.shared.arithmetic import Column, table_of
+from report.shared.timing import CURE_WORLDS, fine_enough, ratio_cell, resolution, resolutions
 
 order = 144
 page = "cure"
@@ -38,7 +40,10 @@ def derive(results: Results) -> Section:
         for count in CURE_WORLDS
     }
     costs = [_costs_nothing(results, extra, seen, case) for case in TESTED]
-    return Section(claims=[*costs, _rk4_is_dear(results, extra)])
+    columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES[1:]] for n in CURE_WORLDS}
+    worst = resolutions(results, "resolution", results.rows)
+    table = table_of("way", map(name_of, CASES[1:]), columns, resolution=worst)
+    return Section(tables={"ways": table}, claims=[*costs, _rk4_is_dear(results, extra, worst)])
 
 
 def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Claim:
@@ -71,9 +76,13 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
     )
 
 
-def _rk4_is_dear(results: Results, extra: Times) -> Claim:
+def _rk4_is_dear(results: Results, extra: Times, worst: Quantity) -> Claim:
     costs = [extra["term-rk4", count] for count in CURE_WORLDS]
     formula = "time of a frame with the term and RK4 over that as shipped, {} of all numbers of worlds"
     least = results.value("rk4_least", formula.format("least"), lambda *found: 1 + min(found) / 100, *costs)
     most = results.value("rk4_most", formula.format("most"), lambda *found: 1 + max(found) / 100, *costs)
-    return Claim("rk4_is_dear", at_least(least, 2.0, why="a price to think about"), {"least": least, "most": most})
+    return Claim(
+        "rk4_is_dear",
+        all_of(at_least(least, 2.0, why="a price to think about"), fine_enough(worst)),
+        {"least": least, "most": most},
+    )

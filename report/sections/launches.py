@@ -6,7 +6,7 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import worlds_name
 from report.shared.arithmetic import Column, cell_or_absent, extreme, share, table_of, total
-from report.shared.timing import cell, fine_enough, resolution
+from report.shared.timing import fine_enough, ratio_cell, resolution
 
 order = 174
 page = "cost"
@@ -54,13 +54,14 @@ def _little_to_leave_out(results: Results, counts: list[int], resolution: Value)
     """Tell whether any one part less makes a frame much shorter."""
     saved = [results.derived[_saved_name(name, count)] for count in counts for name in SWITCHED]
     largest = extreme(results, "saved_most", "most of a frame's time that one part takes", max, saved)
-    outcome = all_of(at_most(largest, 10.0, why="little"), fine_enough(resolution))
-    return Claim("little_to_leave_out", outcome, {"largest": largest})
+    bound = results.chosen("saved_bound", "little", 10.0, unit="%")
+    outcome = all_of(at_most(largest, bound), fine_enough(resolution))
+    return Claim("little_to_leave_out", outcome, {"largest": largest, "bound": bound})
 
 
 def _saved(results: Results, row: Row | None, name: str, count: int) -> Value:
     """Derive how much less of a frame's time is taken without this [%]."""
-    taken = cell(results, row, "frame_ratio", f"a batch of {count}")
+    taken = ratio_cell(results, row)
     formula = f"one less the time of a frame without {SWITCHED[name]} over that of a whole frame"
     return results.value(_saved_name(name, count), formula, lambda taken: 100 * (1 - taken), taken, unit="%")
 

@@ -89,6 +89,9 @@ def test_the_noise_of_a_cell_a_time_and_of_what_is_computed_from_an_unknown_one(
     assert cell_noise("build_s", in_c, floors) is None, "a time does not"
     row = {"frame_ms": 8.0, "frame_ms_p5": 7.8, "frame_ms_p95": 8.3, "repeat_count": 25, "frames_per_s": 125.0}
     assert cell_noise("frame_ms", row, {}) == pytest.approx(1.25 * 0.5 / 5)
+    ratio = {"frame_ratio": 0.5, "frame_ratio_p5": 0.4, "frame_ratio_p95": 0.6, "repeat_count": 16}
+    assert cell_noise("frame_ratio", ratio | {"ratio_resolution": 0.01}, {}) == pytest.approx(0.005), "timed in turn"
+    assert cell_noise("frame_ratio", ratio | {"ratio_resolution": 0.0}, {}) == pytest.approx(1.25 * 0.2 / 4)
     assert cell_noise("frames_per_s", row, {}) == pytest.approx(125.0 * 1.25 * 0.5 / 5 / 8.0)
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.1, None]) is None
     assert derived_noise(lambda a, b: a / b, [1.0, 2.0], [0.0, 0.0]) == 0.0

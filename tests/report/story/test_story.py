@@ -79,7 +79,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
         ("stiffness", "cause", "leave out that the arm turns"),
         ("stiffness", "cause", "A turning arm accelerates"),
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
-        ("speed", "stiff_pads_only_same_time", "No measurable slowdown"),
+        ("speed", "stiff_pads_only_same_time", "Next to nothing"),
         ("friction", "not_the_cause", "None moves the slip"),
     ],
 )

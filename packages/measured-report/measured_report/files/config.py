@@ -32,6 +32,8 @@ class Declared:
     """Whether its numbers have a sign; None: its unit says so."""
     rate_of: str = ""
     """The column of the time that makes this rate, whose share of noise it has."""
+    known_within: str = ""
+    """The column that says within what share of it a number is known, where that is not 0: its noise, whatever else."""
     grows_with: str = ""
     """The column that says how long it added up; in a longer run it is noisier in proportion."""
     trials: str = ""

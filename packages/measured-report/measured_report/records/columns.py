@@ -31,7 +31,7 @@ LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, 
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
 NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}
 """Units of numbers that have no sign."""
-SAID = ("given_beside", "better", "resolution", "rate_of", "grows_with", "trials")
+SAID = ("given_beside", "better", "resolution", "rate_of", "known_within", "grows_with", "trials")
 PERCENTILE = re.compile(r"_p[0-9]+$")
 COLUMN = re.compile(r"[a-z][a-z0-9_]{0,79}")
 REASON = "_reason"
@@ -61,6 +61,7 @@ class Column:
     better: str = ""
     resolution: float = 0.0
     rate_of: str = ""
+    known_within: str = ""
     grows_with: str = ""
     trials: str = ""
 

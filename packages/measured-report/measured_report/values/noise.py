@@ -170,9 +170,9 @@ def is_repeated(column: str, row: Mapping[str, Any]) -> bool:
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
     """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
 
-    A time is the median of frames that a row has the spread of, and successes are as binomial as their trials; other
-    numbers have the floor of their column, or of rounding where the engine repeats itself; what was set or counted is
-    exact.
+    What a row says to be known within a share has that; a time is the median of frames that it has the spread of;
+    successes are as binomial as their trials. Other numbers have the floor of their column, or of rounding where the
+    engine repeats itself; what was set or counted is exact.
     """
     value, about = row[column], column_of(column)
     timed = about.rate_of or column
@@ -183,6 +183,8 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
         return binomial_noise(value / count, trials) * count
     if about.is_exact(row) or isinstance(value, int):
         return 0.0
+    if seen := row.get(about.known_within):
+        return abs(seen * value)
     low, high = (row.get(timed + edge) for edge in EDGES)
     if None not in (low, high) and row.get(timed):
         share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
