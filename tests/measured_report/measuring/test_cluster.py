@@ -1,6 +1,7 @@
 """Sections measured by a cluster's workers, which are killed, stopped and have other code."""
 
 import asyncio
+import gc
 import os
 import re
 import signal
@@ -43,6 +44,13 @@ with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", **options
     print(cluster.scheduler_address, flush=True)
     sys.stdin.read()
 """
+
+
+@pytest.fixture(scope="module", autouse=True)
+def tidy():
+    """What Dask leaves says so when it is collected, which breaks whatever Python is compiling just then."""
+    yield
+    gc.collect()
 
 
 @pytest.fixture(scope="module")
