@@ -114,7 +114,7 @@ class NativeFrames:
         shake.data.qpos[:], shake.data.qvel[:] = start.qpos, start.qvel
         shake.data.qacc_warmstart[:] = start.qacc_warmstart
         shake.frame_index = 0
-        shake.frame_ms(0)
+        shake.frame_ms(0)  # runs those before
         return elapsed_ms(wp.get_device("cpu"), self._run) / HALF_CYCLE
 
     def _run(self) -> None:

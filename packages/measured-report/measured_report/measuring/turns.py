@@ -49,14 +49,11 @@ class Turn:
         """Hold the host alone or together with others, when all who have asked before have had their turn."""
         self.end()
         asked = time.perf_counter()
-        word = threading.Timer(PATIENCE_S, print, [WAITING], {"file": sys.stderr, "flush": True})
-        word.start()
         with suppress(OSError):  # a file system without locks: what measures there is then up to its users
             fcntl.flock(self.place, fcntl.LOCK_UN)
             fcntl.flock(self.queue, fcntl.LOCK_EX)
             fcntl.flock(self.place, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
             fcntl.flock(self.queue, fcntl.LOCK_UN)
-        word.cancel()
         self.is_alone, self.since = alone, time.perf_counter()
         self.waited_s += self.since - asked
 
@@ -76,7 +73,11 @@ def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
     with ExitStack() as stack:
         place, queue = (_opened(ending, stack) for ending in ("", QUEUE))
         mine = Turn(place, queue, prepares)
+        # What waits later does so for its like, which take turns.
+        word = threading.Timer(PATIENCE_S, print, [WAITING], {"file": sys.stderr, "flush": True})
+        word.start()
         mine.take(alone=alone and not prepares)
+        word.cancel()
         _turns.append(mine)
         stack.callback(_turns.remove, mine)
         stack.callback(mine.end)
