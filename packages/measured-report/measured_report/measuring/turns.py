@@ -75,7 +75,9 @@ def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
         mine = Turn(place, queue, prepares)
         # What waits later does so for its like, which take turns.
         word = threading.Timer(PATIENCE_S, print, [WAITING], {"file": sys.stderr, "flush": True})
+        word.daemon = True
         word.start()
+        stack.callback(word.cancel)
         mine.take(alone=alone and not prepares)
         word.cancel()
         _turns.append(mine)
