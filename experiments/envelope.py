@@ -7,7 +7,6 @@ import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.simulation.measurement import Conditions, Measurement, summarize
-from experiments.simulation.timing import wall_time
 from measured_report.measuring.batch import Batch, Plan
 
 FRAME_COUNT = 660
@@ -17,7 +16,6 @@ MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
 FREQUENCIES_HZ = (0.25, 5.0)
 """Range of the map, spaced evenly on a log scale."""
-ALONE_COUNT = {"full": 8, "quick": 2}
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 COLUMNS = ("shake_amplitude_m", "shake_frequency_hz", "slip_mm", "cube_height_m", "dropped", "failure")
 
@@ -28,14 +26,11 @@ def shaken(case: Case, name: str, amplitude_m: float, frequency_hz: float) -> Ca
 
 
 def measure(conditions: Conditions) -> Plan:
-    cells = map_cells(SIDES, MAP_SIZE[conditions.profile])
-    chosen = np.linspace(0, len(cells) - 1, ALONE_COUNT[conditions.profile]).round().astype(int)
-    points, (row, table), *alone = yield [
+    points, (row, table) = yield [
         Batch("points", measure_points, (conditions,)),
-        Batch("map", measure_map, (conditions, cells), alone=True),
-        *(Batch(f"alone-{index}", measure_alone, (conditions, cells[index]), alone=True) for index in chosen),
+        Batch("map", measure_map, (conditions, map_cells(SIDES, MAP_SIZE[conditions.profile]))),
     ]
-    return Measurement([*points, row, *alone], {"map": table})
+    return Measurement([*points, row], {"map": table})
 
 
 def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
@@ -64,19 +59,13 @@ def measure_points(conditions: Conditions) -> list[dict]:
 
 
 def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[str, np.ndarray]]:
-    """All cells of the map as one batch: a row with the wall time, and a table of the results."""
+    """All cells of the map as one batch: a row with how many lose the cube, and a table of the results."""
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
-    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase), **wall_time(traces)}
+    row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase)}
     for side in SIDES:
         mine = [row for row in summaries if row["case"].startswith(f"{side}-map")]
         key = side.replace("-", "_")
         row[f"dropped_{key}_count"] = sum(bool(row["dropped"]) for row in mine)
         row[f"failed_{key}_count"] = sum(row["failure"] is not None for row in mine)
     return row, map_table(SIDES, summaries)
-
-
-def measure_alone(conditions: Conditions, cell: Case) -> dict:
-    """One of the map's cells in a simulation of its own, for the wall time."""
-    traces = conditions.simulate([cell], title=f"{cell.name} alone")
-    return {"case": f"alone-{cell.name}", "world_count": 1, "frame_count": len(traces[0].phase), **wall_time(traces)}

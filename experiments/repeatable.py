@@ -1,4 +1,4 @@
-"""Repeatable to the last bit: which of the ways that a release has to run deterministically do so, at what price."""
+"""Repeatable to the last bit: which of the ways that a release has to run deterministically do so."""
 
 from collections.abc import Sequence
 from dataclasses import fields, replace
@@ -14,7 +14,6 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.simulation import CONTACT_MAX, Simulation, run
-from experiments.simulation.timing import batch_invalid_reason, frame_ms, in_the_shake, put_in_state_of, spread
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.reasons import NOT_COMPILED
 
@@ -32,9 +31,6 @@ What would put contacts and rows in order is empty yet in mujoco-warp 3.17. Newt
 ``SolverMuJoCo(deterministic=)`` asks for its kernels what the last asks for MuJoCo Warp's.
 """
 BATCH_COUNT = {"full": 16, "quick": 2}
-WORLD_COUNTS = {"full": (1, 4096), "quick": (1,)}
-REPEAT_COUNT = {"full": 16, "quick": 3}
-TIMED = ("frame_ms", "frame_ms_p5", "frame_ms_p95")
 NUMBERS = ("slip_mm", "run_spread_mm", "world_spread_mm", "differing_world_count", "peak_contact_count")
 
 
@@ -70,20 +66,13 @@ def engine_has_it() -> bool:
 
 
 def measure(conditions: Conditions) -> Plan:
-    """A row for each way, with what two runs of one batch have in common, and one for each way and number of worlds
-    with the time of a frame."""
-    same = yield [Batch(way, measure_likeness, (conditions, way)) for way in WAYS]
-    timed = [
-        (row["case"], count) for row in same if row["slip_mm"] is not None for count in WORLD_COUNTS[conditions.profile]
-    ]
-    asked = [Batch(f"{way}-time-{count}", time_row, (conditions, way, count), alone=True) for way, count in timed]
-    times = (yield asked) if asked else []
-    return Measurement([*same, *times])
+    """A row for each way, with what two runs of one batch have in common."""
+    return Measurement((yield [Batch(way, measure_likeness, (conditions, way)) for way in WAYS]))
 
 
 def measure_likeness(conditions: Conditions, way: str) -> dict[str, object]:
     """Run one batch twice, one after the other, so that nothing but chance can tell them apart."""
-    row = {"case": way, "kind": "same", "worlds": BATCH_COUNT[conditions.profile]}
+    row = {"case": way, "worlds": BATCH_COUNT[conditions.profile]}
     if WAYS[way].get("bits") and not engine_has_it():
         return row | absent(NUMBERS, "MuJoCo Warp here has no Option.deterministic")
     case = replace(AS_SHIPPED, name=way, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
@@ -112,14 +101,3 @@ def likeness(first: Sequence[Trace], second: Sequence[Trace]) -> dict[str, objec
         "differing_world_count": sum(differs),
         "peak_contact_count": max(trace.peak_contact_count for trace in (*first, *second)),
     }
-
-
-def time_row(conditions: Conditions, way: str, world_count: int) -> dict[str, object]:
-    """Time of a frame in the middle of the shake."""
-    pilot = in_the_shake(AS_SHIPPED, wp.get_device(conditions.device))
-    simulation = Deterministic([replace(AS_SHIPPED, frame_count=1)] * world_count, pilot.device, **WAYS[way])
-    put_in_state_of(simulation, pilot)
-    times = spread("frame_ms", frame_ms(simulation, REPEAT_COUNT[conditions.profile]))
-    reason = batch_invalid_reason(simulation)
-    row = {"case": f"{way}-time-{world_count}", "kind": "time", "way": way, "worlds": world_count}
-    return row | (absent(TIMED, f"not timed: {reason}") if reason else times)

@@ -12,7 +12,7 @@ from measured_report.measuring.host import Device
 from measured_report.measuring.reasons import NOT_COMPILED
 from measured_report.records.provenance import package_versions
 
-__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
+__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare", "settle"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
@@ -53,6 +53,14 @@ def be_quiet() -> None:
     """In a process beside others Warp warns no second time, and finds the kernels that were compiled before."""
     wp.config.log_level = wp.LOG_ERROR
     wp.config.enable_backward = False
+
+
+def settle() -> bool:
+    """Wait for what was launched on all GPUs; False while a graph is captured, when nothing may be waited for."""
+    if any(gpu.is_capturing for gpu in wp.get_cuda_devices()):
+        return False
+    wp.synchronize()
+    return True
 
 
 def explained(error: Exception) -> str:

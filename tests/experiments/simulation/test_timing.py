@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import envelope, repeatable, reproduction, scaling
+from experiments import repeatable, reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
 from experiments.simulation import comparing, simulation
 from experiments.simulation.comparing import TIMED, Pilot, time_cases
@@ -73,19 +73,6 @@ def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, whole_pilot):
     assert row["world_substeps_per_s_reason"] == OVERFLOW
 
 
-def test_a_way_to_repeat_that_overflows_has_no_time(monkeypatch):
-    """On its way to the frames that are timed it may have lost the cube as well, by the release."""
-    monkeypatch.setattr(repeatable, "AS_SHIPPED", SMALL)
-    row = repeatable.time_row(QUICK, "plain", 1)
-    assert row["frame_ms"] is None and row["frame_ms_reason"].startswith("not timed: ")
-
-
-def test_a_cell_of_the_map_that_overflows_has_no_time():
-    cell = replace(SMALL, frame_count=2)
-    assert envelope.measure_alone(QUICK, replace(cell, constraint_max=None))["wall_s"] > 0.0
-    assert envelope.measure_alone(QUICK, cell)["wall_s_reason"] == f"{OVERFLOW} in frame 0"
-
-
 @pytest.mark.slow
 def test_halves_of_a_batch_are_not_timed_as_the_batch(monkeypatch):
     """Whatever more than one world is asked for, the device says what Warp says when it has no more memory."""
@@ -94,10 +81,7 @@ def test_halves_of_a_batch_are_not_timed_as_the_batch(monkeypatch):
     monkeypatch.setitem(reproduction.BATCH_SIZE, "cpu", 2)
     rows = reproduction.batch_rows(QUICK)
     assert [row["wall_s"] is None for row in rows] == [False, True, False, True]
-    cells = [replace(cell, frame_count=2) for cell in envelope.map_cells(envelope.SIDES, 1)]
-    row, _ = envelope.measure_map(QUICK, cells)
-    assert row["wall_s"] is None
-    assert row["wall_s_reason"] == "not timed: the memory is too small for all worlds at once"
+    assert rows[1]["wall_s_reason"] == "not timed: the memory is too small for all worlds at once"
 
 
 def refusing(error: Exception, most: int = 0) -> type[Simulation]:

@@ -4,6 +4,7 @@ import pickle
 import time
 from contextlib import suppress
 from itertools import permutations
+from types import SimpleNamespace
 
 import pytest
 
@@ -13,28 +14,39 @@ from measured_report.measuring.outcome import run_batch
 from measured_report.measuring.pool import processes
 from measured_report.measuring.turns import alone
 
-PREPARE_S, TIME_S = 0.4, 0.1
+PREPARE_S, TIME_S, STEP_S = 0.4, 0.1, 0.01
 
 
 @pytest.fixture(autouse=True)
 def place(tmp_path, monkeypatch):
     monkeypatch.setattr(turns, "PLACE", tmp_path / "turns")
+    monkeypatch.setattr(turns, "POLL_S", STEP_S)
+    settling(monkeypatch, lambda: True)
 
 
-def prepared_and_timed(raises: bool = False) -> list[tuple[float, float]]:
-    """Prepare and time something, twice: when each began and ended."""
-    spans = []
+def settling(monkeypatch, settle) -> None:
+    monkeypatch.setattr(turns, "host", lambda: SimpleNamespace(settle=settle))
+
+
+def moments(seconds: float) -> list[float]:
+    """Moments in which this process runs, in all so long."""
+    found = [time.monotonic()]
+    for _ in range(round(seconds / STEP_S)):
+        time.sleep(STEP_S)
+        found.append(time.monotonic())
+    return found
+
+
+def prepared_and_timed(raises: bool = False, prepare_s: float = PREPARE_S) -> list[list[float]]:
+    """Prepare and time something, twice: the moments of each."""
+    found = []
     for _ in range(2):
-        begin = time.monotonic()
-        time.sleep(PREPARE_S)
-        spans.append((begin, time.monotonic()))
+        found.append(moments(prepare_s))
         with suppress(MemoryError), alone(), alone():
-            begin = time.monotonic()
-            time.sleep(TIME_S)
-            spans.append((begin, time.monotonic()))
+            found.append(moments(TIME_S))
             if raises:
                 raise MemoryError
-    return spans
+    return found
 
 
 def outcomes(batches: list[Batch]) -> list:
@@ -43,31 +55,43 @@ def outcomes(batches: list[Batch]) -> list:
         return [call.result() for call in [pool.submit(run_batch, batch, {}) for batch in batches]]
 
 
-def overlap(one, other) -> bool:
-    return one[0] < other[1] and other[0] < one[1]
+def is_beside(part: list[float], other: list[float]) -> bool:
+    """Whether the other runs between the first and the last moment of a part."""
+    return any(part[0] < moment < part[-1] for moment in other)
 
 
 @pytest.mark.parametrize("raises", [False, True])
 def test_those_that_prepare_do_so_together_and_one_at_a_time_is_timed(raises):
     found = outcomes([timing("times", prepared_and_timed, raises)] * 2)
-    spans = [pickle.loads(done.content) for done in found]
-    for mine, others in permutations(spans):
-        assert not any(overlap(timed, other) for timed in mine[1::2] for other in others)
-    assert all(overlap(spans[0][number], spans[1][number]) for number in (0, 2)), "they prepare together"
-    for done, mine in zip(found, spans, strict=True):
-        lengths = [end - begin for begin, end in mine]
-        assert done.seconds == pytest.approx(sum(lengths), abs=0.2), "what it waits for does not count"
-        assert done.alone_s == pytest.approx(sum(lengths[1::2]), abs=0.1)
+    parts = [pickle.loads(done.content) for done in found]
+    for mine, others in permutations(parts):
+        assert not any(is_beside(timed, other) for timed in mine[1::2] for other in others)
+    assert is_beside(parts[0][0], parts[1][0]), "they prepare together"
+    for done in found:
+        assert done.seconds == pytest.approx(2 * (PREPARE_S + TIME_S), abs=0.3), "what it waits for does not count"
+        assert done.alone_s == pytest.approx(2 * TIME_S, abs=0.1)
+
+
+def test_what_prepares_gives_way_to_what_is_timed_and_goes_on_where_it_was():
+    long, short = outcomes([timing("long", prepared_and_timed, False, 2.0), timing("short", prepared_and_timed)])
+    [prepared, *_], [_, timed, *_] = (pickle.loads(done.content) for done in (long, short))
+    assert prepared[0] < timed[0] < timed[-1] < prepared[-1] and not is_beside(timed, prepared)
+    assert long.seconds == pytest.approx(2 * (2.0 + TIME_S), abs=0.5), "nothing is done twice"
+
+
+def test_what_cannot_be_left_is_waited_for(monkeypatch):
+    settling(monkeypatch, lambda: False)
+    long, short = outcomes([timing("long", prepared_and_timed, False, 1.0), timing("short", prepared_and_timed)])
+    assert pickle.loads(long.content)[0][-1] < pickle.loads(short.content)[1][0]
 
 
 def test_what_need_not_be_alone_is_beside_its_like_and_never_beside_what_is():
     shared, whole = (Batch(name, prepared_and_timed, alone=name == "whole") for name in ("shared", "whole"))
 
-    def spans(*batches: Batch) -> list[tuple[float, float]]:
-        found = [pickle.loads(done.content) for done in outcomes([*batches])]
-        return [(mine[0][0], mine[-1][1]) for mine in found]
+    def are_together(*batches: Batch) -> bool:
+        return is_beside(*(sum(pickle.loads(done.content), []) for done in outcomes([*batches])))
 
-    assert overlap(*spans(shared, shared)) and not overlap(*spans(shared, whole)) and not overlap(*spans(whole, whole))
+    assert are_together(shared, shared) and not are_together(shared, whole) and not are_together(whole, whole)
 
 
 def test_whoever_waits_long_for_others_says_so(capfd, monkeypatch):

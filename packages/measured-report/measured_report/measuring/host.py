@@ -12,7 +12,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
-__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare"]
+__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare", "settle"]
 
 
 @dataclass(frozen=True)
@@ -39,6 +39,11 @@ def prepare(kind: str) -> None:
 
 def be_quiet() -> None:
     """Say nothing in a process beside others, which have said it."""
+
+
+def settle() -> bool:
+    """Wait for what the device was given, before another process has it; False where that can't be waited for now."""
+    return True
 
 
 def explained(error: Exception) -> str:

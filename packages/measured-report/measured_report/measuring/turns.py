@@ -7,20 +7,24 @@ prepares first, within ``alone``::
     with alone():
         times = frame_times(simulation)
 
-Who asks first is served first. So while one is timed the next ones gather, and when all have been, they prepare
-together again.
+Who asks first is served first. What prepares gives way to whoever asks to be alone: as soon as its device is done with
+what it was given it pauses, and goes on afterwards.
 """
 
+import _thread
 import fcntl
 import os
+import signal
 import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
+
+from measured_report.measuring.host import host
 
 PLACE = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}.turns"
 QUEUE = ".queue"
@@ -28,6 +32,10 @@ QUEUE = ".queue"
 PATIENCE_S = 30.0
 """How long others are waited for without a word."""
 WAITING = "waiting for what else is measured on this host"
+POLL_S = 0.1
+"""How soon what prepares notices that another asks to be alone."""
+GIVE_WAY = signal.SIGUSR1
+"""What the main thread is interrupted with between two steps of Python; no process is sent it."""
 
 
 @dataclass
@@ -38,7 +46,10 @@ class Turn:
     """Descriptor of the lock's file."""
     queue: int
     prepares: bool
+    probe: int
+    """Of the queue's file as well, for the thread that asks who waits."""
     is_alone: bool = False
+    can_give_way: bool = False
     since: float = 0.0
     alone_s: float = 0.0
     """How long it was alone."""
@@ -47,6 +58,7 @@ class Turn:
 
     def take(self, *, alone: bool) -> None:
         """Hold the host alone or together with others, when all who have asked before have had their turn."""
+        self.can_give_way = False
         self.end()
         asked = time.perf_counter()
         with suppress(OSError):  # a file system without locks: what measures there is then up to its users
@@ -56,11 +68,43 @@ class Turn:
             fcntl.flock(self.queue, fcntl.LOCK_UN)
         self.is_alone, self.since = alone, time.perf_counter()
         self.waited_s += self.since - asked
+        self.can_give_way = self.prepares and not alone
 
     def end(self) -> None:
         """Be alone no longer, as far as it is counted."""
         self.alone_s += time.perf_counter() - self.since if self.is_alone else 0.0
         self.is_alone = False
+
+    @contextmanager
+    def giving_way(self, settle: Callable[[], bool]) -> Iterator[None]:
+        """Pause whenever others wait, unless ``settle`` says that what runs can't be left now."""
+        over = threading.Event()
+
+        def watch() -> None:
+            while not over.wait(POLL_S):
+                if self.can_give_way and self._is_awaited():
+                    _thread.interrupt_main(GIVE_WAY)
+
+        def give_way(*_: object) -> None:
+            if self.can_give_way and settle():
+                self.take(alone=False)
+
+        watcher, before = threading.Thread(target=watch, daemon=True), signal.signal(GIVE_WAY, give_way)
+        watcher.start()
+        try:
+            yield
+        finally:
+            over.set()
+            watcher.join()
+            signal.signal(GIVE_WAY, before)
+
+    def _is_awaited(self) -> bool:
+        try:
+            fcntl.flock(self.probe, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError as error:
+            return isinstance(error, BlockingIOError)
+        fcntl.flock(self.probe, fcntl.LOCK_UN)
+        return False
 
 
 _turns: list[Turn] = []
@@ -71,8 +115,8 @@ _turns: list[Turn] = []
 def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
     """Hold this host for a batch: what ``prepares`` is alone only within ``alone``."""
     with ExitStack() as stack:
-        place, queue = (_opened(ending, stack) for ending in ("", QUEUE))
-        mine = Turn(place, queue, prepares)
+        place, queue, probe = (_opened(ending, stack) for ending in ("", QUEUE, QUEUE))
+        mine = Turn(place, queue, prepares, probe)
         # What waits later does so for its like, which take turns.
         word = threading.Timer(PATIENCE_S, print, [WAITING], {"file": sys.stderr, "flush": True})
         word.daemon = True
@@ -83,6 +127,8 @@ def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
         _turns.append(mine)
         stack.callback(_turns.remove, mine)
         stack.callback(mine.end)
+        if prepares:
+            stack.enter_context(mine.giving_way(host().settle))
         yield mine
 
 
