@@ -3,7 +3,7 @@
 import pickle
 import time
 from contextlib import suppress
-from itertools import permutations
+from itertools import chain, permutations
 from types import SimpleNamespace
 
 import pytest
@@ -89,7 +89,7 @@ def test_what_need_not_be_alone_is_beside_its_like_and_never_beside_what_is():
     shared, whole = (Batch(name, prepared_and_timed, alone=name == "whole") for name in ("shared", "whole"))
 
     def are_together(*batches: Batch) -> bool:
-        return is_beside(*(sum(pickle.loads(done.content), []) for done in outcomes([*batches])))
+        return is_beside(*([*chain(*pickle.loads(done.content))] for done in outcomes([*batches])))
 
     assert are_together(shared, shared) and not are_together(shared, whole) and not are_together(whole, whole)
 
