@@ -34,15 +34,15 @@ HELD_HEIGHT_M = 0.15
 
 
 def derive(results: Results) -> Section:
-    costs, trace = results.row["map"], results.trace("map")
+    trace = results.trace("map")
     held = results.chosen("held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, unit="m")
     lost = {side: lost_count(results, trace, side, held) for side in SIDES}
-    shipped, stiff = _drops(results, costs, lost, held)
-    numbers = {"shipped": costs.dropped_as_shipped_count, "stiff": costs.dropped_stiff_count}
-    numbers["seconds"] = results.row["as-shipped-3cm-1hz"].shake_duration_s
-    flags = {"keeps": stiff.outcome == HOLDS, "is_crossed": any(count.value for count in lost.values())}
+    shipped, stiff = _drops(results, trace, lost, held)
+    seconds = results.row["as-shipped-3cm-1hz"].shake_duration_s
+    about = {"shipped": lost["as-shipped"], "stiff": lost["stiff"], "seconds": seconds}
+    about |= {"keeps": stiff.outcome == HOLDS, "is_crossed": any(count.value for count in lost.values())}
     return Section(
-        figures={"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], numbers | flags)},
+        figures={"maps": Figure(lambda: draw_maps(trace.value, SIDES), [trace], about)},
         claims=[shipped, stiff, _map_gain(results, trace), _slip_grows(results)],
     )
 
@@ -62,10 +62,10 @@ def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value
     )
 
 
-def _drops(results: Results, row: Row, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:
+def _drops(results: Results, trace: Series, lost: Mapping[str, Value], held: Value) -> tuple[Claim, Claim]:
     """Tell whether cubes are dropped as shipped, and whether none is with stiff pads."""
     shipped, stiff = (lost[side] for side in SIDES)
-    cells = results.value("cells", "cells of the map on each side", lambda count: count // len(SIDES), row.world_count)
+    cells = results.value("cells", "cells of the map on each side", lambda frame: len(frame) // len(SIDES), trace)
     drops = decided(bool(shipped.value), shipped)
     never = at_most(stiff, 0, why="no cell is dropped")
     return (
