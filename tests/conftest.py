@@ -33,6 +33,7 @@ from measured_report.records.traces import packed
 from measured_report.site.build import build
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
+INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
@@ -97,7 +98,7 @@ def slip():
 SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
 """Slip of the calibration runs and how close a run must come."""
 needs_boxes_in_c = pytest.mark.skipif(
-    package_versions()["mujoco"].startswith("3.11."),
+    INSTALLED["mujoco"].startswith("3.11."),
     reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
 )
 """For a shake through MuJoCo's C engine. Release 1.5 comes with it; seen in fixed_scene.py, as the hand comes down."""
@@ -133,7 +134,7 @@ class Toy:
 
     @property
     def packages(self) -> dict[str, str]:
-        return {**package_versions(), "newton": self.project.release}
+        return {**INSTALLED, "newton": self.project.release}
 
     @property
     def page_path(self) -> Path:
@@ -299,7 +300,7 @@ def poses_path(tmp_path_factory, kernels) -> Path:
         path = folder / "poses.json"
         write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
 
-    results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
+    results = tmp_path_factory.mktemp("project") / f"results/newton-{INSTALLED['newton']}"
     shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
     return results / "poses.json"
 

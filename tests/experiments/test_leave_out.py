@@ -21,7 +21,7 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.of_newton import compat
 
-FRAME_COUNT = 20
+FRAME_COUNT = 10
 VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}
 
 
