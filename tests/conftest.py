@@ -18,6 +18,7 @@ from hypothesis import settings
 
 import report.sections
 from measured_report.changes.compare import Comparison, compare
+from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, derive_edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
@@ -25,7 +26,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
-from measured_report.records.code import unchanged_files
+from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
@@ -281,10 +282,11 @@ def site(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def editions() -> Mapping[str, Edition]:
-    """What the tracked results of every release make."""
-    project = Project(own_release())
-    return editions_of(project, Templates(project.templates))
+def editions(site) -> Mapping[str, Edition]:
+    """What the tracked results of every release make, as it was kept when their site was built."""
+    project = Project(own_release(), root=site.parent)
+    with cached_sources(project.root), unchanged_files():
+        return editions_of(project, Templates(project.templates), DerivedCache(project.root))
 
 
 @pytest.fixture(scope="session")
