@@ -18,6 +18,7 @@ from hypothesis import settings
 
 import report.sections
 from measured_report.changes.compare import Comparison, compare
+from measured_report.deriving.cache import DerivedCache
 from measured_report.deriving.editions import Edition, derive_edition, editions_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import state_of
@@ -25,7 +26,7 @@ from measured_report.files.atomic import locked
 from measured_report.files.cache import FOLDER as CACHE
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
-from measured_report.records.code import unchanged_files
+from measured_report.records.code import cached_sources, unchanged_files
 from measured_report.records.identity import identity_of
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import Record, units_of, write_record
@@ -33,6 +34,7 @@ from measured_report.records.traces import packed
 from measured_report.site.build import build
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
+INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
 settings.register_profile("project", deadline=None, derandomize=True)  # the same every time, however slow the machine
@@ -94,8 +96,10 @@ def slip():
     """How far it slips."""
     return 1.0 if ROBOT else 0.0
 '''
+SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
+"""Slip of the calibration runs and how close a run must come."""
 needs_boxes_in_c = pytest.mark.skipif(
-    package_versions()["mujoco"].startswith("3.11."),
+    INSTALLED["mujoco"].startswith("3.11."),
     reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
 )
 """For a shake through MuJoCo's C engine. Release 1.5 comes with it; seen in fixed_scene.py, as the hand comes down."""
@@ -131,7 +135,7 @@ class Toy:
 
     @property
     def packages(self) -> dict[str, str]:
-        return {**package_versions(), "newton": self.project.release}
+        return {**INSTALLED, "newton": self.project.release}
 
     @property
     def page_path(self) -> Path:
@@ -278,10 +282,11 @@ def site(tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def editions() -> Mapping[str, Edition]:
-    """What the tracked results of every release make."""
-    project = Project(own_release())
-    return editions_of(project, Templates(project.templates))
+def editions(site) -> Mapping[str, Edition]:
+    """What the tracked results of every release make, as it was kept when their site was built."""
+    project = Project(own_release(), root=site.parent)
+    with cached_sources(project.root), unchanged_files():
+        return editions_of(project, Templates(project.templates), DerivedCache(project.root))
 
 
 @pytest.fixture(scope="session")
@@ -297,7 +302,7 @@ def poses_path(tmp_path_factory, kernels) -> Path:
         path = folder / "poses.json"
         write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
 
-    results = tmp_path_factory.mktemp("project") / f"results/newton-{package_versions()['newton']}"
+    results = tmp_path_factory.mktemp("project") / f"results/newton-{INSTALLED['newton']}"
     shutil.copytree(made_once(tmp_path_factory, "poses", make), results)
     return results / "poses.json"
 

@@ -50,8 +50,8 @@ def quantity_row(move, side) -> int:
     return int(side.source.split("/")[-2])
 
 
-def test_options_that_are_small_beside_others_are_listed(editions):
-    found = compare(editions["1.4.0"], editions["1.8.0"])
+def test_options_that_are_small_beside_others_are_listed(pairs, editions):
+    [found] = (each for each in pairs if [*each.releases] == ["1.4.0", "1.8.0"])
     settings = [move for move in found.settings if move.section == "upgrade" and None not in move.values]
     assert {move.name: move.values for move in settings} == {
         "upgrade.option-sleep_tolerance.value": (pytest.approx(1e-4), pytest.approx(1e-3)),

@@ -114,7 +114,7 @@ def test_what_is_derived_has_read_no_words(editions, monkeypatch):
     releases = {edition.project.release: edition.chapters for edition in editions}
     for edition in editions:
         for chapter in edition.chapters.values():
-            derive_section(replace(chapter.results, derived={}), releases)
+            derive_section(replace(chapter.results, derived={}), releases).tabled()
         front_of(edition.chapters)
         story_of(releases, edition.project.release)
 
@@ -134,7 +134,7 @@ def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
     for edition in editions:
         for chapter in edition.chapters.values():
             opened.clear()
-            derive_section(replace(chapter.results, derived={}), releases)
+            derive_section(replace(chapter.results, derived={}), releases).tabled()
             inside = {path.relative_to(ROOT).as_posix() for path in opened if path.is_relative_to(ROOT)}
             known = {*files_of(outline_of(chapter.name).file), *READ_BY_NAME}
             others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import warp as wp
-from conftest import needs_boxes_in_c
+from conftest import SLIP_MM
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, Case, CaseError, batch_key
@@ -18,8 +18,6 @@ from measured_report.records.reading import load_record
 from measured_report.values.noise import noise_floors
 from newton_lint.of_newton.compat import kf_is_read, warp_has_noslip
 
-SLIP_MM = {"as-shipped": (6.36, 0.03), "stiff-pads": (0.31, 0.01)}
-"""Slip of the calibration runs and how close a run must come."""
 SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
 """The same with Newton's contacts, in releases that read kf."""
 
@@ -27,15 +25,6 @@ SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
 def slip_mm(trace) -> float:
     assert trace.failure is None
     return metrics.slip_mm(metrics.displacement(trace))
-
-
-@pytest.mark.slow
-@needs_boxes_in_c
-@pytest.mark.parametrize("case", [AS_SHIPPED, STIFF_PADS], ids=lambda case: case.name)
-def test_calibration_through_mujoco_c(case):
-    [trace] = simulate([replace(case, backend="mujoco")])
-    expected, tolerance = SLIP_MM[case.name]
-    assert slip_mm(trace) == pytest.approx(expected, abs=tolerance)
 
 
 @pytest.fixture(scope="module")

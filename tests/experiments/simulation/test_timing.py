@@ -12,7 +12,7 @@ from experiments.simulation import comparing, simulation
 from experiments.simulation.comparing import TIMED, Pilot, time_cases
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.timing import batch_invalid_reason, in_the_shake, put_in_state_of
+from experiments.simulation.timing import batch_invalid_reason
 
 QUICK = Conditions("cpu", quick=True)
 SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)
@@ -20,11 +20,6 @@ OVERFLOW = "not timed: the constraint buffer overflowed"
 NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
 DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
 NOT_COMPILED = Exception("CPU kernel build failed with error code -1")
-
-
-@pytest.fixture(scope="module")
-def pilot() -> Simulation:
-    return in_the_shake(AS_SHIPPED, wp.get_device("cpu"))
 
 
 @pytest.fixture(scope="module")
@@ -39,16 +34,16 @@ def piloted(monkeypatch, whole_pilot) -> None:
     monkeypatch.setattr(comparing, "Pilot", lambda cases, device: whole_pilot)
 
 
-def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(pilot):
-    two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, pilot.device)
-    put_in_state_of(two, pilot)
+def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(whole_pilot):
+    two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, whole_pilot.device)
+    whole_pilot.put(two, AS_SHIPPED)
     two.step()
     assert batch_invalid_reason(two) is None
     two.solver.mjw_data.qvel.numpy()[1, -1] = np.nan
     two.step()
     assert batch_invalid_reason(two) == "a body's pose is not finite"
     two.recorder.constraint_overflow.numpy()[0] = 0
-    put_in_state_of(two, pilot)
+    whole_pilot.put(two, AS_SHIPPED)
     two.step()
     assert batch_invalid_reason(two) is None
 

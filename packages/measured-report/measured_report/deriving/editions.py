@@ -282,7 +282,8 @@ def _chapter(
 
     def derive() -> Derivation:
         given = replace(results, others=Tracked(read, reader=outline), derived={})
-        return derive_section(given, {release: Tracked(read, release) for release in releases}), given.derived
+        section = derive_section(given, {release: Tracked(read, release) for release in releases})
+        return section.tabled(), given.derived
 
     given = [digest, repr(sorted(results.floors.items()))]
     entry = edition.cache.derived((project.profile, project.release, name), outline.file, given, read, derive)

@@ -76,7 +76,7 @@ def derive_section(results: Results, releases: Releases) -> Section:
         raise LostError(f"its record lacks what the section is about ({what})") from error
     if not isinstance(section, Section):
         raise ReportError(f"{outline.source}: derive returns a {type(section).__name__}, and not a Section")
-    return section.tabled()
+    return section
 
 
 def _line_of(error: Exception) -> str:
