@@ -102,9 +102,11 @@ def _slip_grows(results: Results) -> Claim:
     cells = small.shake_amplitude_m, large.shake_amplitude_m, _held_slip(small), _held_slip(large)
     formula = "logarithm of the ratio of the slips over that of the amplitudes"
     exponent = results.value("amplitude_exponent", formula, power, *cells)
-    names = ("small", "large", "small_slip", "large_slip")
-    outcome = all_of(*(bound(exponent, end, why="about 2") for bound, end in ((at_least, 1.7), (at_most, 2.3))))
-    return Claim("slip_grows_faster_than_amplitude", outcome, dict(zip(names, cells, strict=True)))
+    numbers = dict(zip(("small", "large", "small_slip", "large_slip"), cells, strict=True))
+    numbers["frequency"] = small.shake_frequency_hz
+    ends = (at_least, 1.7), (at_most, 2.3)
+    outcome = all_of(*(bound(exponent, end, why="an exponent of about 2") for bound, end in ends))
+    return Claim("slip_grows_faster_than_amplitude", outcome.having_read(numbers["frequency"]), numbers)
 
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:

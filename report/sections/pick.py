@@ -48,7 +48,7 @@ def derive(results: Results) -> Section:
         claims=[
             fails,
             _ball_creeps_out(results, rows, held, published),
-            _cube_is_shaken_out(results, rows, held),
+            _cube_is_shaken_out(results, rows, held, published),
             elliptic,
             _elliptic_holds(results, rows, "newton"),
             _shorter_does_not(results, rows),
@@ -107,14 +107,16 @@ def _ball_creeps_out(results: Results, rows: Rows, held: Rows, published: Times)
     outcome = all_of(
         soon, at_most(apart, 0.1, why="whatever the shake"), at_most(from_published, 5.0, why="the same time")
     )
-    numbers = {"creep": found.forecast_creep_mm_s, "margin": found.margin_mm, "when": when}
+    numbers = {"begin": begin, "creep": found.forecast_creep_mm_s, "margin": found.margin_mm, "when": when}
     return Claim("ball_creeps_out", outcome, numbers | {"drop": row.median_drop_s, "published": then})
 
 
-def _cube_is_shaken_out(results: Results, rows: Rows, held: Rows) -> Claim:
+def _cube_is_shaken_out(results: Results, rows: Rows, held: Rows, published: Times) -> Claim:
     when, drop = held["cube"].forecast_drop_s, rows["cube-2ms-published-c"].median_drop_s
     early = share(results, "cube_drop_share", "time of the drop, of when its creep alone would take it out", drop, when)
-    return Claim("cube_is_shaken_out", at_most(early, 80.0, why="well before"), {"when": when, "drop": drop})
+    then = published["cube", "2ms"]
+    outcome = at_most(early, 80.0, why="well before").having_read(then)
+    return Claim("cube_is_shaken_out", outcome, {"when": when, "drop": drop, "published": then})
 
 
 def _long_step_lifts_nothing(results: Results, rows: Rows) -> Claim:

@@ -26,7 +26,7 @@ UNDAMPED = ("newton_cradle-mujoco", "domino_spiral-mujoco", "balance_bird-mujoco
 def derive(results: Results, releases: Releases) -> Section:
     surveys = {release: chapters["survey"].results for release, chapters in releases.items() if "survey" in chapters}
     ends = list(surveys.values())[:: len(surveys) - 1] if len(surveys) > 1 else []
-    changed = _changed(*ends) if ends else []
+    both = _of_both(*ends) if ends else []
     linted = _linted(results)
     solved = [row for row in linted if row.solver == MUJOCO]
     undamped = [row for case in UNDAMPED if (row := results.row[case])]
@@ -36,7 +36,7 @@ def derive(results: Results, releases: Releases) -> Section:
         claims=[
             _mujoco_scenes_say_what_is_not_done(results, linted, solved),
             *([_names_the_undamped(undamped)] if has_all else []),
-            _releases_differ(results, ends, changed),
+            _releases_differ(results, ends, both),
         ],
         unmeasured=() if has_all else ("names_the_undamped",),
     )
@@ -75,26 +75,27 @@ def _authored(row: Row) -> Quantity:
     return next((row[column] for column in ("authored_s", "authored_m") if column in row), row.authored)
 
 
-def _changed(old: Results, new: Results) -> list[str]:
-    """List the examples of two surveys in which another thing is found, or the same with another value."""
+def _of_both(old: Results, new: Results) -> list[bool]:
+    """Tell of each example of both surveys whether another thing is found in it, or the same with another value."""
 
     def told(results: Results, case: str) -> list[tuple[str, str, float | None]]:
         return [(row.rule, row.parameter, _authored(row).value) for row in _findings(results, case)]
 
-    both = {row.case for row in _linted(new)}
-    return [row.case for row in _linted(old) if row.case in both and told(old, row.case) != told(new, row.case)]
+    cases = {row.case for row in _linted(new)}
+    return [told(old, row.case) != told(new, row.case) for row in _linted(old) if row.case in cases]
 
 
-def _releases_differ(results: Results, ends: Sequence[Results], changed: Sequence[str]) -> Claim:
+def _releases_differ(results: Results, ends: Sequence[Results], are_changed: Sequence[bool]) -> Claim:
     """Tell whether an example that the oldest and the newest survey have has other findings in the newer of them."""
     if not ends:
         alone = "only one release was surveyed"
-        return Claim("releases_differ", Outcome("unknown", alone), {"count": absent("1", alone)})
+        return Claim("releases_differ", Outcome("unknown", alone), dict.fromkeys(("count", "both"), absent("1", alone)))
     cells = [_authored(row) for side in ends for row in side.rows if "rule" in row]
     formula = "examples of both releases of which another rule, parameter or value is found"
-    count = results.value("changed", formula, lambda *_: len(changed), *cells, across=True)
-    outcome = Outcome("unknown", count.reason) if count.value is None else HOLDS if changed else FAILS
-    return Claim("releases_differ", outcome.having_read(count), {"count": count})
+    count = results.value("changed", formula, lambda *_: sum(are_changed), *cells, across=True)
+    both = results.value("both", "examples of both releases", lambda *_: len(are_changed), *cells, across=True)
+    outcome = Outcome("unknown", count.reason) if count.value is None else HOLDS if any(are_changed) else FAILS
+    return Claim("releases_differ", outcome.having_read(count, both), {"count": count, "both": both})
 
 
 def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
@@ -105,4 +106,9 @@ def _rule_table(results: Results, surveys: Mapping[str, Results]) -> Table:
         formula = "examples in which the rule finds something"
         return results.value(f"{rule}_in_{release}", formula, _positive_count, *cells, across=True)
 
-    return table_of("rule", RULES, {release: [count(release, rule) for rule in RULES] for release in surveys})
+    def read(release: str) -> Quantity:
+        cells = [row.finding_count for row in _linted(surveys[release])]
+        return results.value(f"read_in_{release}", "examples read", lambda *each: len(each), *cells, across=True)
+
+    columns = {release: [read(release), *(count(release, rule) for rule in RULES)] for release in surveys}
+    return table_of("rule", ("examples read", *RULES), columns)
