@@ -39,9 +39,6 @@ def _some_way_repeats(results: Results, rows: Mapping[str, Row]) -> Claim:
     exact = next((way for way in SO if rows[way].differing_world_count.value == 0), "")
     tried = [rows[way].differing_world_count for way in SO]
     least = extreme(results, "differing_least", "least number of worlds that differ, of all ways", min, tried)
-    lost = [way for way in SO if rows[way].differing_world_count.value is None]
-    lacking = Markup("; ").join(WAYS[way] for way in lost)
-    ways = Markup("; ").join(words for way, words in WAYS.items() if way in SO and way not in lost)
-    numbers = {"way": SO.get(exact, ""), "least": least, "worlds": rows["plain"].worlds}
-    numbers |= {"lacking": lacking, "tried": ways}
-    return Claim("some_way_repeats", at_most(least, 0, why="the same to the last bit"), numbers)
+    ways = [words for way, words in WAYS.items() if way in SO and rows[way].differing_world_count.value is not None]
+    numbers = {"way": SO.get(exact, ""), "tried": Markup("; ").join(ways), "worlds": rows["plain"].worlds}
+    return Claim("some_way_repeats", at_most(least, 0, why="the same to the last bit"), numbers | {"least": least})
