@@ -118,7 +118,7 @@ class NativeShake:
         )
 
     def frame_ms(self, repeat_count: int) -> np.ndarray:
-        """Wall time [ms] of each of ``repeat_count`` frames, timed as ``timing.frame_ms`` does."""
+        """Wall time [ms] of each of ``repeat_count`` frames, after a few that are not timed."""
         for _ in range(WARMUP_COUNT):
             self.frame()
         times = []

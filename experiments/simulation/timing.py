@@ -58,13 +58,6 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
     wp.synchronize()
 
 
-def frame_ms(simulation: Simulation, repeat_count: int) -> np.ndarray:
-    """Wall time [ms] of each of ``repeat_count`` frames as the simulation runs them, from start to finished work."""
-    for _ in range(WARMUP_COUNT):
-        simulation.step()
-    return np.array([elapsed_ms(simulation.device, simulation.step) for _ in range(repeat_count)])
-
-
 def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
     """Wall time [ms] of one call, until the device is done with it."""
     wp.synchronize_device(device)
