@@ -32,12 +32,13 @@ from experiments.stability.families import (
     grid_cell,
 )
 from experiments.stability.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
+from measured_report.measuring.batch import Batch, Plan
 
 OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}
 """Starts of the repeats: the cube's shift in the hand."""
 FLOOR_FAMILY = "steps"
 """The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
-SINGLE_FAMILIES = ("buffers", "long")
+SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
 BISECTION_ROUNDS = {"full": 3, "quick": 1}
@@ -50,10 +51,22 @@ FREED_FRAMES = 30
 """Half a second: how long the fingers have to open, and the two spans in which the energy of a freed cube is taken."""
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
+    """The long run takes as long as all others together, which have the GPU."""
+    (rows, floor), (long, trace) = yield [
+        Batch("others", measure_others, (conditions,)),
+        Batch("long", measure_long, (conditions,)),
+    ]
+    row = worst(long, [observe(long.case, trace, floor)])
+    row |= long_columns(trace, long.case, row["class"]) | {"creep_floor_mm_s": floor}
+    return Measurement([*rows, row], {"long": long_table(trace)})
+
+
+def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], float]:
+    """A row for each case but the long run, and what creep cannot be told from none [mm/s]."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     runs = [replace_frames(found, frame_count) for found in stability_families.probes(conditions.profile)]
-    runs += [*stability_families.buffers(frame_count), stability_families.long_run(conditions.profile)]
+    runs += stability_families.buffers(frame_count)
     traces = simulate_repeats(conditions, runs, title="stability")
     floor = creep_floor_mm_s(
         [
@@ -63,10 +76,14 @@ def measure(conditions: Conditions) -> Measurement:
         ]
     )
     rows = [worst(run, [observe(*one, floor) for one in group]) for run, group in zip(runs, traces, strict=True)]
-    [(long, long_trace)] = traces[-1]
-    rows[-1] |= long_columns(long_trace, long, rows[-1]["class"])
-    searched = search_steps(conditions, rows, floor)
-    return Measurement([row | {"creep_floor_mm_s": floor} for row in rows + searched], {"long": long_table(long_trace)})
+    return [row | {"creep_floor_mm_s": floor} for row in rows + search_steps(conditions, rows, floor)], floor
+
+
+def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
+    """The long run and its trace."""
+    long = stability_families.long_run(conditions.profile)
+    [trace] = conditions.simulate([long.case], title="stability, long run")
+    return long, trace
 
 
 def replace_frames(run: Probe, frame_count: int) -> Probe:
@@ -101,8 +118,8 @@ def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) 
 
 
 def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
-    """The starts of a run's repeats; what is as certain as an overflow, or as long as the long run, has one."""
-    if run.family in SINGLE_FAMILIES:
+    """The starts of a run's repeats; what is as certain as an overflow has one."""
+    if run.family == SINGLE_FAMILY:
         return (0.0,)
     offsets = OFFSETS_M[conditions.profile]
     return OFFSETS_M["full"][:2] if run.family == FLOOR_FAMILY and conditions.quick else offsets

@@ -30,7 +30,7 @@ POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
-SHARE_COUNT = 6
+SHARE_COUNT = 8
 """Processes that share a GPU: a few worlds leave most of it idle."""
 CORES_EACH = 2
 """Processor cores that there have to be for each of them."""
