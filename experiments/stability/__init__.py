@@ -82,7 +82,7 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
 def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
     """The long run and its trace."""
     long = stability_families.long_run(conditions.profile)
-    [trace] = conditions.simulate([long.case], title="stability, long run")
+    [trace] = simulate([long.case], device=conditions.device, title="stability, long run")
     return long, trace
 
 
