@@ -1,6 +1,6 @@
 """The slip's causes taken out one by one and together, beside what each is predicted to move the cube."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -11,6 +11,7 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
+from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.of_newton.compat import kf_is_read
 
@@ -80,9 +81,23 @@ def without_kf(quick: bool) -> list[Case]:
     ]
 
 
-def measure(conditions: Conditions) -> Measurement:
+def measure(conditions: Conditions) -> Plan:
     """A row for each combination, with its parts as predicted, and a row for each run that they are predicted from."""
-    variants = cases(conditions.quick)
+    groups: dict[str, list[Case]] = {}
+    for case in cases(conditions.quick):
+        groups.setdefault(contacts_of(case), []).append(case)
+    found = yield [Batch(kind, measure_cases, (conditions, group)) for kind, group in groups.items()]
+    motions = {row["case"]: row for _, rows in found for row in rows}
+    return Measurement([*(row for rows, _ in found for row in rows), *motions.values()])
+
+
+def contacts_of(case: Case) -> str:
+    """The name of a case's kind of contacts."""
+    return "mujoco" if case.contacts == "mujoco" else "newton" if case.cone == AS_SHIPPED.cone else "pyramidal"
+
+
+def measure_cases(conditions: Conditions, variants: Sequence[Case]) -> tuple[list[dict], list[dict]]:
+    """A row for each case, and one for each run that their parts are predicted from."""
     shakes = dict.fromkeys(shake_of(case) for case in variants)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
@@ -94,7 +109,7 @@ def measure(conditions: Conditions) -> Measurement:
         traces = conditions.simulate(variants, title="cure")
         motions = dict(zip(shakes, gather(waiting, "cure, in C"), strict=True))
     rows = [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
-    return Measurement(rows + [motion_row(*item) for item in motions.items()])
+    return rows, [motion_row(*item) for item in motions.items()]
 
 
 def shake_of(case: Case) -> tuple[str, str]:

@@ -44,7 +44,8 @@ ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_C
 
 
 def measure(conditions: Conditions) -> Plan:
-    [rows] = yield [Batch("points", measure_points, (conditions,))]
+    by_pads = yield [Batch(f"points-{pads}", measure_points, (conditions, pads)) for pads in PADS]
+    rows = [row for found in by_pads for row in found]
     valid = [row["case"] for row in rows if row["valid"] and row["method"] != "reference"]
     reference = [REFERENCE] if REFERENCE in valid else []
     others = [name for name in valid if name != REFERENCE]
@@ -57,10 +58,10 @@ def measure(conditions: Conditions) -> Plan:
     return Measurement([row | times.get(row["case"], {}) for row in rows] + worlds)
 
 
-def measure_points(conditions: Conditions) -> list[dict]:
-    """A row for each setting and each reference, all from the same state of the shake; none is timed."""
+def measure_points(conditions: Conditions, pads: str) -> list[dict]:
+    """A row for each setting and each reference with these pads, all from one state of the shake; none is timed."""
     device = wp.get_device(conditions.device)
-    points = settings(conditions.profile, cpu_too=conditions.is_cuda)
+    points = [point for point in settings(conditions.profile, cpu_too=conditions.is_cuda) if point.pads == pads]
     finest = REFERENCE_SUBSTEPS[conditions.profile]
     references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
 

@@ -30,10 +30,8 @@ POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
-SHARE_COUNT = 8
-"""Processes that share a GPU: a few worlds leave most of it idle."""
-CORES_EACH = 2
-"""Processor cores that there have to be for each of them."""
+SHARE_COUNT = 12
+"""Processes that share a GPU, with a core each: a few worlds leave most of it idle."""
 ALONE_MIB = 32 << 10
 """Memory of a GPU that there has to be for each process for what must be alone: each keeps what it has prepared."""
 
@@ -117,7 +115,7 @@ def processes_of(gpus: Sequence[Gpu]) -> tuple[list[str], list[str]]:
 
     The first share the GPUs where a daemon is there that lets them do so. Of the others one at a time measures.
     """
-    count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus) // CORES_EACH)
+    count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus))
     alone = [
         f"{gpu.uuid}:{number}" if number else gpu.uuid
         for number in range(max(1, count))
