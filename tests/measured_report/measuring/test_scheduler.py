@@ -120,8 +120,8 @@ def test_batches_need_names_of_their_own(toy, log, names, capsys):
     assert "batches need names of their own" in capsys.readouterr().err
 
 
-def task(name: str, seconds: float = 1.0, alone: bool = False) -> Task:
-    return Task("toy", Batch(name, batches.work, alone=alone), seconds)
+def task(name: str, seconds: float = 1.0, alone: bool = False, prepares: bool = False) -> Task:
+    return Task("toy", Batch(name, batches.work, alone=alone or prepares, prepares=prepares), seconds)
 
 
 KIND = ("cuda", "NVIDIA H200")
@@ -154,12 +154,19 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
 def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 5)
-    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 80_000)
+    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 54_000)
     assert worker.processes_of([small, large]) == (["A", "B"], ["A", "B", "B:1"])
     (tmp_path / "control").touch()
     assert worker.processes_of([small, large]) == (["A/0", "B/0", "A/1", "B/1"], ["A", "B", "B:1"])
     three = [replace(large, uuid=uuid) for uuid in "ABC"]
     assert worker.processes_of(three) == (["A", "B", "C"], ["A", "B", "C"])  # a process each shares nothing
+
+
+def test_what_prepares_does_so_beside_what_is_left_to_run():
+    running, other, timed = task("running"), task("other"), task("timed", prepares=True)
+    ready, busy = [(timed, None), (task("alone", alone=True), None)], {("one", "0"): running}
+    assert next_start(ready, TWO[:1], busy) == (timed, TWO[0], ("one", "1"))
+    assert next_start([*ready, (other, None)], TWO[:1], busy)[0] is other
 
 
 def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_others_that_wait():
@@ -171,7 +178,7 @@ def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_oth
 def test_no_batch_is_beside_one_that_is_alone_but_its_like_whatever_happens():
     chance = random.Random(0)
     for _ in range(50):
-        ready = [(task(f"t{i}", chance.random(), chance.random() < 0.3), None) for i in range(20)]
+        ready = [(task(f"t{i}", chance.random(), *(chance.random() < 0.2 for _ in "ab")), None) for i in range(20)]
         busy = {}
         while ready or busy:
             while found := next_start(ready, TWO, busy):
@@ -179,7 +186,8 @@ def test_no_batch_is_beside_one_that_is_alone_but_its_like_whatever_happens():
                 ready = [pair for pair in ready if pair[0] is not found[0]]
             for host in TWO:
                 there = [each for (name, _), each in busy.items() if name == host.name]
-                assert len({each.batch.alone for each in there}) <= 1 and len(there) <= len(host.processes)
+                assert len({each.batch.alone for each in there if not each.batch.prepares}) <= 1
+                assert len(there) <= len(host.processes)
             assert busy, "something can always be started"
             del busy[chance.choice(list(busy))]
 

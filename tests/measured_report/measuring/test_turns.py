@@ -1,5 +1,6 @@
 """Turns on a host: batches of several processes, one of which at a time is alone."""
 
+import os
 import pickle
 import time
 from contextlib import suppress
@@ -77,6 +78,14 @@ def test_what_prepares_gives_way_to_what_is_timed_and_goes_on_where_it_was():
     [prepared, *_], [_, timed, *_] = (pickle.loads(done.content) for done in (long, short))
     assert prepared[0] < timed[0] < timed[-1] < prepared[-1] and not is_beside(timed, prepared)
     assert long.seconds == pytest.approx(2 * (2.0 + TIME_S), abs=0.5), "nothing is done twice"
+
+
+def test_what_prepares_goes_on_while_another_waits_for_what_does_not(monkeypatch):
+    monkeypatch.setattr(os, "cpu_count", lambda: 3)
+    timed = [timing(name, prepared_and_timed, False, prepare_s) for name, prepare_s in (("long", 0.8), ("short", 0.4))]
+    done = outcomes([Batch("shared", moments, (2.0,)), *timed])
+    shared, [prepared, timed, *_], [_, waited_for, *_] = (pickle.loads(each.content) for each in done)
+    assert prepared[-1] < shared[-1] < min(timed[0], waited_for[0])
 
 
 def test_what_cannot_be_left_is_waited_for(monkeypatch):

@@ -22,17 +22,17 @@ def next_start(
     """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
     Where more than one batch runs at a time the longest goes first, and those that must be alone on their host, which
-    take turns there, go when nothing else is left to run. None when nothing can be started beside what is ``busy``.
+    take turns there, go when nothing else is left to start, or, if they don't prepare, to run. None when nothing can
+    be started beside what is ``busy``.
     """
     in_turn = sum(len({*host.processes, *host.alone}) for host in hosts) == 1
     for host in hosts:
         beside = [task for (name, _), task in busy.items() if name == host.name]
         fit = [task for task, kind in ready if kind in (None, host.kind)]
         shared = fit if in_turn else [task for task in fit if not task.batch.alone]
-        if any(task.batch.alone for task in beside):
-            candidates = [] if shared else fit
-        else:
-            candidates = shared or ([] if beside else fit)
+        is_shared = not all(task.batch.alone for task in beside)
+        timed = [task for task in fit if task.batch.prepares or not is_shared]
+        candidates = [] if shared and any(task.batch.alone for task in beside) else shared or timed
         if candidates:
             task = candidates[0] if in_turn else max(candidates, key=lambda task: task.seconds)
             names = host.alone if task.batch.alone else host.processes

@@ -53,9 +53,10 @@ class SectionRun:
     failure: str = ""
 
     def tasks(self) -> list[Task]:
-        """List what can be started."""
+        """List what can be started; a batch that is new takes no longer than its section did."""
+        known = self.known.get(self.section, 0.0)
         tasks = (Task(self.section, batch) for batch in self.waiting)
-        return [Task(self.section, task.batch, self.known.get(task.name, 0.0)) for task in tasks]
+        return [Task(self.section, task.batch, self.known.get(task.name, known)) for task in tasks]
 
     def take(self, batch: Batch, done: Done) -> None:
         """Keep what a batch has returned."""

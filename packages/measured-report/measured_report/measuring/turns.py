@@ -7,8 +7,8 @@ prepares first, within ``alone``::
     with alone():
         times = frame_times(simulation)
 
-Who asks first is served first. What prepares gives way to whoever asks to be alone: as soon as its device is done with
-what it was given it pauses, and goes on afterwards.
+Who asks first is served first. What prepares gives way to whoever is alone next, once that waits for nothing else: as
+soon as its device is done with what it was given it pauses, and goes on afterwards.
 """
 
 import _thread
@@ -27,8 +27,8 @@ from pathlib import Path
 from measured_report.measuring.host import host
 
 PLACE = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}.turns"
-QUEUE = ".queue"
-"""What the name of the file ends with whose lock is held by whoever is next."""
+QUEUE, PREPARING = ".queue", ".preparing"
+"""What the names of the files end with whose locks are held by whoever is next, and by all that prepare."""
 PATIENCE_S = 30.0
 """How long others are waited for without a word."""
 WAITING = "waiting for what else is measured on this host"
@@ -45,9 +45,10 @@ class Turn:
     place: int
     """Descriptor of the lock's file."""
     queue: int
+    preparing: int
     prepares: bool
     probe: int
-    """Of the queue's file as well, for the thread that asks who waits."""
+    """Of the lock's file as well, for the thread that asks who waits."""
     is_alone: bool = False
     can_give_way: bool = False
     since: float = 0.0
@@ -63,9 +64,17 @@ class Turn:
         asked = time.perf_counter()
         with suppress(OSError):  # a file system without locks: what measures there is then up to its users
             fcntl.flock(self.place, fcntl.LOCK_UN)
-            fcntl.flock(self.queue, fcntl.LOCK_EX)
-            fcntl.flock(self.place, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
-            fcntl.flock(self.queue, fcntl.LOCK_UN)
+            fcntl.flock(self.preparing, fcntl.LOCK_UN)
+            if self.prepares and not alone:
+                fcntl.flock(self.place, fcntl.LOCK_SH)  # which is had only when nobody is alone
+                fcntl.flock(self.preparing, fcntl.LOCK_SH)
+                fcntl.flock(self.place, fcntl.LOCK_UN)
+            else:
+                fcntl.flock(self.queue, fcntl.LOCK_EX)
+                fcntl.flock(self.place, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
+                if alone:
+                    fcntl.flock(self.preparing, fcntl.LOCK_EX)
+                fcntl.flock(self.queue, fcntl.LOCK_UN)
         self.is_alone, self.since = alone, time.perf_counter()
         self.waited_s += self.since - asked
         self.can_give_way = self.prepares and not alone
@@ -77,7 +86,7 @@ class Turn:
 
     @contextmanager
     def giving_way(self, settle: Callable[[], bool]) -> Iterator[None]:
-        """Pause whenever others wait, unless ``settle`` says that what runs can't be left now."""
+        """Pause whenever it alone is waited for, unless ``settle`` says that what runs can't be left now."""
         over = threading.Event()
 
         def watch() -> None:
@@ -115,8 +124,8 @@ _turns: list[Turn] = []
 def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
     """Hold this host for a batch: what ``prepares`` is alone only within ``alone``."""
     with ExitStack() as stack:
-        place, queue, probe = (_opened(ending, stack) for ending in ("", QUEUE, QUEUE))
-        mine = Turn(place, queue, prepares, probe)
+        place, queue, preparing, probe = (_opened(ending, stack) for ending in ("", QUEUE, PREPARING, ""))
+        mine = Turn(place, queue, preparing, prepares, probe)
         # What waits later does so for its like, which take turns.
         word = threading.Timer(PATIENCE_S, print, [WAITING], {"file": sys.stderr, "flush": True})
         word.daemon = True
