@@ -38,6 +38,14 @@ def test_two_that_may_have_taken_turns_were_not_beside_each_other():
     assert beside(timed, [measured("00:00", "00:30", pause=500.0)]) != []
 
 
+def test_of_a_record_in_parts_what_was_alone_counts_and_the_others_may_have_been_beside_each_other():
+    parts = {"seconds": 900.0, "prepared_s": 200.0, "batch_a_s": 300.0, "batch_b_s": 300.0, "alone_times_s": 100.0}
+    found = measured("00:10", "00:20")
+    found = replace(found, measured=found.measured | parts)
+    in_turn, never_apart = measured("00:10", "00:20", pause=101.0), measured("00:10", "00:20", pause=50.0)
+    assert beside(found, [in_turn, never_apart]) == [never_apart]
+
+
 def test_a_record_without_its_start_took_so_many_seconds():
     other = replace(measured("00:00", "00:11"), measured={"date": "2026-11-23T00:11:00+00:00", "seconds": 70.0})
     assert other.span[0].minute == 9 and other.span[0].second == 50

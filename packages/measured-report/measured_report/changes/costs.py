@@ -28,13 +28,16 @@ def is_timed(record: Record) -> bool:
 
 
 def beside(record: Record, others: Iterable[Record]) -> list[Record]:
-    """Return those that were measured on the same host while this one was; none where no host is known.
+    """Return those that were measured on the same host while this one was timed; none where no host is known.
 
-    Where both paused they may have taken turns, so that they count when they overlap for longer than that.
+    Where they may have taken turns they don't count: they overlap for no longer than this one was not timed and the
+    other not measured.
     """
     host = record.machine.get("host")
     there = [other for other in others if other is not record and host and other.machine.get("host") == host]
-    return [other for other in there if _overlap(record, other) > _pause(record) + _pause(other)]
+    timed = _seconds(record, "alone") or [_measured_s(record)]
+    untimed = _rest(record, sum(timed))
+    return [other for other in there if _overlap(record, other) > untimed + _rest(other, _measured_s(other))]
 
 
 def _overlap(record: Record, other: Record) -> timedelta:
@@ -42,14 +45,20 @@ def _overlap(record: Record, other: Record) -> timedelta:
     return min(ended, other_ended) - max(started, other_started)
 
 
-def _pause(record: Record) -> timedelta:
-    """How long nothing of it was measured between its beginning and its end, which are told to the second.
-
-    What it has prepared was beside others.
-    """
+def _rest(record: Record, seconds: float) -> timedelta:
+    """What is left of the time between its beginning and its end, which are told to the second."""
     started, ended = record.span
-    measured = record.measured["seconds"] - record.measured.get("prepared_s", 0.0)
-    return max(timedelta(seconds=1), ended - started - timedelta(seconds=measured))
+    return max(timedelta(seconds=1), ended - started - timedelta(seconds=seconds))
+
+
+def _measured_s(record: Record) -> float:
+    """For how long it was measured at least: its batches that were not alone may have been beside each other."""
+    alone, shared = _seconds(record, "alone"), _seconds(record, "batch")
+    return sum(alone) + max(shared, default=0.0) if alone or shared else record.measured["seconds"]
+
+
+def _seconds(record: Record, kind: str) -> list[float]:
+    return [value for name, value in record.measured.items() if name.startswith(f"{kind}_")]
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
