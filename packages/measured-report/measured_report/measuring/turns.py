@@ -57,24 +57,22 @@ class Turn:
     waited_s: float = 0.0
     """How long it has waited for others."""
 
-    def take(self, *, alone: bool) -> None:
-        """Hold the host alone or together with others, when all who have asked before have had their turn."""
+    def take(self, *, alone: bool, in_turn: bool = True) -> None:
+        """Hold the host alone or together with others, ``in_turn`` when all who have asked before have had theirs."""
         self.can_give_way = False
         self.end()
         asked = time.perf_counter()
         with suppress(OSError):  # a file system without locks: what measures there is then up to its users
             fcntl.flock(self.place, fcntl.LOCK_UN)
             fcntl.flock(self.preparing, fcntl.LOCK_UN)
-            if self.prepares and not alone:
-                fcntl.flock(self.place, fcntl.LOCK_SH)  # which is had only when nobody is alone
-                fcntl.flock(self.preparing, fcntl.LOCK_SH)
-                fcntl.flock(self.place, fcntl.LOCK_UN)
-            else:
+            if in_turn:
                 fcntl.flock(self.queue, fcntl.LOCK_EX)
-                fcntl.flock(self.place, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
-                if alone:
-                    fcntl.flock(self.preparing, fcntl.LOCK_EX)
-                fcntl.flock(self.queue, fcntl.LOCK_UN)
+            fcntl.flock(self.place, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
+            if alone or self.prepares:
+                fcntl.flock(self.preparing, fcntl.LOCK_EX if alone else fcntl.LOCK_SH)
+            if self.prepares and not alone:
+                fcntl.flock(self.place, fcntl.LOCK_UN)  # so that whoever is next has it while this is waited for
+            fcntl.flock(self.queue, fcntl.LOCK_UN)
         self.is_alone, self.since = alone, time.perf_counter()
         self.waited_s += self.since - asked
         self.can_give_way = self.prepares and not alone
@@ -131,7 +129,7 @@ def turn(*, alone: bool, prepares: bool = False) -> Iterator[Turn]:
         word.daemon = True
         word.start()
         stack.callback(word.cancel)
-        mine.take(alone=alone and not prepares)
+        mine.take(alone=alone and not prepares, in_turn=not prepares)
         word.cancel()
         _turns.append(mine)
         stack.callback(_turns.remove, mine)
