@@ -3,14 +3,15 @@
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import cases_html
+from report.names import case_html, cases_html
 from report.sections.leave_out.tables import ALL, REFERENCE, Timed, audit_table, cost_figure, cost_table
-from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio, told
+from report.shared.arithmetic import DEVICES, cell_count, difference, largest_size, noise_floor, ratio, told
 from report.shared.timing import cell, ratio_cell, resolution
 from report.shared.timing import resolutions as largest_resolution
 
@@ -46,7 +47,10 @@ def derive(results: Results) -> Section:
     }
     resolutions = _resolutions(results, timed)
     return Section(
-        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, resolutions)},
+        tables={
+            "audit": audit_table(results),
+            "cost": cost_table(timed, differences, resolutions, _reference_of(runs, "cpu")),
+        },
         figures={"cost": cost_figure(timed, panels)},
         claims=[
             _faster_on_gpu(results, timed, faster),
@@ -174,10 +178,22 @@ def _same_bits(results: Results, runs: Runs) -> Claim:
     reference = _reference_of(runs, "cpu")
     compared = [row for row in runs.values() if row.device == "cpu" and "differing_frame_count" in row]
     others = [row for row in compared if row is not reference]
+    differing = [row.differing_frame_count for row in others]
+    numbers: dict[str, Any] = {
+        "differing": results.value(
+            "cpu_differing_count", "runs on the CPU with a frame unlike the reference's", _count_differing, *differing
+        ),
+        "count": cell_count(results, "cpu_compared_count", "runs on the CPU compared with the reference", differing),
+        "reference": case_html(reference.case) if reference else "",
+    }
     formula = "largest distance of any body in any frame from where it is in the reference, on the CPU"
     cells = [row.pose_difference_mm for row in others]
     largest = results.value("cpu_pose_difference", formula, max, *cells, unit="mm")
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
-        outcome = decided(all(row.differing_frame_count.value == 0 for row in others), largest)
-    return Claim("same_bits", outcome)
+        outcome = decided(numbers["differing"].value == 0, numbers["differing"], largest)
+    return Claim("same_bits", outcome, numbers)
+
+
+def _count_differing(*frame_counts: float) -> int:
+    return sum(count > 0 for count in frame_counts)

@@ -38,6 +38,17 @@ def test_two_that_may_have_taken_turns_were_not_beside_each_other():
     assert beside(timed, [measured("00:00", "00:30", pause=500.0)]) != []
 
 
+def test_what_was_timed_alone_was_beside_nothing():
+    """Its batches that are not timed ran at once, and beside those of others, for longer than it took."""
+    timed, other = measured("00:10", "00:20", pause=-300.0), measured("00:00", "00:30")
+    assert beside(timed, [other]) == [other]
+    parts = {"batch_points_s": 840.0, "alone_times_s": 60.0}
+    timed = replace(timed, measured=timed.measured | parts)
+    assert beside(timed, [other]) == [other]  # which never paused
+    turns = replace(other, measured=other.measured | {"seconds": 1700.0})
+    assert beside(timed, [turns]) == []
+
+
 def test_a_record_without_its_start_took_so_many_seconds():
     other = replace(measured("00:00", "00:11"), measured={"date": "2026-11-23T00:11:00+00:00", "seconds": 70.0})
     assert other.span[0].minute == 9 and other.span[0].second == 50

@@ -28,13 +28,16 @@ def is_timed(record: Record) -> bool:
 
 
 def beside(record: Record, others: Iterable[Record]) -> list[Record]:
-    """Return those that were measured on the same host while this one was; none where no host is known.
+    """Return those that were measured on the same host while this one was timed; none where no host is known.
 
-    Where both paused they may have taken turns, so that they count when they overlap for longer than that.
+    Where both paused they may have taken turns, so that they count when they overlap for longer than that. One that
+    says how long it was alone has all its times from then.
     """
     host = record.machine.get("host")
     there = [other for other in others if other is not record and host and other.machine.get("host") == host]
-    return [other for other in there if _overlap(record, other) > _pause(record) + _pause(other)]
+    alone = sum(seconds for name, seconds in record.measured.items() if name.startswith("alone_"))
+    pause = _pause(record, alone or _measured_s(record))
+    return [other for other in there if _overlap(record, other) > pause + _pause(other, _measured_s(other))]
 
 
 def _overlap(record: Record, other: Record) -> timedelta:
@@ -42,14 +45,15 @@ def _overlap(record: Record, other: Record) -> timedelta:
     return min(ended, other_ended) - max(started, other_started)
 
 
-def _pause(record: Record) -> timedelta:
-    """How long nothing of it was measured between its beginning and its end, which are told to the second.
+def _measured_s(record: Record) -> float:
+    """How long it was measured [s]; what it has prepared was beside others."""
+    return record.measured["seconds"] - record.measured.get("prepared_s", 0.0)
 
-    What it has prepared was beside others.
-    """
+
+def _pause(record: Record, measured_s: float) -> timedelta:
+    """How long nothing of it was measured between its beginning and its end, which are told to the second."""
     started, ended = record.span
-    measured = record.measured["seconds"] - record.measured.get("prepared_s", 0.0)
-    return max(timedelta(seconds=1), ended - started - timedelta(seconds=measured))
+    return max(timedelta(seconds=1), ended - started - timedelta(seconds=measured_s))
 
 
 def terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple]:
