@@ -67,6 +67,14 @@ def test_the_longest_step_is_seen_to_make_pads_alike_where_their_drifts_are_apar
     assert gain.value == pytest.approx(1.0, abs=0.05)
 
 
+def test_where_medians_say_otherwise_than_ratios_in_turn_the_caption_says_by_how_much(editions):
+    [edition] = [edition for edition in editions if "+" in edition.project.release]
+    row = next(row for row in edition.chapters["leave_out"].results.rows if row.case == "without-visuals")
+    first = next(row for row in edition.chapters["leave_out"].results.rows if row.case == "untrimmed")
+    apart = abs(row.frame_ms.value / first.frame_ms.value / row.frame_ratio.value - 1)
+    assert 100 * apart <= edition.chapters["leave_out"].section.tables["cost"].numbers["apart_cuda"].value < 10
+
+
 def test_a_run_time_that_is_the_same_within_its_resolution_is_said_to_be(editions):
     for edition in (edition for edition in editions if "error_runtime" in edition.chapters):
         for claim in (claim_of(edition, "error_runtime", name) for name in ("rk4", "rk4_warp")):

@@ -44,6 +44,7 @@ def cost_table(
     timed: Timed,
     differences: Mapping[tuple[str, str], Value],
     resolutions: Mapping[str, Value],
+    apart: Mapping[str, Value],
     cpu_reference: Row | None,
 ) -> Table:
     """Make a line for each case, with its times and changes by device, on the CPU from those of ``cpu_reference``."""
@@ -57,9 +58,10 @@ def cost_table(
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    on_cuda, on_cpu = (resolutions[device] for device in DEVICES)
     other = case_html(cpu_reference.case) if cpu_reference and cpu_reference.case != REFERENCE else ""
-    return table_of("case", map(case_html, names), columns, on_cuda=on_cuda, on_cpu=on_cpu, cpu_reference=other)
+    said: dict[str, Any] = {f"on_{device}": within for device, within in resolutions.items()}
+    said |= {f"apart_{device}": most for device, most in apart.items()}
+    return table_of("case", map(case_html, names), columns, cpu_reference=other, **said)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:
