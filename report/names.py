@@ -105,6 +105,11 @@ def worlds_name(count: int) -> str:
     return f"{format_number(count)} world{'s' * (count > 1)}"
 
 
+def listed(names: Sequence[str]) -> str:
+    """These as a sentence lists them."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+
+
 def case_html(case: str) -> Markup:
     """The name of a case, its code name in the title."""
     return Markup('<span class="case" title="{}">{}</span>').format(case, name_of(case))

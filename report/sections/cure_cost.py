@@ -55,14 +55,19 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
     def beyond(*cells: float) -> float:
         return max(0.0, *(more - noise for more, noise in zip(cells[::2], cells[1::2], strict=True)))
 
-    def worst(*cells: float) -> float:
-        return max(more if more > noise else 0.0 for more, noise in zip(cells[::2], cells[1::2], strict=True))
-
     formula = "by how much a frame takes longer{}, most of all numbers of worlds"
     slower = results.value(
         f"{name}_beyond", formula.format(" than the resolution"), beyond, *both, unit="%", is_noise=True
     )
-    numbers = {"worst": results.value(f"{name}_worst", formula.format(" where it is seen"), worst, *both, unit="%")}
+    seen_more = [
+        more
+        for more, noise in zip(found, noises, strict=True)
+        if None in (more.value, noise.value) or more.value > noise.value
+    ]
+    worst = results.value(
+        f"{name}_worst", formula.format(" where it is seen"), lambda *more: max(more, default=0.0), *seen_more, unit="%"
+    )
+    numbers = {"worst": worst}
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
     numbers["unseen"] = results.value(f"{name}_unseen", formula, max, *noises, unit="%", is_noise=True)
     outcomes = []

@@ -10,7 +10,7 @@ from measured_report.deriving.sections import outline_of
 from measured_report.editions.project import Project, own_release
 from measured_report.records.identity import sections
 from measured_report.records.reading import load_record
-from report.names import case_html, cases_html, name_of, number_of
+from report.names import case_html, cases_html, listed, name_of, number_of
 
 pytestmark = pytest.mark.words
 CODE = re.compile(r"[a-z]-|_|[/:]|\d(mm|cm|hz|kg|s)\b|\de[+\d]")
@@ -67,3 +67,7 @@ def test_every_section_has_one_or_is_called_as_its_file(toy):
     assert outline_of("how_heavy").label == "how heavy"
     toy.write("report/sections/how_heavy.py", 'order = 1\nlabel = "weight"\n\n\ndef derive(results):\n    pass\n')
     assert outline_of("how_heavy").label == "weight"
+
+
+def test_a_sentence_lists_names_with_an_and_before_the_last():
+    assert [listed(list("abc")[:count]) for count in range(4)] == ["", "a", "a and b", "a, b and c"]

@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise, product
 
 import numpy as np
-from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
 from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided, explains, greater
@@ -13,6 +12,7 @@ from measured_report.parts.figures import FAINT, INK, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
+from report.names import listed
 from report.sections.cure.ways import (
     BEST,
     GRASP_MM,
@@ -97,7 +97,7 @@ def _each_takes_its_part(results: Results) -> Claim:
     idle = [after for before, after in pairwise(slips) if greater(slips[before], slips[after], noise=noise) != HOLDS]
     numbers = dict(zip(("shipped", "term", "centred", "impratio", "kept", "best"), slips.values(), strict=True))
     outcome = decided(not idle, *slips.values(), noise)
-    return Claim("each_takes_its_part", outcome, {**numbers, "idle": Markup(", ").join(idle)})
+    return Claim("each_takes_its_part", outcome, {**numbers, "idle": listed(idle)})
 
 
 def _budget_closes(results: Results, kept: Sequence[Row], bounds: Bounds) -> Claim:

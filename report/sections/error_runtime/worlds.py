@@ -9,6 +9,7 @@ from measured_report.claims.claim import HOLDS, Claim, all_of, contiguous, great
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
 from measured_report.values.results import Row
+from report.names import worlds_name
 from report.sections.error_runtime.figures import draw_worlds
 from report.sections.error_runtime.runs import ENGINES, Points
 from report.shared.arithmetic import ratio
@@ -35,7 +36,7 @@ def derive_worlds(points: Points) -> tuple[Figure, Claim]:
         *(quantity for row, rate in zip(rows, rates, strict=True) for quantity in (row.worlds, rate)),
     )
     engine = ENGINES[rows[0].backend]
-    said = (Markup("{} worlds: {}").format(row.worlds, rate) for row, rate in zip(rows, rates, strict=True))
+    said = (Markup("{}: {}").format(worlds_name(row.worlds.value), rate) for row, rate in zip(rows, rates, strict=True))
     worst = resolutions(results, "worlds_resolution", rows)
     claim = _crossover_claim(points, engine, one_core, rates, crossover)
     claim = replace(claim, outcome=claim.outcome.having_read(worst))

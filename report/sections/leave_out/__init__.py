@@ -1,16 +1,17 @@
 """What the scene has and does not use, what each of it costs, and that nothing changes without it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater, within
 from measured_report.parts.section import Section
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.names import cases_html
+from report.names import case_html, cases_html
 from report.sections.leave_out.tables import ALL, REFERENCE, Timed, audit_table, cost_figure, cost_table
-from report.shared.arithmetic import DEVICES, difference, largest_size, noise_floor, ratio, told
+from report.shared.arithmetic import DEVICES, cell_count, difference, largest_size, noise_floor, ratio, told
 from report.shared.timing import cell, ratio_cell, resolution
 from report.shared.timing import resolutions as largest_resolution
 
@@ -44,9 +45,12 @@ def derive(results: Results) -> Section:
         for key in timed
         if key[1] not in (REFERENCE, BASELINE) and (key[0], key[2]) in panels
     }
-    resolutions = _resolutions(results, timed)
+    resolutions, apart = _resolutions(results, timed), _medians_apart(results, timed)
     return Section(
-        tables={"audit": audit_table(results), "cost": cost_table(timed, differences, resolutions)},
+        tables={
+            "audit": audit_table(results),
+            "cost": cost_table(timed, differences, resolutions, apart, _reference_of(runs, "cpu")),
+        },
         figures={"cost": cost_figure(timed, panels)},
         claims=[
             _faster_on_gpu(results, timed, faster),
@@ -54,7 +58,7 @@ def derive(results: Results) -> Section:
             _buffers_on_cpu(results, timed, faster),
             _less_memory(results, timed),
             _same_slip_on_gpu(results, runs, differences),
-            _each_helps(faster, resolutions, least),
+            _each_helps(faster, [*resolutions.values(), *apart.values()], least),
             _same_bits(results, runs),
         ],
     )
@@ -68,6 +72,25 @@ def _resolutions(results: Results, timed: Timed) -> dict[str, Value]:
         )
         for device in DEVICES
     }
+
+
+def _medians_apart(results: Results, timed: Timed) -> dict[str, Value]:
+    """Derive by device how far ratios of the medians are from those timed in turn, at most [%]."""
+    formula = "how far the ratio of a median to that exactly as shipped is from that timed in turn, of it, at most"
+    cells: dict[str, list[Quantity]] = {device: [] for device in DEVICES}
+    for (device, _, worlds), row in timed.items():
+        before = timed.get((device, REFERENCE, worlds))
+        if before and before.frame_ms.value is not None and row.frame_ratio.value is not None:
+            cells[device] += row.frame_ms, before.frame_ms, row.frame_ratio
+    return {
+        device: results.value(f"{device}_medians_apart", formula, _farthest, *found, unit="%", is_noise=True)
+        for device, found in cells.items()
+    }
+
+
+def _farthest(*cells: float) -> float:
+    triples = zip(cells[::3], cells[1::3], cells[2::3], strict=True)
+    return max(100 * abs(time / before / taken - 1) for time, before, taken in triples)
 
 
 def _gain(results: Results, timed: Timed, device: str, worlds: int) -> Value:
@@ -151,13 +174,13 @@ def _same_slip_on_gpu(results: Results, runs: Runs, differences: Mapping[tuple[s
     return Claim("same_slip_on_gpu", outcome, numbers)
 
 
-def _each_helps(faster: Faster, resolutions: Mapping[str, Value], least: Value) -> Claim:
+def _each_helps(faster: Faster, known_within: Sequence[Value], least: Value) -> Claim:
     """Tell whether each thing left out alone makes a frame faster, with any number of worlds, on any device."""
     alone = {case: [faster[key] for key in faster if key[1] == case] for _, case, _ in faster if case != ALL}
     helping = [case for case, found in alone.items() if HOLDS in found]
     outcome = decided(len(helping) == len(alone)) if alone else Outcome("unknown", "nothing was left out alone")
     reads = all_of(*(outcome for found in alone.values() for outcome in found)).reads
-    outcome = replace(outcome, reads=reads).having_read(*resolutions.values())
+    outcome = replace(outcome, reads=reads).having_read(*known_within)
     return Claim("each_helps", outcome, {"helping": cases_html(helping), "least": least})
 
 
@@ -174,10 +197,22 @@ def _same_bits(results: Results, runs: Runs) -> Claim:
     reference = _reference_of(runs, "cpu")
     compared = [row for row in runs.values() if row.device == "cpu" and "differing_frame_count" in row]
     others = [row for row in compared if row is not reference]
+    differing = [row.differing_frame_count for row in others]
+    numbers: dict[str, Any] = {
+        "differing": results.value(
+            "cpu_differing_count", "runs on the CPU with a frame unlike the reference's", _count_differing, *differing
+        ),
+        "count": cell_count(results, "cpu_compared_count", "runs on the CPU compared with the reference", differing),
+        "reference": case_html(reference.case) if reference else "",
+    }
     formula = "largest distance of any body in any frame from where it is in the reference, on the CPU"
     cells = [row.pose_difference_mm for row in others]
     largest = results.value("cpu_pose_difference", formula, max, *cells, unit="mm")
     outcome = Outcome("unknown", "nothing was run to the end on a CPU, and a GPU does not repeat itself to the bit")
     if others:
-        outcome = decided(all(row.differing_frame_count.value == 0 for row in others), largest)
-    return Claim("same_bits", outcome)
+        outcome = decided(numbers["differing"].value == 0, numbers["differing"], largest)
+    return Claim("same_bits", outcome, numbers)
+
+
+def _count_differing(*frame_counts: float) -> int:
+    return sum(count > 0 for count in frame_counts)

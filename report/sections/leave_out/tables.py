@@ -40,8 +40,14 @@ def _whole(results: Results, row: Row, column: str) -> Quantity:
     return results.value(f"{row.case}_{column}".replace("-", "_"), "the count, as a whole number", round, measured)
 
 
-def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value], resolutions: Mapping[str, Value]) -> Table:
-    """Make a line for each case, with its times and changes by device."""
+def cost_table(
+    timed: Timed,
+    differences: Mapping[tuple[str, str], Value],
+    resolutions: Mapping[str, Value],
+    apart: Mapping[str, Value],
+    cpu_reference: Row | None,
+) -> Table:
+    """Make a line for each case, with its times and changes by device, on the CPU from those of ``cpu_reference``."""
     names = list(dict.fromkeys(case for _, case, _ in timed))
     places = sorted({(device, worlds) for device, _, worlds in timed}, key=lambda place: (place[0] == "cpu", place))
     columns: dict[str, Column] = {}
@@ -52,8 +58,10 @@ def cost_table(timed: Timed, differences: Mapping[tuple[str, str], Value], resol
     columns["memory"] = [runs[name].buffer_bytes_per_world if name in runs else "" for name in names]
     for device in dict.fromkeys(device for device, _ in places):
         columns[f"slip, {DEVICES[device]}"] = [differences.get((device, name), "") for name in names]
-    on_cuda, on_cpu = (resolutions[device] for device in DEVICES)
-    return table_of("case", map(case_html, names), columns, on_cuda=on_cuda, on_cpu=on_cpu)
+    other = case_html(cpu_reference.case) if cpu_reference and cpu_reference.case != REFERENCE else ""
+    said: dict[str, Any] = {f"on_{device}": within for device, within in resolutions.items()}
+    said |= {f"apart_{device}": most for device, most in apart.items()}
+    return table_of("case", map(case_html, names), columns, cpu_reference=other, **said)
 
 
 def cost_figure(timed: Timed, panels: Sequence[tuple[str, int]]) -> Figure:

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from measured_report.claims.claim import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, decreases
-from measured_report.values.quantities import Value, absent
+from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.families import count, family, family_claim, least, most
 from report.sections.stability.passing import is_stable, passed
@@ -64,9 +65,10 @@ def gain_goes(results: Results) -> Claim:
     gains = []
     for number in sorted(counts, reverse=True):
         if ("as-shipped", number) in runs:
-            formula = f"drift of shipped pads over that of stiff ones, {number} substeps, in size"
-            drifts = runs["as-shipped", number].drift_mm_s, runs["stiff", number].drift_mm_s
-            gains.append(results.value(f"step_gain_{number}", formula, lambda a, b: abs(a / b), *drifts))
+            # Of the creep, whose repeats are compared; the drift, along one axis, varies at the longest step.
+            creeps = (_creep(runs[pads, number]) for pads in ("as-shipped", "stiff"))
+            formula = f"creep in shipped pads over that in stiff ones, {number} substeps"
+            gains.append(ratio(results, f"step_gain_{number}", formula, *creeps))
     if len(gains) < 2:
         lack = "it was not measured with longer steps"
         numbers = dict.fromkeys(("shipped", "twice", "longest", "step"), absent("1", lack))
@@ -75,6 +77,11 @@ def gain_goes(results: Results) -> Claim:
     ends = all_of(at_least(gains[0], 4.0, why="a gain to take back"), at_most(gains[-1], 2.0, why="a gain"))
     numbers = {"shipped": gains[0], "twice": gains[1], "longest": gains[-1], "step": runs["stiff", min(counts)].step_ms}
     return Claim("gain_goes", all_of(ends, falls), numbers)
+
+
+def _creep(row: Row) -> Quantity:
+    """Its noise is how far its repeats come out apart."""
+    return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
 
 
 def clamp(results: Results) -> Claim:

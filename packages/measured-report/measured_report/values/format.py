@@ -97,8 +97,8 @@ def rounded(value: float, noise: float | None, most: int = DIGITS_KNOWN, roundin
     if noise:
         place = min(max(place, math.ceil(math.log10(noise / 2))), exact.adjusted())
     found = exact.quantize(Decimal(1).scaleb(place), rounding)
-    if found.adjusted() > exact.adjusted() and place == exact.adjusted() + 1 - digits:
-        return found.quantize(Decimal(1).scaleb(place + 1), rounding)  # 9.996 is 10.0 and not 10.00
+    if found.adjusted() > exact.adjusted():
+        return rounded(float(found), noise, most, rounding)  # 9.996 is 10.0 and not 10.00
     return found
 
 
