@@ -21,6 +21,7 @@ from measured_report.measuring.executors import Host, LocalExecutor, Task
 from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import processes
 from measured_report.measuring.scheduler import Scheduler, next_start
+from measured_report.measuring.section_run import SectionRun
 from measured_report.records.reading import load_record
 
 
@@ -160,6 +161,13 @@ def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_wher
     assert worker.processes_of([small, large]) == (["A/0", "B/0", "A/1", "B/1"], ["A", "B", "B:1"])
     three = [replace(large, uuid=uuid) for uuid in "ABC"]
     assert worker.processes_of(three) == (["A", "B", "C"], ["A", "B", "C"])  # a process each shares nothing
+
+
+def test_a_batch_that_is_new_may_take_as_long_as_its_section_did():
+    waiting = [Batch(name, batches.work) for name in ("new", "old")]
+    known = {"toy": 9.0, "toy/old": 2.0}
+    run = SectionRun(None, "toy", "cpu", iter(()), None, known, waiting=waiting)
+    assert [each.seconds for each in run.tasks()] == [9.0, 2.0]
 
 
 def test_what_prepares_does_so_beside_what_is_left_to_run():
