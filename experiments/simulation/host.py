@@ -9,6 +9,7 @@ from experiments.simulation.measurement import Conditions
 from measured_report.editions.devices import NO_CUDA
 from measured_report.files.errors import ReportError
 from measured_report.measuring.host import Device
+from measured_report.measuring.pool import processes
 from measured_report.measuring.reasons import NOT_COMPILED
 from measured_report.records.provenance import package_versions
 
@@ -44,7 +45,11 @@ def prepare(kind: str) -> None:
 
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
     found = warp_device(kind)
-    if reason := kernels.too_old(found) or kernels.compile_first(found):
+    with processes(1) as beside:
+        if found.is_cuda:
+            beside.submit(kernels.compile_beside)
+        reason = kernels.too_old(found) or kernels.compile_first(found)
+    if reason:
         newton, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
         raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
 

@@ -4,6 +4,7 @@ Which modules a run needs shows only when it launches their kernels, so a first 
 launched, and what would have been compiled for it is compiled in parallel.
 """
 
+import os
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -66,6 +67,15 @@ def compile_first(device: wp.Device) -> str:
         return ""
     tqdm.write(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
     return ""
+
+
+def compile_beside() -> None:
+    """Compile for the CPU what runs there beside a GPU, in a process of its own, on cores that a GPU's leave idle.
+
+    Each of the processes that run there would otherwise do so by itself, 20 to 50 s of a core.
+    """
+    os.nice(10)
+    compile_for(wp.get_device("cpu"))
 
 
 def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:

@@ -30,11 +30,11 @@ POLL_S = 0.25
 """How soon it is noticed that a batch is wanted no longer."""
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
-SHARE_COUNT = 12
+SHARE_COUNT = 16
 """Processes that share a GPU, with a core each: a few worlds leave most of it idle."""
-ALONE_MIB, BESIDE_MIB = 40 << 10, 12 << 10
-"""Memory of a GPU that there has to be for a process for what must be alone, which keeps what it has prepared, and for
-each more: of a report one batch at most needs more than the second.
+SHARED_MIB, ALONE_MIB, BESIDE_MIB = 1 << 10, 40 << 10, 6 << 10
+"""Memory of a GPU that there has to be for each of these, for a process for what must be alone, which keeps what it has
+prepared, and for each more of those: of a report one batch at most needs more.
 """
 
 
@@ -122,7 +122,7 @@ def processes_of(gpus: Sequence[Gpu]) -> tuple[list[str], list[str]]:
         f"{gpu.uuid}:{number}" if number else gpu.uuid
         for number in range(max(1, count))
         for gpu in gpus
-        if not number or ALONE_MIB + number * BESIDE_MIB <= gpu.memory_mib
+        if not number or count * SHARED_MIB + ALONE_MIB + number * BESIDE_MIB <= gpu.memory_mib
     ]
     if count > 1 and (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
         return [f"{gpu.uuid}/{number}" for number in range(count) for gpu in gpus], alone
