@@ -155,7 +155,7 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
 def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 5)
-    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 54_000)
+    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 50_000)
     assert worker.processes_of([small, large]) == (["A", "B"], ["A", "B", "B:1"])
     (tmp_path / "control").touch()
     assert worker.processes_of([small, large]) == (["A/0", "B/0", "A/1", "B/1"], ["A", "B", "B:1"])
