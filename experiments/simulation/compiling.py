@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import contextmanager, suppress
-from functools import partial
+from functools import cache, partial
 from typing import Any
 from unittest import mock
 
@@ -29,12 +29,14 @@ GPU_MEMORY_BYTES = 1 << 30
 """What a process may take of a GPU that loads modules there, generously."""
 
 
-def load_all(loads: Sequence[Callable[[], Any]]) -> None:
+def load_all(loads: Sequence[Callable[[], Any]], meanwhile: Callable[[], Any] = lambda: None) -> None:
     """Call all ``loads``, which load modules of kernels; those that must be compiled are, on all cores.
 
-    What does not compile here is compiled when it is met, and fails there with a message of its own.
+    Where one for a GPU must be, ``meanwhile`` is called, once. What does not compile here is compiled when it is met, and
+    fails there with a message of its own.
     """
     count = min(len(loads), _process_count())
+    meanwhile = cache(meanwhile)
     waiting: queue.SimpleQueue[Callable[[], Any]] = queue.SimpleQueue()
     calls: queue.SimpleQueue[tuple[Call, Future] | None] = queue.SimpleQueue()
     for load in loads:
@@ -46,6 +48,7 @@ def load_all(loads: Sequence[Callable[[], Any]]) -> None:
             threading.Thread(target=_load, args=(waiting, calls), daemon=True).start()
         for _ in tqdm(loads, desc="compiling kernels", unit="module", delay=3.0):
             while call := calls.get():
+                meanwhile()
                 request, future = call
                 processes.submit(_compile, *request).add_done_callback(partial(_hand_over, future))
 

@@ -1,5 +1,6 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
+from functools import partial
 from importlib.metadata import version
 
 import warp as wp
@@ -46,9 +47,8 @@ def prepare(kind: str) -> None:
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
     found = warp_device(kind)
     with processes(1) as beside:
-        if found.is_cuda:
-            beside.submit(kernels.compile_beside)
-        reason = kernels.too_old(found) or kernels.compile_first(found)
+        compile_beside = partial(beside.submit, kernels.compile_beside)
+        reason = kernels.too_old(found) or kernels.compile_first(found, compile_beside)
     if reason:
         newton, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
         raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")

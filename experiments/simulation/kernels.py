@@ -50,14 +50,16 @@ def too_old(device: wp.Device) -> str:
     return ""
 
 
-def compile_first(device: wp.Device) -> str:
+def compile_first(device: wp.Device, meanwhile: Callable = lambda: None) -> str:
     """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
+
+    Where anything is compiled for a GPU, ``meanwhile`` is called.
 
     What else goes wrong here is said, and left to the measurement.
     """
     start = time.perf_counter()
     try:
-        count = compile_for(device)
+        count = compile_for(device, meanwhile)
     except Exception as error:  # a new release may build its kernels in another way
         try:
             simulations.Simulation([replace(AS_SHIPPED, frame_count=1)], device)
@@ -78,13 +80,13 @@ def compile_beside() -> None:
     compile_for(wp.get_device("cpu"))
 
 
-def compile_for(device: wp.Device, case: Case = AS_SHIPPED) -> int:
-    """Compile the kernels of a frame of ``case``, or load them from the cache, and return how many modules they are in.
+def compile_for(device: wp.Device, meanwhile: Callable = lambda: None) -> int:
+    """Compile the kernels of a frame, or load them from the cache, and return how many modules they are in.
 
     What does not compile here is compiled when it is met, and fails there with a message of its own.
     """
-    wanted = modules_of(device, case)
-    load_all([partial(module.load, device, block_dim) for module, block_dim in wanted])
+    wanted = modules_of(device, AS_SHIPPED)
+    load_all([partial(module.load, device, block_dim) for module, block_dim in wanted], meanwhile)
     return len(wanted)
 
 
