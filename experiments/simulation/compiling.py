@@ -32,8 +32,8 @@ GPU_MEMORY_BYTES = 1 << 30
 def load_all(loads: Sequence[Callable[[], Any]], meanwhile: Callable[[], Any] = lambda: None) -> None:
     """Call all ``loads``, which load modules of kernels; those that must be compiled are, on all cores.
 
-    Where one for a GPU must be, ``meanwhile`` is called, once. What does not compile here is compiled when it is met, and
-    fails there with a message of its own.
+    Where one for a GPU must be, ``meanwhile`` is called, once. What does not compile here is compiled when it is met,
+    and fails there with a message of its own.
     """
     count = min(len(loads), _process_count())
     meanwhile = cache(meanwhile)
