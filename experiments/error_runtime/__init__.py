@@ -30,6 +30,7 @@ HALF_CYCLE = 30
 """Frames in C that are timed together: as long as the force on the cube takes to have had all its sizes."""
 PART_COUNT = 4
 """Parts of the settings, each timed in turn by itself, so that one can be built while another is timed."""
+TIMES_CPU = ("times-", "worlds")
 CAP_S = 16.0
 """Seconds after which the settings of a part are not looked at again."""
 WORLDS_CAP_S = 3.0

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -73,8 +74,11 @@ def scheduler(folder):
         cluster.communicate()
 
 
+@contextmanager
 def workers_at(scheduler: str):
-    return cluster_executor(read_cluster(scheduler), "cpu", None, {})
+    with cluster_executor(read_cluster(scheduler), "cpu", None, {}) as executor:
+        executor.gather()
+        yield executor
 
 
 def spans(log: Path) -> dict[str, tuple[float, float]]:
@@ -135,17 +139,17 @@ def test_a_worker_with_other_code_is_refused_by_name(scheduler, monkeypatch, cap
         monkeypatch.setattr(clusters, "carrying_digest", lambda: "0" * 64)
     else:
         identities["gap"] = replace(own, code="0" * 64, files={**own.files, "experiments/gap.py": "0" * 64})
-    executor = cluster_executor(read_cluster(scheduler), "cpu", None, identities)
-    with pytest.raises(ReportError, match="no worker may measure this"), executor:
-        pass
+    opened = cluster_executor(read_cluster(scheduler), "cpu", None, identities)
+    with pytest.raises(ReportError, match="no worker may measure this"), opened as executor:
+        executor.gather()
     said = capsys.readouterr().err
     assert f"{os.uname().nodename} is left out: it would measure with another {differing}" in said
 
 
 def test_a_worker_without_the_gpu_that_is_asked_for_is_refused_by_name(scheduler, monkeypatch, capsys):
-    wanted = cluster_executor(read_cluster(scheduler), "cuda", "nvidia-h200", {})
-    with pytest.raises(ReportError, match="no worker may measure this"), wanted:
-        pass
+    opened = cluster_executor(read_cluster(scheduler), "cuda", "nvidia-h200", {})
+    with pytest.raises(ReportError, match="no worker may measure this"), opened as executor:
+        executor.gather()
     assert "left out: it has no CUDA device, and this is of nvidia-h200" in capsys.readouterr().err
 
 
@@ -165,6 +169,7 @@ if __name__ == "__main__":
     cluster, root, log = sys.argv[1:]
     toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
     with cluster_executor(read_cluster(cluster), "cpu", None, {}) as executor:
+        executor.gather()
         Scheduler([batches.run_of(toy, batches.slow_after(log, "ab"))], executor).run()
 """
 

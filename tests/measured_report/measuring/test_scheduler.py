@@ -4,7 +4,6 @@ import os
 import random
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import batches
@@ -152,15 +151,28 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
     assert next_start(ready, [host], {}) == (alone, host, ("one", "gpu"))
 
 
+def test_gpus_of_one_host_have_as_much_to_do_and_what_is_alone_on_one_leaves_the_other():
+    gpus = [Host("one", KIND, [f"{uuid}/0", f"{uuid}/1"], [uuid]) for uuid in "AB"]
+    ready, busy, places = [(task(f"t{i}", 9.0 - i), None) for i in range(4)], {}, []
+    while found := next_start(ready, gpus, busy):
+        places.append(found[2][1])
+        busy[found[2]] = found[0]
+        ready.remove((found[0], None))
+    assert places == ["A/0", "B/0", "A/1", "B/1"]
+    alone = task("alone", alone=True)
+    assert next_start([(alone, None)], gpus, busy) is None
+    del busy["one", "B/0"], busy["one", "B/1"]
+    assert next_start([(alone, None)], gpus, busy) == (alone, gpus[1], ("one", "B"))
+
+
 def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 5)
-    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 50_000)
-    assert worker.processes_of([small, large]) == (["A", "B"], ["A", "B", "B:1"])
+    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 52_000)
+    assert [worker.processes_of(gpu, 2) for gpu in (small, large)] == [(["A"], ["A"]), (["B"], ["B", "B:1", "B:2"])]
     (tmp_path / "control").touch()
-    assert worker.processes_of([small, large]) == (["A/0", "B/0", "A/1", "B/1"], ["A", "B", "B:1"])
-    three = [replace(large, uuid=uuid) for uuid in "ABC"]
-    assert worker.processes_of(three) == (["A", "B", "C"], ["A", "B", "C"])  # a process each shares nothing
+    assert worker.processes_of(small, 2) == (["A/0", "A/1"], ["A"])
+    assert worker.processes_of(large, 3) == (["B"], ["B", "B:1", "B:2"])  # a process each shares nothing
 
 
 def test_a_batch_that_is_new_may_take_as_long_as_its_section_did():

@@ -4,14 +4,15 @@ import os
 import pickle
 import time
 from contextlib import suppress
-from itertools import chain, permutations
+from dataclasses import replace
+from itertools import chain, permutations, zip_longest
 from types import SimpleNamespace
 
 import pytest
 
 from measured_report.measuring import turns
 from measured_report.measuring.batch import Batch, timing
-from measured_report.measuring.outcome import run_batch
+from measured_report.measuring.outcome import Done, Failed, run_batch
 from measured_report.measuring.pool import processes
 from measured_report.measuring.turns import alone
 
@@ -50,10 +51,16 @@ def prepared_and_timed(raises: bool = False, prepare_s: float = PREPARE_S) -> li
     return found
 
 
-def outcomes(batches: list[Batch]) -> list:
-    """Run batches at once, each in a process of its own."""
+def outcomes(batches: list[Batch], gpus: str = "") -> list:
+    """Run batches at once, each in a process of its own, which has the GPU of that letter."""
     with processes(len(batches), "fork") as pool:
-        return [call.result() for call in [pool.submit(run_batch, batch, {}) for batch in batches]]
+        calls = [pool.submit(run_on, *call) for call in zip_longest(batches, gpus)]
+        return [call.result() for call in calls]
+
+
+def run_on(batch: Batch, gpu: str | None) -> Done | Failed:
+    os.environ["CUDA_VISIBLE_DEVICES"] = f"GPU-{gpu}" if gpu else ""
+    return run_batch(batch, {})
 
 
 def is_beside(part: list[float], other: list[float]) -> bool:
@@ -101,6 +108,19 @@ def test_what_need_not_be_alone_is_beside_its_like_and_never_beside_what_is():
         return is_beside(*([*chain(*pickle.loads(done.content))] for done in outcomes([*batches])))
 
     assert are_together(shared, shared) and not are_together(shared, whole) and not are_together(whole, whole)
+
+
+def test_what_is_alone_on_a_gpu_leaves_others_alone_and_what_times_the_cpu_has_the_host(monkeypatch):
+    monkeypatch.setattr(os, "cpu_count", lambda: 4)
+    long, short = (timing(name, prepared_and_timed, False, prepare_s) for name, prepare_s in (("a", 0.8), ("b", 0.4)))
+    cpu = replace(timing("cpu", prepared_and_timed, False, 0.1), on_host=True)
+    done = outcomes([Batch("shared", moments, (1.0,)), long, short, cpu], "aaba")
+    shared, on_a, on_b, on_host = (pickle.loads(each.content) for each in done)
+    assert shared[0] < on_b[1][0] < on_b[1][-1] < shared[-1], "another GPU's are timed beside what runs"
+    assert is_beside(on_b[1], on_a[0]), "and beside what prepares"
+    assert shared[-1] < on_a[1][0]
+    for timed in on_host[1::2]:
+        assert not any(is_beside(timed, other) for other in (shared, *on_a, *on_b))
 
 
 def test_whoever_waits_long_for_others_says_so(capfd, monkeypatch):

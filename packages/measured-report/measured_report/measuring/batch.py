@@ -29,9 +29,11 @@ class Batch:
     """Found by its name in a module. It and what it returns travel as bytes."""
     arguments: tuple = ()
     alone: bool = False
-    """Whether nothing else may run on its host meanwhile, since it measures times."""
+    """Whether nothing else may run on its GPU meanwhile, since it measures times; without a GPU, on its host."""
     prepares: bool = False
-    """Whether such a batch has its host for itself only within ``turns.alone``, and prepares beside its like."""
+    """Whether such a batch is alone only within ``turns.alone``, and prepares beside its like."""
+    on_host: bool = False
+    """Whether such a batch times the CPU, so that nothing else may run on its host; set from ``TIMES_CPU``."""
 
 
 def timing(name: str, function: Callable[..., Any], *arguments: Any) -> Batch:

@@ -15,7 +15,7 @@ import shlex
 import sys
 import time
 import uuid
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -80,7 +80,7 @@ def _on_this_host(cluster: ClusterAddress, device: str) -> LocalCluster:
         if count > len(gpus):
             raise ReportError(f"CLUSTER={cluster.asked}: this host has {len(gpus)} GPUs, and {count} are asked for")
         settings["CUDA_VISIBLE_DEVICES"] = ",".join(gpu.uuid for gpu in gpus[:count])
-        thread_count = max(map(len, worker.processes_of(gpus[:count])))
+        thread_count = count * max(len(names) for gpu in gpus[:count] for names in worker.processes_of(gpu, count))
     options = {"memory_limit": 0, "dashboard_address": None, "silence_logs": QUIET, "env": settings}
     options |= {"protocol": "tls", "security": Security.temporary()}  # others on this host are not let in
     return LocalCluster(n_workers=1, threads_per_worker=thread_count, host="127.0.0.1", **options)
@@ -145,14 +145,14 @@ def cluster_executor(
 ) -> Iterator["ClusterExecutor"]:
     """Open an executor of those of the cluster's workers that measure each section by its identity.
 
-    A GPU must be called ``processor`` in a label, unless that is None.
+    They prepare at once; ``gather`` waits for that. A GPU must be called ``processor`` in a label, unless that is None.
     """
     with connected(cluster, device) as client:
-        executor = ClusterExecutor(client, device, processor, identities)
+        patience_s = None if cluster.scheduler else CONNECT_S
+        executor = ClusterExecutor(client, device, processor, identities, patience_s)
         if cluster.scheduler and not client.nthreads():
             print(f"waiting for workers at {cluster.scheduler}", file=sys.stderr, flush=True)
         try:
-            executor.gather(None if cluster.scheduler else CONNECT_S)
             yield executor
         finally:
             executor.stop()
@@ -161,34 +161,44 @@ def cluster_executor(
 class ClusterExecutor:
     """The workers of a cluster; see ``executors.Executor``."""
 
-    def __init__(self, client: Client, device: str, processor: str | None, identities: Mapping[str, Identity]):
-        self.client, self.device, self.processor = client, device, processor
+    def __init__(
+        self,
+        client: Client,
+        device: str,
+        processor: str | None,
+        identities: Mapping[str, Identity],
+        patience_s: float | None,
+    ):
+        self.client, self.device, self.processor, self.patience_s = client, device, processor, patience_s
         self._preparing = _call(Batch("prepare", prepare, (device, identities, carrying_digest())))
-        self._workers: dict[str, Host | None] = {}
-        """By address; None for those that are left out or have not yet introduced themselves."""
+        self._workers: dict[str, Sequence[Host]] = {}
+        """By address; none of those that are left out or have not yet introduced themselves."""
         self._running: dict[Future, tuple[Task | None, str]] = {}
         """With the address of the worker; what is no task is an introduction."""
+        self._look_around()
 
     @property
     def hosts(self) -> list[Host]:
         """The hosts that may measure; of several workers on one the first does so."""
-        first: dict[str, Host] = {}
-        for host in filter(None, list(self._workers.values())):
-            first.setdefault(host.name, host)
-        return list(first.values())
+        first: dict[str, Sequence[Host]] = {}
+        for hosts in list(self._workers.values()):
+            for host in hosts:
+                first.setdefault(host.name, hosts)
+        return [host for hosts in first.values() for host in hosts]
 
-    def gather(self, patience_s: float | None) -> None:
+    def gather(self) -> None:
         """Wait for the first worker that may measure; ReportError when all are left out, or none is there in time."""
         begun = time.monotonic()
         while not self.hosts:
             list(self.wait())
             if self._workers and not self._running and not self.hosts:
                 raise ReportError("no worker may measure this")
-            if not self._workers and patience_s and time.monotonic() - begun > patience_s:
-                raise ReportError(f"no worker is there after {patience_s:.0f} s")
+            if not self._workers and self.patience_s and time.monotonic() - begun > self.patience_s:
+                raise ReportError(f"no worker is there after {self.patience_s:.0f} s")
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
-        address = next(address for address, host in self._workers.items() if host and host.name == process[0])
+        hosts = ((address, host) for address, mine in self._workers.items() for host in mine)
+        address = next(address for address, host in hosts if host.name == process[0])
         self._submit(task, address, worker.measure, self.device, process[1], _call(task.batch))
 
     def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:
@@ -226,13 +236,13 @@ class ClusterExecutor:
             self._introduce(address)
 
     def _introduce(self, address: str) -> None:
-        self._workers[address] = None
+        self._workers[address] = []
         thread_count = self.client.nthreads().get(address, 1)
         self._submit(None, address, worker.introduce, self.device, self.processor, thread_count, self._preparing)
 
-    def _meet(self, address: str, name: str, found: Host | BatchOutcome) -> None:
+    def _meet(self, address: str, name: str, found: Sequence[Host] | BatchOutcome) -> None:
         """Take a worker that has introduced itself, unless it has said why it can't measure."""
-        if isinstance(found, Host):
+        if isinstance(found, list):
             self._workers[address] = found
         elif isinstance(found, Lost):
             self._introduce(address)

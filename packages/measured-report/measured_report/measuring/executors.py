@@ -30,14 +30,20 @@ class Task:
 
 @dataclass(frozen=True)
 class Host:
-    """A host that measures, all of it one kind of machine."""
+    """A host that measures, all of it one kind of machine; of one with several GPUs, the part that is about one."""
 
     name: str
+    """Of the host."""
     kind: tuple
     processes: Sequence[str]
-    """Names of its worker processes, each of which measures one batch at once."""
+    """Names of its worker processes, each of which measures one batch at once; no other part has the same."""
     alone: Sequence[str]
-    """Those for what must be alone, of which one at a time is while others prepare."""
+    """Those for what must be alone there, of which one at a time is while others prepare."""
+
+    def those_of(self, busy: Mapping[tuple[str, str], Task]) -> list[Task]:
+        """What runs there of all that does, by the names of a host and a process."""
+        mine = {(self.name, process) for process in (*self.processes, *self.alone)}
+        return [task for process, task in busy.items() if process in mine]
 
 
 class Executor(Protocol):
@@ -45,7 +51,7 @@ class Executor(Protocol):
 
     @property
     def hosts(self) -> Sequence[Host]:
-        """The hosts that are there now."""
+        """The hosts that are there now, one with several GPUs once for each."""
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
         """Start a batch on a worker process that is free: the names of its host and its own."""

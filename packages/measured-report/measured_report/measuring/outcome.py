@@ -24,7 +24,7 @@ class Done:
     seconds: float
     """How long it took, without what it has waited for."""
     alone_s: float = 0.0
-    """How long of that nothing else might run on its host."""
+    """How long of that nothing else might run on its GPU or host."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ def run_batch(batch: Batch, machine: Mapping[str, Any]) -> Done | Failed:
     """Measure a batch in this process."""
     start = time.perf_counter()
     try:
-        with turn(alone=batch.alone, prepares=batch.prepares) as mine:
+        with turn(alone=batch.alone, prepares=batch.prepares, on_host=batch.on_host) as mine:
             started = now()
             content = pickle.dumps(batch.function(*batch.arguments), protocol=pickle.HIGHEST_PROTOCOL)
     except Exception as error:  # one batch's fault must not cost the others

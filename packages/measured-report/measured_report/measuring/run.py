@@ -30,7 +30,7 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import processes
 from measured_report.measuring.scheduler import Scheduler
 from measured_report.measuring.section_run import SectionRun, section_run
-from measured_report.records.identity import sections
+from measured_report.records.identity import identity_of, sections
 from measured_report.records.provenance import EDITED, package_versions
 
 FAILED, UNFIT, STOPPED = 1, 2, 130
@@ -44,8 +44,7 @@ def main() -> int:
             stream.reconfigure(errors="replace")  # the output may know ASCII alone
     arguments, status = parse_arguments(), UNFIT
     try:
-        runs = section_runs(arguments)
-        with executor_of(arguments, runs) as executor:
+        with begun(arguments) as (runs, executor):
             if arguments.only_prepare:
                 return 0
             status, scheduler = FAILED, Scheduler(runs, executor)
@@ -81,27 +80,31 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     if others := [name for name in arguments.section if not is_about(name, package_versions())]:
         raise ReportError(f"{', '.join(others)}: what NEEDS names there is not what is installed here")
-    arguments.device = (arguments.device or "cuda") if arguments.cluster else host().device(arguments.device).kind
+    if not arguments.cluster:
+        arguments.device = host().device(arguments.device).kind
     modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
 
 
 @contextmanager
-def executor_of(arguments: argparse.Namespace, runs: Sequence[SectionRun]) -> Iterator[Executor]:
-    """Open the executor that was asked for: this process, forks of it, or a cluster's workers."""
+def begun(arguments: argparse.Namespace) -> Iterator[tuple[Sequence[SectionRun], Executor]]:
+    """The runs, and the executor that was asked for: this process, forks of it, or a cluster's workers."""
     if arguments.cluster:
         from measured_report.measuring.cluster import cluster_executor
 
-        identities = {run.section: run.identity for run in runs}
-        cluster = read_cluster(arguments.cluster)
+        identities = {section: identity_of(section, arguments.profile) for section in arguments.section}
+        cluster, arguments.device = read_cluster(arguments.cluster), arguments.device or "cuda"
         with cluster_executor(cluster, arguments.device, arguments.processor, identities) as executor:
-            yield executor
+            runs = section_runs(arguments)  # loads the simulator, as the workers do meanwhile
+            executor.gather()
+            yield runs, executor
         return
+    runs = section_runs(arguments)
     for device in sorted({run.device for run in runs}):
         host().prepare(device)
     count, here = arguments.processes, machine(arguments.device)
     with nullcontext() if count == 1 else processes(count, "fork") as pool:
-        yield LocalExecutor(here, pool, count)
+        yield runs, LocalExecutor(here, pool, count)
 
 
 @contextmanager

@@ -21,13 +21,13 @@ def next_start(
 ) -> tuple[Task, Host, tuple[str, str]] | None:
     """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
-    Where more than one batch runs at a time the longest goes first, and those that must be alone on their host, which
-    take turns there, go when nothing else is left to start, or, if they don't prepare, to run. None when nothing can
-    be started beside what is ``busy``.
+    Where more than one batch runs at a time the longest goes first, to the host that has least to do, and those that
+    must be alone there, which take turns, go when nothing else is left to start, or, if they don't prepare, to run.
+    None when nothing can be started beside what is ``busy``.
     """
     in_turn = sum(len({*host.processes, *host.alone}) for host in hosts) == 1
-    for host in hosts:
-        beside = [task for (name, _), task in busy.items() if name == host.name]
+    for host in sorted(hosts, key=lambda host: len(host.those_of(busy))):
+        beside = host.those_of(busy)
         fit = [task for task, kind in ready if kind in (None, host.kind)]
         shared = fit if in_turn else [task for task in fit if not task.batch.alone]
         is_shared = not all(task.batch.alone for task in beside)

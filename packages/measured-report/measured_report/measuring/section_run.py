@@ -6,7 +6,7 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import ModuleType
 
 from tqdm import tqdm
@@ -40,6 +40,8 @@ class SectionRun:
     identity: Identity
     known: Mapping[str, float]
     """Seconds that it took the last time, by section and by ``section/batch``."""
+    times_cpu: tuple[str, ...] = ()
+    """What the names of those of its batches begin with that time the CPU."""
     stage: list[Batch] = field(default_factory=list)
     """What was yielded last."""
     waiting: list[Batch] = field(default_factory=list)
@@ -72,10 +74,11 @@ class SectionRun:
         while not self.is_over and all(batch.name in self.done for batch in self.stage):
             results = [pickle.loads(self.done[batch.name].content) for batch in self.stage]
             try:
-                self.stage = list(self.plan.send(results or None))
+                stage = self.plan.send(results or None)
             except StopIteration as end:
                 self._write(end.value)
                 return
+            self.stage = [replace(batch, on_host=batch.name.startswith(self.times_cpu)) for batch in stage]
             names = [batch.name for batch in self.stage]
             if not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < max(1, len(names)) + len(self.done):
                 fault = "batches need names of their own, lower-case words joined by hyphens"
@@ -145,7 +148,7 @@ def section_run(
     conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return SectionRun(project, section, device, plan, identity, known)
+    return SectionRun(project, section, device, plan, identity, known, getattr(module, "TIMES_CPU", ()))
 
 
 def _as_one(batch: Batch) -> Plan:

@@ -15,7 +15,7 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -32,7 +32,7 @@ MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
 SHARE_COUNT = 16
 """Processes that share a GPU, with a core each: a few worlds leave most of it idle."""
-SHARED_MIB, ALONE_MIB, BESIDE_MIB = 1 << 10, 40 << 10, 6 << 10
+SHARED_MIB, ALONE_MIB, BESIDE_MIB = 1 << 10, 40 << 10, 4 << 10
 """Memory of a GPU that there has to be for each of these, for a process for what must be alone, which keeps what it has
 prepared, and for each more of those: of a report one batch at most needs more.
 """
@@ -96,37 +96,38 @@ _processes: dict[tuple[str, str], Process] = {}
 _processes_lock = threading.Lock()
 
 
-def introduce(device: str, processor: str | None, thread_count: int, call: bytes) -> tuple[str, Host | Lost | Failed]:
+def introduce(
+    device: str, processor: str | None, thread_count: int, call: bytes
+) -> tuple[str, list[Host] | Lost | Failed]:
     """Say what this worker is called and, once its first process has made a call, what processes it has.
 
     A GPU must be called ``processor`` in a label, unless that is None; there may be ``thread_count`` processes.
     """
     node, there = platform.node(), gpus() if device == "cuda" else []
-    mine = [gpu for gpu in there if processor in (None, slug(gpu.name))]
+    mine = [gpu for gpu in there if processor in (None, slug(gpu.name))][:thread_count]
     if device == "cuda" and not mine:
         others = ", ".join(sorted({gpu.name for gpu in there}))
         return node, Failed(f"it has {others or 'no CUDA device'}, and this is of {processor or device}")
     numbers = [str(number) for number in range(thread_count)]
-    together, alone = (names[:thread_count] for names in (processes_of(mine) if mine else (numbers, numbers)))
-    found = measure(device, alone[0], call)
-    return node, Host(node, kind_of(found.machine), together, alone) if isinstance(found, Done) else found
+    each = [processes_of(gpu, len(mine)) for gpu in mine] or [(numbers, numbers)]
+    found = measure(device, each[0][1][0], call)
+    if not isinstance(found, Done):
+        return node, found
+    count, kind = thread_count // len(each), kind_of(found.machine)
+    return node, [Host(node, kind, together[:count], alone[:count]) for together, alone in each]
 
 
-def processes_of(gpus: Sequence[Gpu]) -> tuple[list[str], list[str]]:
-    """Name the processes of GPUs, those of one far apart: for what may run beside others, and for what must be alone.
+def processes_of(gpu: Gpu, gpu_count: int) -> tuple[list[str], list[str]]:
+    """Name the processes of one of so many GPUs: for what may run beside others, and for what must be alone there.
 
-    The first share the GPUs where a daemon is there that lets them do so. Of the others one at a time measures.
+    The first share the GPU where a daemon is there that lets them do so. Of the others one at a time measures.
     """
-    count = min(SHARE_COUNT, (os.cpu_count() or 1) // len(gpus))
-    alone = [
-        f"{gpu.uuid}:{number}" if number else gpu.uuid
-        for number in range(max(1, count))
-        for gpu in gpus
-        if not number or count * SHARED_MIB + ALONE_MIB + number * BESIDE_MIB <= gpu.memory_mib
-    ]
+    count = min(SHARE_COUNT, (os.cpu_count() or 1) // gpu_count)
+    beside_count = max(0, gpu.memory_mib - count * SHARED_MIB - ALONE_MIB) // BESIDE_MIB
+    alone = [gpu.uuid, *(f"{gpu.uuid}:{number + 1}" for number in range(beside_count))]
     if count > 1 and (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists():
-        return [f"{gpu.uuid}/{number}" for number in range(count) for gpu in gpus], alone
-    return [gpu.uuid for gpu in gpus], alone
+        return [f"{gpu.uuid}/{number}" for number in range(count)], alone
+    return [gpu.uuid], alone
 
 
 def measure(device: str, name: str, call: bytes) -> BatchOutcome:
