@@ -187,6 +187,9 @@ def test_what_prepares_does_so_beside_what_is_left_to_run():
     ready, busy = [(timed, None), (task("alone", alone=True), None)], {("one", "0"): running}
     assert next_start(ready, TWO[:1], busy) == (timed, TWO[0], ("one", "1"))
     assert next_start([*ready, (other, None)], TWO[:1], busy)[0] is other
+    shared = Host("one", KIND, ["gpu/0"], ["gpu", "gpu:1"])
+    assert next_start(ready, [shared], {("one", "gpu/0"): running}) is None, "no process is idle"
+    assert next_start(ready[:1], [shared], {("one", "gpu"): timed})[2] == ("one", "gpu:1")
 
 
 def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_others_that_wait():

@@ -18,6 +18,7 @@ from measured_report.files.errors import ReportError
 from measured_report.measuring.host import host
 from measured_report.measuring.machine import machine
 from measured_report.measuring.outcome import BatchOutcome, Failed, run_batch
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import Identity, changes, files_digest, identity_of
 
 IDLE_S = 120.0
@@ -30,7 +31,8 @@ def prepare(device: str, identities: Mapping[str, Identity], carrying: str) -> N
 
     ReportError where they can't be measured, or not by these ``identities`` and the ``carrying_digest`` that is asked.
     """
-    here = {section: identity_of(section, wanted.profile) for section, wanted in identities.items()}
+    with unchanged_files():
+        here = {section: identity_of(section, wanted.profile) for section, wanted in identities.items()}
     words = [word for section, wanted in identities.items() for word in changes(here[section], wanted)]
     if carrying != carrying_digest():
         words.append("measured_report")

@@ -30,6 +30,7 @@ from measured_report.measuring.machine import machine
 from measured_report.measuring.pool import processes
 from measured_report.measuring.scheduler import Scheduler
 from measured_report.measuring.section_run import SectionRun, section_run
+from measured_report.records.code import unchanged_files
 from measured_report.records.identity import identity_of, sections
 from measured_report.records.provenance import EDITED, package_versions
 
@@ -92,7 +93,8 @@ def begun(arguments: argparse.Namespace) -> Iterator[tuple[Sequence[SectionRun],
     if arguments.cluster:
         from measured_report.measuring.cluster import cluster_executor
 
-        identities = {section: identity_of(section, arguments.profile) for section in arguments.section}
+        with unchanged_files():
+            identities = {section: identity_of(section, arguments.profile) for section in arguments.section}
         cluster, arguments.device = read_cluster(arguments.cluster), arguments.device or "cuda"
         with cluster_executor(cluster, arguments.device, arguments.processor, identities) as executor:
             runs = section_runs(arguments)  # loads the simulator, as the workers do meanwhile

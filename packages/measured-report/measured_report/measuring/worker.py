@@ -156,8 +156,10 @@ def _still_wanted() -> Callable[[], bool]:
 
 async def stop() -> None:
     """End all processes: of what the worker is asked, only what is asynchronous is not waited for."""
-    for process in list(_processes.values()):
-        process.end()
+    for program in [process.program for process in _processes.values()]:
+        if program:
+            with suppress(OSError):
+                os.killpg(program.pid, signal.SIGKILL)
 
 
 def gpus() -> list[Gpu]:
