@@ -31,6 +31,7 @@ HALF_CYCLE = 30
 PART_COUNT = 4
 """Parts of the settings, each timed in turn by itself, so that one can be built while another is timed."""
 TIMES_CPU = ("times-", "worlds")
+"""What the names of the batches begin with that time the CPU: see ``SectionRun``."""
 CAP_S = 16.0
 """Seconds after which the settings of a part are not looked at again."""
 WORLDS_CAP_S = 3.0

@@ -40,6 +40,7 @@ UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 TIMES_CPU = ("cpu-", "stages-cpu")
+"""What the names of the batches begin with that time the CPU: see ``SectionRun``."""
 WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
 """What is left out alone with the most worlds, where to build a batch takes longer than to time it."""
 ON_CPU = ("buffers",)

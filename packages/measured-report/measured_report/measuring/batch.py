@@ -33,7 +33,7 @@ class Batch:
     prepares: bool = False
     """Whether such a batch is alone only within ``turns.alone``, and prepares beside its like."""
     on_host: bool = False
-    """Whether such a batch times the CPU, so that nothing else may run on its host; set from ``TIMES_CPU``."""
+    """Whether such a batch times the CPU, so that nothing else may run on its host: on a CPU, or by ``TIMES_CPU``."""
 
 
 def timing(name: str, function: Callable[..., Any], *arguments: Any) -> Batch:

@@ -181,9 +181,8 @@ class ClusterExecutor:
     def hosts(self) -> list[Host]:
         """The hosts that may measure; of several workers on one the first does so."""
         first: dict[str, Sequence[Host]] = {}
-        for hosts in list(self._workers.values()):
-            for host in hosts:
-                first.setdefault(host.name, hosts)
+        for hosts in filter(None, list(self._workers.values())):
+            first.setdefault(hosts[0].name, hosts)
         return [host for hosts in first.values() for host in hosts]
 
     def gather(self) -> None:
@@ -197,8 +196,7 @@ class ClusterExecutor:
                 raise ReportError(f"no worker is there after {self.patience_s:.0f} s")
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
-        hosts = ((address, host) for address, mine in self._workers.items() for host in mine)
-        address = next(address for address, host in hosts if host.name == process[0])
+        address = next(address for address, hosts in self._workers.items() if hosts and hosts[0].name == process[0])
         self._submit(task, address, worker.measure, self.device, process[1], _call(task.batch))
 
     def wait(self) -> Iterator[tuple[Task, BatchOutcome]]:

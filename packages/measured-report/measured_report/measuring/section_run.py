@@ -78,7 +78,8 @@ class SectionRun:
             except StopIteration as end:
                 self._write(end.value)
                 return
-            self.stage = [replace(batch, on_host=batch.name.startswith(self.times_cpu)) for batch in stage]
+            on_cpu = self.device == "cpu"
+            self.stage = [replace(batch, on_host=on_cpu or batch.name.startswith(self.times_cpu)) for batch in stage]
             names = [batch.name for batch in self.stage]
             if not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < max(1, len(names)) + len(self.done):
                 fault = "batches need names of their own, lower-case words joined by hyphens"

@@ -156,8 +156,8 @@ def _still_wanted() -> Callable[[], bool]:
 
 async def stop() -> None:
     """End all processes: of what the worker is asked, only what is asynchronous is not waited for."""
-    for program in [process.program for process in _processes.values()]:
-        if program:
+    for process in list(_processes.values()):
+        if program := process.program:
             with suppress(OSError):
                 os.killpg(program.pid, signal.SIGKILL)
 
