@@ -6,6 +6,8 @@ import time
 from contextlib import suppress
 from dataclasses import replace
 from itertools import chain, permutations, zip_longest
+from multiprocessing import get_context
+from multiprocessing.synchronize import Barrier
 from types import SimpleNamespace
 
 import pytest
@@ -23,6 +25,7 @@ PREPARE_S, TIME_S, STEP_S = 0.4, 0.1, 0.01
 def place(tmp_path, monkeypatch):
     monkeypatch.setattr(turns, "PLACE", tmp_path / "turns")
     monkeypatch.setattr(turns, "POLL_S", STEP_S)
+    monkeypatch.setattr(os, "cpu_count", lambda: 4)
     settling(monkeypatch, lambda: True)
 
 
@@ -53,13 +56,19 @@ def prepared_and_timed(raises: bool = False, prepare_s: float = PREPARE_S) -> li
 
 def outcomes(batches: list[Batch], gpus: str = "") -> list:
     """Run batches at once, each in a process of its own, which has the GPU of that letter."""
+    together.append(get_context("fork").Barrier(len(batches)))
     with processes(len(batches), "fork") as pool:
         calls = [pool.submit(run_on, *call) for call in zip_longest(batches, gpus)]
         return [call.result() for call in calls]
 
 
+together: list[Barrier] = []
+"""Where the processes of the last batches wait for one another, since a fork may take as long as a batch."""
+
+
 def run_on(batch: Batch, gpu: str | None) -> Done | Failed:
     os.environ["CUDA_VISIBLE_DEVICES"] = f"GPU-{gpu}" if gpu else ""
+    together[-1].wait()
     return run_batch(batch, {})
 
 
@@ -87,8 +96,7 @@ def test_what_prepares_gives_way_to_what_is_timed_and_goes_on_where_it_was():
     assert long.seconds == pytest.approx(2 * (2.0 + TIME_S), abs=0.5), "nothing is done twice"
 
 
-def test_what_prepares_goes_on_while_another_waits_for_what_does_not(monkeypatch):
-    monkeypatch.setattr(os, "cpu_count", lambda: 3)
+def test_what_prepares_goes_on_while_another_waits_for_what_does_not():
     timed = [timing(name, prepared_and_timed, False, prepare_s) for name, prepare_s in (("long", 0.8), ("short", 0.4))]
     done = outcomes([Batch("shared", moments, (2.0,)), *timed])
     shared, [prepared, timed, *_], [_, waited_for, *_] = (pickle.loads(each.content) for each in done)
@@ -110,8 +118,7 @@ def test_what_need_not_be_alone_is_beside_its_like_and_never_beside_what_is():
     assert are_together(shared, shared) and not are_together(shared, whole) and not are_together(whole, whole)
 
 
-def test_what_is_alone_on_a_gpu_leaves_others_alone_and_what_times_the_cpu_has_the_host(monkeypatch):
-    monkeypatch.setattr(os, "cpu_count", lambda: 4)
+def test_what_is_alone_on_a_gpu_leaves_others_alone_and_what_times_the_cpu_has_the_host():
     long, short = (timing(name, prepared_and_timed, False, prepare_s) for name, prepare_s in (("a", 0.8), ("b", 0.4)))
     cpu = replace(timing("cpu", prepared_and_timed, False, 0.1), on_host=True)
     done = outcomes([Batch("shared", moments, (1.0,)), long, short, cpu], "aaba")
