@@ -65,7 +65,8 @@ def test_options_that_are_small_beside_others_are_listed(pairs, editions):
 def test_the_same_measured_again_raises_no_alarm(tmp_path):
     """Four times for each tracked edition: its runs are drawn anew from its repeats, and all else scatters as they."""
     link(tmp_path, *SOURCES)
-    releases = sorted(path.name.removeprefix("newton-") for path in (ROOT / "results").glob("newton-*"))
+    tracked_noise = (ROOT / "results").glob("newton-*/noise.json")
+    releases = sorted(path.parent.name.removeprefix("newton-") for path in tracked_noise)
     for seed, release in enumerate(4 * releases):
         draw = random.Random(seed)
         tracked = {name: load_record(ROOT / f"results/newton-{release}/{name}.json") for name in SECTIONS}
