@@ -41,7 +41,11 @@ def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, o
     whole = Frames(simulation, FIXED, pilot)
     frames = {"whole": whole} | {name: Frames(simulation, FIXED, pilot, switch) for name, switch in SWITCHES.items()}
     frames |= {name: Frames(simulation, replace(FIXED, name=name, **change), pilot) for name, change in WITHOUT.items()}
-    results = in_turn(list(frames.values()), cap_s=CAP_S * len(frames))
+    with alone():
+        results = in_turn(list(frames.values()), cap_s=CAP_S * len(frames))
+        simulation.vary(FIXED)
+        pilot.put(simulation, FIXED)
+        kernels = kernel_rows(simulation, world_count)
     rows: list[dict[str, object]] = []
     for (name, each), found in zip(frames.items(), results, strict=True):
         row = {
@@ -49,10 +53,7 @@ def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, o
             "without": name,
         }
         rows.append(row | {"worlds": world_count} | each.columns(found))
-    simulation.vary(FIXED)
-    pilot.put(simulation, FIXED)
-    with alone():
-        return rows + kernel_rows(simulation, world_count)
+    return rows + kernels
 
 
 def kernel_rows(simulation: Simulation, world_count: int) -> list[dict[str, object]]:

@@ -11,8 +11,9 @@ from experiments.simulation.comparing import RATIO, TIMED, Frames, Pilot
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation
-from experiments.simulation.timing import EngineSteps, batch_invalid_reason, spread
+from experiments.simulation.timing import EngineSteps, batch_invalid_reason, memory_bytes, spread
 from measured_report.measuring.batch import Plan, timing
+from measured_report.measuring.turns import alone
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
@@ -29,43 +30,44 @@ def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
     device = wp.get_device(conditions.device)
     pilot = Pilot([FIXED], device)
     counts = WORLD_COUNTS["quick" if conditions.quick or not conditions.is_cuda else "full"]
-    return [time_worlds(pilot, world_count) for world_count in counts]
+    built = [Worlds(pilot, world_count) for world_count in counts]
+    with alone():
+        return [worlds.row() for worlds in built]
 
 
-def time_worlds(pilot: Pilot, world_count: int) -> dict[str, object]:
-    """Time whole frames against what the engine's own steps take of them, in the same batch in turn."""
-    case = replace(FIXED, frame_count=1)  # the recorder keeps the last frame only
-    gc.collect()  # frees the batch before
-    before = memory_bytes(pilot.device)
-    simulation = Simulation([case] * world_count, pilot.device)
-    frames = Frames(simulation, case, pilot)
-    after = memory_bytes(pilot.device)
-    row: dict[str, object] = {"case": f"worlds-{world_count}", "worlds": world_count}
-    if before is None or after is None:
-        row |= absent(["bytes_per_world"], "warp counts memory on CUDA devices only")
-        [found] = in_turn([frames])
-        row |= frames.columns(found) | absent(
-            ("mjw_step_ms", *RATIO), "steps within a frame are timed on CUDA devices only"
-        )
-    else:
-        row["bytes_per_world"] = (after - before) // world_count
-        steps = EngineSteps(simulation)
+class Worlds:
+    """Whole frames in so many worlds, and what the engine's own steps take of them, ready to be timed."""
 
-        def steps_ms(number: int) -> float:
-            pilot.put(simulation, case, number)
-            return steps.frame_ms(frames.frame_count)
+    def __init__(self, pilot: Pilot, world_count: int):
+        self.world_count = world_count
+        case = replace(FIXED, frame_count=1)  # the recorder keeps the last frame only
+        gc.collect()  # what the one before left behind must not count
+        before = memory_bytes(pilot.device)
+        simulation = Simulation([case] * world_count, pilot.device)
+        self.frames = Frames(simulation, case, pilot)
+        self.bytes_per_world = (memory_bytes(pilot.device) - before) // world_count
+        self.steps = EngineSteps(simulation) if pilot.device.is_cuda else None
 
-        of_steps, found = in_turn([steps_ms, frames])
-        row |= frames.columns(found) | spread("mjw_step_ms", of_steps.times)
-    if reason := frames.reason or batch_invalid_reason(simulation):
-        return row | absent((*ABSENT, *STEPS), f"not timed: {reason}")
-    rate = world_count * case.substeps / (1e-3 * float(np.median(found.times)))
-    return row | {"world_substeps_per_s": rate}
+    def steps_ms(self, number: int) -> float:
+        """Time of the engine's steps in a frame [ms], in the round of that number."""
+        frames = self.frames
+        frames.pilot.put(frames.simulation, frames.case, number)
+        return self.steps.frame_ms(frames.frame_count)
 
-
-def memory_bytes(device: wp.Device) -> int | None:
-    """Memory that warp has taken on a CUDA device [B]; None on the CPU."""
-    if not device.is_cuda:
-        return None
-    wp.synchronize_device(device)
-    return wp.get_mempool_used_mem_current(device)
+    def row(self) -> dict[str, object]:
+        """Time both in turn."""
+        frames, case = self.frames, self.frames.case
+        row: dict[str, object] = {"case": f"worlds-{self.world_count}", "worlds": self.world_count}
+        if self.steps is None:
+            row |= absent(["bytes_per_world"], "warp counts memory on CUDA devices only")
+            [found] = in_turn([frames])
+            row |= frames.columns(found) | absent(
+                ("mjw_step_ms", *RATIO), "steps within a frame are timed on CUDA devices only"
+            )
+        else:
+            row["bytes_per_world"] = self.bytes_per_world
+            of_steps, found = in_turn([self.steps_ms, frames])
+            row |= frames.columns(found) | spread("mjw_step_ms", of_steps.times)
+        if reason := frames.reason or batch_invalid_reason(frames.simulation):
+            return row | absent((*ABSENT, *STEPS), f"not timed: {reason}")
+        return row | {"world_substeps_per_s": self.world_count * case.substeps / (1e-3 * float(np.median(found.times)))}

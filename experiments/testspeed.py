@@ -59,13 +59,6 @@ def measure_worlds(conditions: Conditions, world_count: int, step_count: int) ->
     wp.synchronize_device(device)
     mjcf = with_keyframe(scene_mjcf(), simulation)
     about = {"worlds": world_count, "contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
-    with alone():
-        said = run_testspeed(mjcf, world_count, step_count) if device.is_cuda else {}
-    rows: list[dict[str, object]] = []
-    if said:
-        row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count, **about}
-        row |= {"world_substeps_per_s": float(said["steps_per_second"])}
-        rows.append(row | {"contact_count": float(said["ncon_mean"]), "row_count": float(said["nefc_mean"])})
     # Each way's frame, by name, with the engine whose contacts and rows it has.
     steps = EngineSteps(simulation) if device.is_cuda else None
     bare = Bare(mjcf, world_count, device)
@@ -84,7 +77,14 @@ def measure_worlds(conditions: Conditions, world_count: int, step_count: int) ->
         ways["our-engine-steps"] = of_engine, simulation.solver.mjw_data
     for name in ("recording", "inverse-kinematics", "control", "collision"):
         ways[f"without-{name}"] = Frames(simulation, case, pilot, SWITCHES[name]), simulation.solver.mjw_data
-    results = in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
+    with alone():
+        said = run_testspeed(mjcf, world_count, step_count) if device.is_cuda else {}
+        results = in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
+    rows: list[dict[str, object]] = []
+    if said:
+        row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count, **about}
+        row |= {"world_substeps_per_s": float(said["steps_per_second"])}
+        rows.append(row | {"contact_count": float(said["ncon_mean"]), "row_count": float(said["nefc_mean"])})
     for (name, (_, data)), found in zip(ways.items(), results, strict=True):
         row = {"case": f"{name}-{world_count}", "way": name, **about, **time_columns(found)}
         row |= {"world_substeps_per_s": world_count * LEAN.substeps / (1e-3 * float(np.median(found.times)))}

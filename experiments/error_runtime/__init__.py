@@ -1,6 +1,5 @@
 """Error against run time: what each numerical setting makes of the same shake, and how long it takes."""
 
-import gc
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -34,8 +33,8 @@ TIMES_CPU = ("times-", "worlds")
 """What the names of the batches begin with that time the CPU: see ``SectionRun``."""
 CAP_S = 16.0
 """Seconds after which the settings of a part are not looked at again."""
-WORLDS_CAP_S = 3.0
-"""The same of a number of worlds, since C on a core that others share is never known to the resolution."""
+WORLDS_CAP_S = 10.0
+"""The same of the numbers of worlds, since C on a core that others share is never known to the resolution."""
 REFERENCE = "as-shipped/newton/substeps-16"
 """What the time of each setting is compared with."""
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
@@ -126,17 +125,19 @@ class NativeFrames:
 
 
 def measure_worlds(conditions: Conditions) -> list[dict]:
-    """A row for C on one core, and one for each number of worlds, which is timed against that."""
+    """A row for C on one core, and one for each number of worlds, all timed in turn against that."""
     device = wp.get_device(conditions.device)
     pilot = Pilot([FIXED], device)
     start = starts_of(pilot_at_shake(PADS.values(), device), FRAME_COUNT)[list(PADS).index("stiff")]
     reason = invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run())
     native = NativeFrames(ONE_CORE, start)
     counts = "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
+    cases = {count: replace(FIXED, name=f"worlds-{count}", frame_count=1) for count in WORLD_COUNTS[counts]}
+    worlds = [Frames(Simulation([case] * count, device), case, pilot) for count, case in cases.items()]
+    one_core, *found = in_turn([native, *worlds], cap_s=WORLDS_CAP_S)
+    rows = [world_row(frames, each) for frames, each in zip(worlds, found, strict=True)]
     row = timed_only(ONE_CORE, reason, "mujoco-c", world_count=1)
-    [found] = in_turn([native])
-    one_core = row | (absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(found))
-    return [*(world_row(count, pilot, native) for count in WORLD_COUNTS[counts]), one_core]
+    return [*rows, row | (absent(TIME_COLUMNS, f"not timed: {reason}") if reason else time_columns(one_core))]
 
 
 class WarpShake:
@@ -236,13 +237,10 @@ def time_columns(found: Resolved) -> dict[str, object]:
     return comparing.time_columns(replace(found, times=FRAME_RATE * found.times), "ms_per_s", "time_ratio")
 
 
-def world_row(world_count: int, pilot: Pilot, native: NativeFrames) -> dict[str, object]:
+def world_row(frames: Frames, found: Resolved) -> dict[str, object]:
     """The fixed scene in many worlds at once, timed in the shake against C on one core."""
-    gc.collect()  # frees the batch before
-    case = replace(FIXED, name=f"worlds-{world_count}", frame_count=1)
-    frames = Frames(Simulation([case] * world_count, pilot.device), case, pilot)
-    _, found = in_turn([native, frames], cap_s=WORLDS_CAP_S)
-    row = timed_only(case, frames.reason, "warp-cuda" if pilot.device.is_cuda else "warp-cpu", world_count)
+    backend = "warp-cuda" if frames.pilot.device.is_cuda else "warp-cpu"
+    row = timed_only(frames.case, frames.reason, backend, frames.simulation.world_count)
     return row | (time_columns(found) if not frames.reason else absent(TIME_COLUMNS, f"not timed: {frames.reason}"))
 
 

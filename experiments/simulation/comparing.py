@@ -12,8 +12,10 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case, build_key
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, absent
-from experiments.simulation.resolving import BATCH_COUNT, CAP_S, Resolved, in_turn
+from experiments.simulation.recorder import Recorder
+from experiments.simulation.resolving import BATCH_COUNT, CAP_S, Resolved, in_turn, of_builds
 from experiments.simulation.simulation import Simulation
+from experiments.simulation.task import build_task
 from experiments.simulation.timing import (
     ENGINE_ARRAYS,
     SHAKE_FRAME_COUNT,
@@ -23,6 +25,7 @@ from experiments.simulation.timing import (
     batch_invalid_reason,
     buffer_bytes_per_world,
     elapsed_ms,
+    memory_bytes,
     put_in_state_of,
     spread,
 )
@@ -34,6 +37,10 @@ BLOCK_FRAME_COUNT = 4
 """Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
 LARGE_BATCH = 8192
 """From so many worlds on a block is one frame."""
+BUILD_COUNT = {"cuda": 2, "cpu": 1}
+"""How often each simulation is built that takes no more than ``SHARE_BUILT``: see ``of_builds``."""
+SHARE_BUILT = 1 / 16
+"""Share of a device's memory: once what was built takes more, it is timed before more is built."""
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
 """Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95")
@@ -83,6 +90,22 @@ def _moment_of(simulation: Simulation) -> Any:
     )
     wp.synchronize_device(simulation.device)
     return moment
+
+
+class Again(Simulation):
+    """The same simulation once more: all that a frame changes has memory of its own, model and collision are shared."""
+
+    def __init__(self, of: Simulation):
+        vars(self).update(vars(of))
+        self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
+        with wp.ScopedDevice(self.device):
+            self.task = build_task(self.scene, self.cases)
+            self._start_at_approach_pose()
+            self.contacts = self.pipeline and self.pipeline.contacts()
+            self.solver = self._build_solver()
+            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, self.case.frame_count)
+        wp.synchronize_device(self.device)
+        self._start_uncaptured()
 
 
 class Frames:
@@ -135,44 +158,80 @@ def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s
     """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
 
     Where memory runs out or the frames do not count, every number is None, with the reason. What differs only in how it
-    is run shares a simulation. Beside the first case's, one other simulation is in memory at a time.
+    is run shares a simulation. As many as have room are built before one is timed, so that they wait for one turn.
     """
     pilot = Pilot(cases, device)
     groups: dict[Case, list[Case]] = {}
     for case in cases:
         groups.setdefault(build_key(case), []).append(case)
-    reference: list[Frames] = []
-    found: dict[str, dict] = {}
-    for group in groups.values():
-        gc.collect()  # frees the batch before
+    waiting, comparison = list(groups.values()), Comparison(cases[0])
+    while waiting:
+        gc.collect()  # frees what was timed, but for the reference
+        built, lost = _build(waiting, world_count, pilot)
+        comparison.rows |= lost
+        comparison.time(built, cap_s)
+        built.clear()
+    return comparison.columns()
+
+
+def _build(groups: list[list[Case]], world_count: int, pilot: Pilot) -> tuple[list[Frames], dict[str, dict]]:
+    """Take groups off the list while there is room; what is built of them, and columns of what has no memory."""
+    device, before = pilot.device, memory_bytes(pilot.device)
+    built: list[Frames] = []
+    lost: dict[str, dict] = {}
+
+    def has_room_since(start: int) -> bool:
+        return memory_bytes(device) - start <= SHARE_BUILT * device.total_memory
+
+    while groups and has_room_since(before):
+        group, start = groups.pop(0), memory_bytes(device)
         try:
-            frames = _frames_of(group, world_count, pilot)
-            if group[0] is cases[0]:
-                reference = [one for one in frames[:1] if not one.reason]
-                frames = frames[len(reference) :]
-            found = _compare(reference, frames, cap_s) | found  # the reference keeps its first times
+            simulation = Simulation([replace(group[0], frame_count=1)] * world_count, device)
+            built += [Frames(simulation, case, pilot) for case in group]
+            if has_room_since(start):
+                more = BUILD_COUNT["cuda" if device.is_cuda else "cpu"] - 1
+                built += [Frames(Again(simulation), group[0], pilot) for _ in range(more)]
         except (RuntimeError, MemoryError) as error:
             if not is_out_of_memory(error):
                 raise
-            found |= {case.name: absent(TIMED, " ".join(str(error).split())[:120]) for case in group}
-        frames = []
-    return found
+            unbuilt = [case for case in group if all(frames.case is not case for frames in built)]
+            lost |= {case.name: absent(TIMED, " ".join(str(error).split())[:120]) for case in unbuilt}
+    return built, lost
 
 
-def _frames_of(group: Sequence[Case], world_count: int, pilot: Pilot) -> list[Frames]:
-    """Build one simulation for cases with the same ``build_key``."""
-    simulation = Simulation([replace(group[0], frame_count=1)] * world_count, pilot.device)
-    return [Frames(simulation, case, pilot) for case in group]
+class Comparison:
+    """Cases timed in turn against ``first``, some at a time."""
 
+    def __init__(self, first: Case):
+        self.first = first
+        self.reference: list[Frames] = []
+        self.rows: dict[str, dict] = {}
+        """Columns by case: those of its first build, or why it has none."""
+        self.builds: dict[str, list[Resolved]] = {}
+        """What was found of the first case, and of those that have other simulations than it."""
 
-def _compare(reference: list[Frames], others: list[Frames], cap_s: float) -> dict[str, dict]:
-    """Columns of the reference and the others; without a reference each other is timed alone, and has no ratio."""
-    lost = {frames.case.name: absent(TIMED, f"not timed: {frames.reason}") for frames in others if frames.reason}
-    others = [frames for frames in others if not frames.reason]
-    if not reference:
-        alone = {frames.case.name: frames.columns(in_turn([frames], cap_s=cap_s)[0]) for frames in others}
-        no_ratio = absent(RATIO, "what it is compared with has no time here")
-        return lost | {name: columns | no_ratio for name, columns in alone.items()}
-    both = [*reference, *others]
-    results = in_turn(both, cap_s=cap_s * max(1, len(others)))
-    return lost | {frames.case.name: frames.columns(result) for frames, result in zip(both, results, strict=True)}
+    def time(self, built: Sequence[Frames], cap_s: float) -> None:
+        """Time what is built, all of a case's builds at once; without a reference each alone, and it has no ratio."""
+        for frames in built:
+            if frames.reason:
+                self.rows[frames.case.name] = absent(TIMED, f"not timed: {frames.reason}")
+        timed = [frames for frames in built if frames.case.name not in self.rows]
+        others = [frames for frames in timed if frames.case is not self.first]
+        first = [frames for frames in timed if frames not in others]
+        self.reference += first
+        if not self.reference:
+            no_ratio = absent(RATIO, "what it is compared with has no time here")
+            for frames in others:
+                self.rows[frames.case.name] = frames.columns(in_turn([frames], cap_s=cap_s)[0]) | no_ratio
+            return
+        both = [*self.reference, *others]
+        for frames, found in zip(both, in_turn(both, cap_s=cap_s * max(1, len(others))), strict=True):
+            if frames in timed:  # or it is the reference, which keeps its first times
+                self.rows.setdefault(frames.case.name, frames.columns(found))
+                if frames in first or frames.simulation is not self.reference[0].simulation:
+                    self.builds.setdefault(frames.case.name, []).append(found)
+
+    def columns(self) -> dict[str, dict]:
+        """Columns by case, of all of its builds."""
+        together = zip(self.builds, of_builds(list(self.builds.values())), strict=True)
+        return self.rows | {name: self.rows[name] | time_columns(found) for name, found in together}

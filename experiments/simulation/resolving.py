@@ -8,6 +8,9 @@ look, so that rounds that follow one another need not be independent. Rounds tha
 same state. So from the second look on each batch is compared with those that start from its own states, and what a
 ratio differs by from state to state is no noise (a stratified sample: Cochran, "Sampling Techniques", ch. 5). Each of
 LOOK_COUNT looks has its part of the error (Bonferroni), so the interval covers whenever one stops.
+
+A simulation that is built again takes a little more or less time on a GPU, always, by many times this noise: see
+docs/cluster.md. So what differs in its build is built more than once, and ``of_builds`` takes that into the interval.
 """
 
 import math
@@ -26,6 +29,8 @@ LOOK_COUNT = 5
 """Looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error."""
 T_QUANTILES = {4: 4.6041, 6: 3.7074, 7: 3.4995}
 """Student's t, two-sided 99 %, by degrees of freedom."""
+T_95 = (12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281)
+"""The same of 95 %, from one degree on; more than these have the last."""
 CAP_S = 6.0
 """Seconds after which no comparison goes on to another look."""
 
@@ -93,3 +98,22 @@ def _resolved(times: Sequence[float], reference: Sequence[float]) -> Resolved:
     deviation = math.sqrt(np.square(by_state - by_state.mean(axis=0)).sum() / freedom)
     half = T_QUANTILES[freedom] * deviation / math.sqrt(BATCH_COUNT)
     return Resolved(own, ratios, math.exp(batches.mean()), math.expm1(half))
+
+
+def of_builds(cases: Sequence[Sequence[Resolved]]) -> list[Resolved]:
+    """What each case's builds say together, all timed in one comparison; the first case is the reference.
+
+    The spread of builds is taken as the same for all cases. Where no case has two, each is as it was.
+    """
+    logarithms = [np.log([build.ratio for build in builds]) for builds in cases]
+    freedom = sum(len(each) - 1 for each in logarithms)
+    if not freedom:
+        return [builds[0] for builds in cases]
+    deviation = math.sqrt(sum(np.square(each - each.mean()).sum() for each in logarithms) / freedom)
+    t, reference, found = T_95[min(freedom, len(T_95)) - 1], logarithms[0], []
+    for builds, each in zip(cases, logarithms, strict=True):
+        half = t * deviation * math.sqrt(1 / len(each) + 1 / len(reference)) if each is not reference else 0.0
+        times = np.concatenate([build.times for build in builds])
+        ratios = np.concatenate([build.ratios for build in builds]) / math.exp(reference.mean())
+        found.append(Resolved(times, ratios, math.exp(each.mean() - reference.mean()), math.expm1(half)))
+    return found

@@ -50,8 +50,11 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
     pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
     wp.synchronize()  # simulations run on streams of their own, these copies do not
     for to, of in pairs:
-        one = of.numpy().reshape(source.world_count, -1)[world : world + 1]
-        to.assign(np.repeat(one, target.world_count, axis=0).reshape(to.numpy().shape))
+        one = of.reshape((source.world_count, -1))[world]
+        # A step of 0 from one world to the next repeats this one, so the copy never leaves the device.
+        shape, strides = (target.world_count, *one.shape), (0, *one.strides)
+        every = wp.array(ptr=one.ptr, dtype=one.dtype, shape=shape, strides=strides, device=one.device)
+        wp.copy(to.reshape((target.world_count, -1)), every)
     for name, start in WATCHED_ARRAYS.items():
         getattr(target.recorder, name).fill_(start)
     newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)
@@ -65,6 +68,14 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
     run()
     wp.synchronize_device(device)
     return 1e3 * (time.perf_counter() - start)
+
+
+def memory_bytes(device: wp.Device) -> int:
+    """Memory that warp has taken on a CUDA device [B]; 0 on the CPU, where it doesn't count."""
+    if not device.is_cuda:
+        return 0
+    wp.synchronize_device(device)
+    return wp.get_mempool_used_mem_current(device)
 
 
 def invalid_reason(case: Case, trace: Trace) -> str | None:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn
+from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn, of_builds
 
 RUN_COUNT = 300
 RATIO = 1.02
@@ -81,3 +81,30 @@ def test_the_order_turns_round_from_round_to_round():
 
     in_turn([block("a"), block("b")])
     assert "".join(order) == "abba" * (BATCH_COUNT // 2)
+
+
+@pytest.mark.parametrize("build_count", [1, 2, 3])
+def test_what_builds_differ_by_is_in_the_interval(build_count):
+    """The reference has two builds, each of three cases so many, and a build takes 1 % more or less than another."""
+    covered, narrow = [], []
+    for seed in range(RUN_COUNT):
+        generator = np.random.default_rng(seed)
+
+        def block(ratio, generator=generator):
+            own = ratio * np.exp(0.01 * generator.normal())
+            return lambda _: own * float(np.exp(1e-3 * generator.normal()))
+
+        counts = [2, *[build_count] * 3]
+        found = iter(
+            in_turn([block(RATIO if case else 1.0) for case, count in enumerate(counts) for _ in range(count)])
+        )
+        cases = [[next(found) for _ in range(count)] for count in counts]
+        for case, each in zip(cases[1:], of_builds(cases)[1:], strict=True):
+            covered.append(abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution))
+            narrow.append(abs(np.log(case[0].ratio / RATIO)) <= np.log1p(case[0].resolution))
+    assert np.mean(covered) >= 0.93 and np.mean(narrow) < 0.5
+
+
+def test_without_a_second_build_a_result_is_as_it_was():
+    found = in_turn([lambda _: 1.0, lambda _: RATIO])
+    assert of_builds([[each] for each in found]) == found

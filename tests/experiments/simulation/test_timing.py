@@ -9,8 +9,9 @@ import warp as wp
 from experiments import repeatable, reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
 from experiments.simulation import comparing, simulation
-from experiments.simulation.comparing import TIMED, Pilot, time_cases
+from experiments.simulation.comparing import TIMED, Again, Pilot, time_cases
 from experiments.simulation.measurement import Conditions
+from experiments.simulation.resolving import BATCH_COUNT
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 
@@ -59,11 +60,38 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
     assert found["as-shipped"]["frame_ratio_reason"] == "what it is compared with has no time here"
 
 
+def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, whole_pilot):
+    cpu, pairs = wp.get_device("cpu"), []
+
+    class Seen(Again):
+        def __init__(self, of: Simulation):
+            super().__init__(of)
+            pairs.append((of, self))
+
+    monkeypatch.setitem(comparing.BUILD_COUNT, "cpu", 2)
+    monkeypatch.setattr(comparing, "Again", Seen)
+    cases = [AS_SHIPPED, replace(AS_SHIPPED, name="unsynced", state_sync=False), replace(FIXED, name="other")]
+    found = time_cases(cases, 2, cpu, cap_s=0.0)
+    repeats = {name: row["repeat_count"] for name, row in found.items()}
+    assert repeats == {"as-shipped": 2 * BATCH_COUNT, "unsynced": BATCH_COUNT, "other": 2 * BATCH_COUNT}
+    for first, again in pairs:
+        first.vary(again.case)
+        for each in (first, again):
+            whole_pilot.put(each, again.case)
+        before = again.body_q.numpy().copy()
+        first.step()
+        assert np.array_equal(again.body_q.numpy(), before)
+        again.step()
+        assert np.array_equal(again.body_q.numpy(), first.body_q.numpy()) and not np.array_equal(
+            before, again.body_q.numpy()
+        )
+
+
 @pytest.mark.slow
 def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, whole_pilot):
-    assert scaling.time_worlds(whole_pilot, 1)["frame_ms"] > 0.0
+    assert scaling.Worlds(whole_pilot, 1).row()["frame_ms"] > 0.0
     monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
-    row = scaling.time_worlds(whole_pilot, 1)
+    row = scaling.Worlds(whole_pilot, 1).row()
     assert all(row[name] is None for name in (*scaling.ABSENT, *scaling.STEPS))
     assert row["world_substeps_per_s_reason"] == OVERFLOW
 

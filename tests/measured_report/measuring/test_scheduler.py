@@ -190,6 +190,10 @@ def test_what_prepares_does_so_beside_what_is_left_to_run():
     shared = Host("one", KIND, ["gpu/0"], ["gpu", "gpu:1"])
     assert next_start(ready, [shared], {("one", "gpu/0"): running}) is None, "no process is idle"
     assert next_start(ready[:1], [shared], {("one", "gpu"): timed})[2] == ("one", "gpu:1")
+    two = Host("one", KIND, ["gpu/0", "gpu/1"], ["gpu", "gpu:1", "gpu:2"])
+    busy = {("one", "gpu/0"): running, ("one", "gpu"): timed}
+    assert next_start(ready[:1], [two], busy)[2] == ("one", "gpu:1"), "what has prepared waits"
+    assert next_start(ready[:1], [two], busy | {("one", "gpu:1"): timed}) is None
 
 
 def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_others_that_wait():
