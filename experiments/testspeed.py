@@ -8,8 +8,10 @@ import json
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from xml.etree.ElementTree import SubElement, fromstring, tostring
 
@@ -35,6 +37,16 @@ STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}
 CAP_S = 12.0
 """Seconds that all ways to run with one number of worlds take at most, about."""
 TIMEOUT_S = 300.0
+READY = "ready\n"
+WAITING = f"""
+import sys, warp
+from mujoco_warp import testspeed
+warp.init()
+print(end={READY!r}, flush=True)
+sys.stdin.readline()
+testspeed.main()
+"""
+"""The benchmark as a program that says that it is ready, and runs once it is sent a line."""
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -77,8 +89,8 @@ def measure_worlds(conditions: Conditions, world_count: int, step_count: int) ->
         ways["our-engine-steps"] = of_engine, simulation.solver.mjw_data
     for name in ("recording", "inverse-kinematics", "control", "collision"):
         ways[f"without-{name}"] = Frames(simulation, case, pilot, SWITCHES[name]), simulation.solver.mjw_data
-    with alone():
-        said = run_testspeed(mjcf, world_count, step_count) if device.is_cuda else {}
+    with testspeed(mjcf, world_count, step_count) if device.is_cuda else nullcontext(dict) as run_testspeed, alone():
+        said = run_testspeed()
         results = in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
     rows: list[dict[str, object]] = []
     if said:
@@ -105,12 +117,9 @@ def with_keyframe(mjcf: str, simulation: Simulation) -> str:
     return tostring(root, encoding="unicode")
 
 
-def run_testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, float]:
-    """What the benchmark prints.
-
-    Raises:
-        RuntimeError: It failed, with the end of what it said.
-    """
+@contextmanager
+def testspeed(mjcf: str, world_count: int, step_count: int) -> Iterator[Callable[[], dict[str, float]]]:
+    """Start the benchmark's process, which waits with the engine loaded, and yield what lets it run."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "scene.xml")
         path.write_text(mjcf)
@@ -121,12 +130,28 @@ def run_testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, flo
             "njmax": LEAN.constraint_max,
         }
         flags = [f"--{name}={value}" for name, value in (options | {"noise_std": 0.0, "format": "json"}).items()]
-        call = [sys.executable, "-m", "mujoco_warp.testspeed", str(path), *flags]
-        found = subprocess.run(call, capture_output=True, text=True, check=False, timeout=TIMEOUT_S)
-    lines = [line for line in found.stdout.splitlines() if line.startswith("{")]
-    if found.returncode or not lines:
-        said = " ".join((found.stdout + found.stderr).split())[-300:]
-        raise RuntimeError(f"mujoco_warp.testspeed failed with status {found.returncode}: {said}")
+        call = [sys.executable, "-c", WAITING, str(path), *flags]
+        pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+        with subprocess.Popen(call, text=True, **pipes) as process:
+            try:
+                while process.stdout.readline() not in (READY, ""):
+                    pass  # what the engine says of itself
+                yield partial(_run, process)
+            finally:
+                process.kill()
+
+
+def _run(process: subprocess.Popen) -> dict[str, float]:
+    """Let the benchmark run; what it prints.
+
+    Raises:
+        RuntimeError: It failed, with the end of what it said.
+    """
+    found, error = process.communicate("\n", timeout=TIMEOUT_S)
+    lines = [line for line in found.splitlines() if line.startswith("{")]
+    if process.returncode or not lines:
+        said = " ".join((found + error).split())[-300:]
+        raise RuntimeError(f"mujoco_warp.testspeed failed with status {process.returncode}: {said}")
     return json.loads(lines[-1])
 
 

@@ -83,6 +83,7 @@ def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[s
     """Time frames of the variants in so many worlds on one kind of device; columns by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
     timed = variants(conditions.quick, ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT)
+    timed.sort(key=lambda case: case is not UNTRIMMED and case.contact_max == UNTRIMMED.contact_max)  # small ones first
     untimed = absent(TIMED, "not timed here, where it would take long")
     found = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return found | time_cases(timed, world_count, wp.get_device(kind))

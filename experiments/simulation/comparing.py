@@ -38,9 +38,11 @@ BLOCK_FRAME_COUNT = 4
 LARGE_BATCH = 8192
 """From so many worlds on a block is one frame."""
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
-"""How often each simulation is built that takes no more than ``SHARE_BUILT``: see ``of_builds``."""
-SHARE_BUILT = 1 / 16
-"""Share of a device's memory: once what was built takes more, it is timed before more is built."""
+"""How often each simulation is built that takes no more than ``SHARE_AGAIN``: see ``of_builds``."""
+SHARE_AGAIN = 1 / 32
+"""Share of a device's memory up to which a simulation is built again."""
+SHARE_BUILT = 1 / 8
+"""The same of what is built for one comparison beside the first: once it takes more, it is timed before more is."""
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
 """Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95")
@@ -158,57 +160,54 @@ def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s
     """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
 
     Where memory runs out or the frames do not count, every number is None, with the reason. What differs only in how it
-    is run shares a simulation. As many as have room are built before one is timed, so that they wait for one turn.
+    is run shares a simulation. As many as have room are built before one is timed: they wait for one turn, and all
+    frames of a process that builds after it has timed take longer from then on (docs/cluster.md). So what takes little
+    memory should stand first.
     """
-    pilot = Pilot(cases, device)
     groups: dict[Case, list[Case]] = {}
     for case in cases:
         groups.setdefault(build_key(case), []).append(case)
-    waiting, comparison = list(groups.values()), Comparison(cases[0])
+    waiting, comparison = list(groups.values()), Comparison(cases, world_count, device)
     while waiting:
         gc.collect()  # frees what was timed, but for the reference
-        built, lost = _build(waiting, world_count, pilot)
-        comparison.rows |= lost
+        built = comparison.build(waiting.pop(0))
+        start = memory_bytes(device)
+        while waiting and memory_bytes(device) - start <= SHARE_BUILT * device.total_memory:
+            built += comparison.build(waiting.pop(0))
         comparison.time(built, cap_s)
         built.clear()
     return comparison.columns()
 
 
-def _build(groups: list[list[Case]], world_count: int, pilot: Pilot) -> tuple[list[Frames], dict[str, dict]]:
-    """Take groups off the list while there is room; what is built of them, and columns of what has no memory."""
-    device, before = pilot.device, memory_bytes(pilot.device)
-    built: list[Frames] = []
-    lost: dict[str, dict] = {}
-
-    def has_room_since(start: int) -> bool:
-        return memory_bytes(device) - start <= SHARE_BUILT * device.total_memory
-
-    while groups and has_room_since(before):
-        group, start = groups.pop(0), memory_bytes(device)
-        try:
-            simulation = Simulation([replace(group[0], frame_count=1)] * world_count, device)
-            built += [Frames(simulation, case, pilot) for case in group]
-            if has_room_since(start):
-                more = BUILD_COUNT["cuda" if device.is_cuda else "cpu"] - 1
-                built += [Frames(Again(simulation), group[0], pilot) for _ in range(more)]
-        except (RuntimeError, MemoryError) as error:
-            if not is_out_of_memory(error):
-                raise
-            unbuilt = [case for case in group if all(frames.case is not case for frames in built)]
-            lost |= {case.name: absent(TIMED, " ".join(str(error).split())[:120]) for case in unbuilt}
-    return built, lost
-
-
 class Comparison:
-    """Cases timed in turn against ``first``, some at a time."""
+    """Cases timed in turn against the first of them, some at a time."""
 
-    def __init__(self, first: Case):
-        self.first = first
+    def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
+        self.first, self.world_count, self.device = cases[0], world_count, device
+        self.pilot = Pilot(cases, device)
         self.reference: list[Frames] = []
+        """The first build of the first case, once it is timed."""
         self.rows: dict[str, dict] = {}
         """Columns by case: those of its first build, or why it has none."""
         self.builds: dict[str, list[Resolved]] = {}
         """What was found of the first case, and of those that have other simulations than it."""
+
+    def build(self, group: Sequence[Case]) -> list[Frames]:
+        """Build what cases with the same ``build_key`` share, the first of them again where it takes little memory."""
+        built: list[Frames] = []
+        start = memory_bytes(self.device)
+        try:
+            simulation = Simulation([replace(group[0], frame_count=1)] * self.world_count, self.device)
+            built += [Frames(simulation, case, self.pilot) for case in group]
+            if memory_bytes(self.device) - start <= SHARE_AGAIN * self.device.total_memory:
+                more = BUILD_COUNT["cuda" if self.device.is_cuda else "cpu"] - 1
+                built += [Frames(Again(simulation), group[0], self.pilot) for _ in range(more)]
+        except (RuntimeError, MemoryError) as error:
+            if not is_out_of_memory(error):
+                raise
+            lost = absent(TIMED, " ".join(str(error).split())[:120])
+            self.rows |= {case.name: lost for case in group[len(built) :]}
+        return built
 
     def time(self, built: Sequence[Frames], cap_s: float) -> None:
         """Time what is built, all of a case's builds at once; without a reference each alone, and it has no ratio."""
@@ -216,19 +215,19 @@ class Comparison:
             if frames.reason:
                 self.rows[frames.case.name] = absent(TIMED, f"not timed: {frames.reason}")
         timed = [frames for frames in built if frames.case.name not in self.rows]
-        others = [frames for frames in timed if frames.case is not self.first]
-        first = [frames for frames in timed if frames not in others]
-        self.reference += first
+        both = [*self.reference, *timed]
+        if not self.reference:
+            self.reference = [frames for frames in timed[:1] if frames.case is self.first]
         if not self.reference:
             no_ratio = absent(RATIO, "what it is compared with has no time here")
-            for frames in others:
+            for frames in timed:
                 self.rows[frames.case.name] = frames.columns(in_turn([frames], cap_s=cap_s)[0]) | no_ratio
             return
-        both = [*self.reference, *others]
-        for frames, found in zip(both, in_turn(both, cap_s=cap_s * max(1, len(others))), strict=True):
+        [reference] = self.reference
+        for frames, found in zip(both, in_turn(both, cap_s=cap_s * max(1, len(both) - 1)), strict=True):
             if frames in timed:  # or it is the reference, which keeps its first times
                 self.rows.setdefault(frames.case.name, frames.columns(found))
-                if frames in first or frames.simulation is not self.reference[0].simulation:
+                if frames is reference or frames.simulation is not reference.simulation:
                     self.builds.setdefault(frames.case.name, []).append(found)
 
     def columns(self) -> dict[str, dict]:

@@ -60,7 +60,9 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
     assert found["as-shipped"]["frame_ratio_reason"] == "what it is compared with has no time here"
 
 
-def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, whole_pilot):
+@pytest.mark.parametrize("share", [0.0, -1.0])
+def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, whole_pilot, share):
+    """Whether all are timed at once, or the memory has no room for more than one case beside the first."""
     cpu, pairs = wp.get_device("cpu"), []
 
     class Seen(Again):
@@ -68,6 +70,7 @@ def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, pilo
             super().__init__(of)
             pairs.append((of, self))
 
+    monkeypatch.setattr(comparing, "SHARE_BUILT", share)
     monkeypatch.setitem(comparing.BUILD_COUNT, "cpu", 2)
     monkeypatch.setattr(comparing, "Again", Seen)
     cases = [AS_SHIPPED, replace(AS_SHIPPED, name="unsynced", state_sync=False), replace(FIXED, name="other")]
