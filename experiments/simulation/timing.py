@@ -19,7 +19,7 @@ from experiments.simulation.simulation import Simulation, captured
 
 TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
 STATE_ARRAYS = "joint_q joint_qd".split()
-ENGINE_ARRAYS = "qpos qvel qacc_warmstart".split()
+ENGINE_ARRAYS = "qpos qvel qacc_warmstart ctrl".split()
 WATCHED_ARRAYS = {
     "peak_constraint": 0,
     "peak_iteration": 0,

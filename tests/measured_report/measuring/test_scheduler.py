@@ -168,7 +168,7 @@ def test_gpus_of_one_host_have_as_much_to_do_and_what_is_alone_on_one_leaves_the
 def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 5)
-    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 52_000)
+    small, large = worker.Gpu("A", "small", 24_000), worker.Gpu("B", "large", 74_000)
     assert [worker.processes_of(gpu, 2) for gpu in (small, large)] == [(["A"], ["A"]), (["B"], ["B", "B:1", "B:2"])]
     (tmp_path / "control").touch()
     assert worker.processes_of(small, 2) == (["A/0", "A/1"], ["A"])

@@ -32,9 +32,9 @@ MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
 SHARE_COUNT = 16
 """Processes that share a GPU, with a core each: a few worlds leave most of it idle."""
-SHARED_MIB, ALONE_MIB, BESIDE_MIB = 1 << 10, 40 << 10, 4 << 10
+SHARED_MIB, ALONE_MIB, BESIDE_MIB = 1 << 10, 64 << 10, 5 << 9
 """Memory of a GPU that there has to be for each of these, for a process for what must be alone, which keeps what it has
-prepared, and for each more of those: of a report one batch at most needs more.
+prepared, and for each more of those: of a report few batches need more.
 """
 
 
