@@ -241,7 +241,7 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     return base / name
 
 
-SIMULATING = ("tests/experiments", "tests/assets/fix", "tests/newton_lint/of_newton")
+SIMULATING = ("tests/test_planted.py", "tests/experiments", "tests/assets/fix", "tests/newton_lint/of_newton")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -249,7 +249,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
     items.sort(key=lambda item: (item.path != ROOT / "tests/test_planted.py", -slow[item.path]))
     for item in items:
-        if any(item.path.is_relative_to(ROOT / folder) for folder in SIMULATING):
+        if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")
 
 
