@@ -131,14 +131,22 @@ class Steps(Bare):
     """The engine alone, with its options as they are when a frame is captured."""
 
     def frame(self) -> tuple[Callable[[], None], int]:
-        """The graph of a frame's steps, and how many kernels are in it, those of a loop once."""
+        """What queues a frame's steps, and how many kernels are in them, those of a loop once.
+
+        They share one graph, which has the memory of one step.
+        """
         with (
             wp.ScopedDevice(self.device),
             mock.patch.object(wp, "launch", wraps=wp.launch) as plain,
             mock.patch.object(wp, "launch_tiled", wraps=wp.launch_tiled) as tiled,
         ):
-            graph = captured(self._steps)
-        return graph, plain.call_count + tiled.call_count
+            step = captured(self._step)
+
+        def steps() -> None:
+            for _ in range(LEAN.substeps):
+                step()
+
+        return steps, LEAN.substeps * (plain.call_count + tiled.call_count)
 
     def frame_ms(self, run: Callable[[], None]) -> float:
         """Time [ms] of a run from the keyframe."""
