@@ -133,7 +133,8 @@ class Steps(Bare):
     def frame(self) -> tuple[Callable[[], None], int]:
         """What queues a frame's steps, and how many kernels are in them, those of a loop once.
 
-        They share one graph, which has the memory of one step.
+        They share a graph of one step, as in the engine's own benchmark. What counts keeps the arrays of all launches,
+        so that a graph of all steps would have memory for each: two take 13 GB of 4,096 worlds.
         """
         with (
             wp.ScopedDevice(self.device),
