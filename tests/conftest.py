@@ -1,5 +1,6 @@
 """A small project of its own: one section, measured by hand, in the three files that a section takes."""
 
+import atexit
 import gc
 import importlib
 import os
@@ -34,6 +35,7 @@ from measured_report.records.traces import packed
 from measured_report.site.build import build
 
 gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
+atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
 INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests")
 os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start

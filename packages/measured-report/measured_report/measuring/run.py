@@ -5,6 +5,7 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
 
 import argparse
+import gc
 import importlib
 import importlib.util
 import io
@@ -81,9 +82,12 @@ def section_runs(arguments: argparse.Namespace) -> Sequence[SectionRun]:
     project = Project(label, arguments.profile, own_release=own_release(), aside=arguments.aside)
     if others := [name for name in arguments.section if not is_about(name, package_versions())]:
         raise ReportError(f"{', '.join(others)}: what NEEDS names there is not what is installed here")
+    gc.disable()  # looking for garbage takes half the time of loading a simulator, and a second or two at the end
     if not arguments.cluster:
         arguments.device = host().device(arguments.device).kind
     modules, known = {name: section_module(name) for name in arguments.section}, json.loads(arguments.seconds)
+    gc.freeze()
+    gc.enable()
     return [section_run(project, section, module, arguments.device, known) for section, module in modules.items()]
 
 
