@@ -5,16 +5,18 @@ from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.names import worlds_name
-from report.shared.arithmetic import Column, departure, ratio, resolved, table_of
+from report.shared.arithmetic import Column, departure, resolved, table_of
 from report.shared.timing import CURE_WORLDS, cell, fine_enough, ratio_cell, resolution
 
 order = 172
 page = "cost"
 label = "the engine's benchmark"
 
+LOOP = "each-step-waited-for"
+"""The benchmark's loop, run here."""
 WAYS = {
     "testspeed": "mujoco_warp.testspeed",
-    "each-step-waited-for": "the same, run here",
+    LOOP: "the same, run here",
     "steps-in-one-graph": "16 steps as one graph",
     "collision-once": "contacts found once a frame",
     "our-engine-steps": "contacts and rows as Newton makes them",
@@ -32,16 +34,17 @@ SAME = 10.0
 def derive(results: Results) -> Section:
     rates = {
         (way, count): cell(results, results.row.get(f"{way}-{count}"), "world_substeps_per_s", f"a batch of {count}")
-        for way in WAYS
+        for way in ("testspeed", LOOP)
         for count in CURE_WORLDS
     }
     gains, apart = {}, {}
     for count in CURE_WORLDS:
-        formula = "steps of all worlds per second in our frames over those of mujoco_warp.testspeed"
-        gains[count] = ratio(results, f"gain_{count}", formula, rates["whole", count], rates["testspeed", count])
+        loops = rates[LOOP, count], rates["testspeed", count]
         formula = "distance of the benchmark's loop run here from mujoco_warp.testspeed, of that"
-        there = rates["each-step-waited-for", count], rates["testspeed", count]
-        apart[count] = departure(results, f"apart_{count}", formula, *there)
+        apart[count] = departure(results, f"apart_{count}", formula, *loops)
+        formula = "time of that loop over that of our frames, timed in turn, times its speed over the benchmark's"
+        slower = ratio_cell(results, results.row.get(f"{LOOP}-{count}"))
+        gains[count] = results.value(f"gain_{count}", formula, lambda a, b, c: a * b / c, slower, *loops)
     compared = [results.row.get(f"{way}-{count}") for way in WAYS if way != "testspeed" for count in CURE_WORLDS]
     worst = resolution(results, "resolution", *compared)
     return Section(
@@ -52,7 +55,7 @@ def derive(results: Results) -> Section:
 
 def _faster(results: Results, gains: dict[int, Value]) -> Claim:
     """Tell it as well as the benchmark's loop run here, in turn with our frames, lets one."""
-    loops = (results.row.get(f"each-step-waited-for-{count}") for count in CURE_WORLDS)
+    loops = (results.row.get(f"{LOOP}-{count}") for count in CURE_WORLDS)
     seen = resolution(results, "loop_resolution", *loops)
     least = results.value("least_gain", "least of those with 1, 4096 and 16384 worlds", min, *gains.values())
     one, some, many = gains.values()
@@ -76,7 +79,7 @@ def _length(results: Results, way: str, count: int, gain: Value) -> Value:
     formula = "time of a frame over that of a whole one, timed in turn"
     taken = ratio_cell(results, results.row.get(f"{way}-{count}"))
     if way == "testspeed":
-        formula, taken = "steps per second in whole frames over those of the benchmark", gain
+        formula, taken = "how many times as many steps a second our frames do as the benchmark", gain
     return results.value(f"length_{way}_{count}".replace("-", "_"), formula, lambda share: 100 * share, taken, unit="%")
 
 
