@@ -49,7 +49,7 @@ BY_HAND = {
 """What a record made here says of who measured it."""
 
 MODULE = """
-from measured_report.claims.claim import Claim, at_least
+from measured_report.parts.claim import Claim, at_least
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 import pandas as pd

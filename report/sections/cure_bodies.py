@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterable, Mapping
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
 from measured_report.files.root import ROOT
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.files.root import ROOT
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import SERIES, new_figure
 from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.results import Results, Row, Series

@@ -9,7 +9,7 @@ from typing import Any
 import pandas as pd
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, OPPOSITE, Claim, Outcome, at_least, at_most, greater
+from measured_report.parts.claim import HOLDS, OPPOSITE, Claim, Outcome, at_least, at_most, greater
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value

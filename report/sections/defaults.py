@@ -1,6 +1,6 @@
 """What a release sets where nobody does, and the slip with that: the scene writes what 1.4.0 had."""
 
-from measured_report.claims.claim import Claim, all_of, decided
+from measured_report.parts.claim import Claim, all_of, decided
 from measured_report.parts.section import Section
 from measured_report.records.columns import changed_parameters
 from measured_report.values.results import Results

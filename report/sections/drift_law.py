@@ -6,7 +6,7 @@ from statistics import median
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, beyond
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, beyond
 from measured_report.parts.figures import INK, SERIES, new_figure, tick_125
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Quantity, Value, absent

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results

@@ -11,7 +11,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure as Drawing
 from matplotlib.lines import Line2D
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.figures import INK, MAP_INK, new_figure, plain_labels, tick_at
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value

@@ -2,8 +2,8 @@
 
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
-from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided
 from measured_report.files.root import ROOT
+from measured_report.parts.claim import Claim, Outcome, all_of, at_least, at_most, decided
 from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

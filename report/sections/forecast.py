@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, at_most
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value

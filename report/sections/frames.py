@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row

@@ -1,6 +1,6 @@
 """Is it friction? The coefficient of the pads and that of the cube, from far below to far above."""
 
-from measured_report.claims.claim import Claim, within
+from measured_report.parts.claim import Claim, within
 from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import difference, ratio

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, decreases, equal_within
+from measured_report.parts.claim import HOLDS, Claim, all_of, decreases, equal_within
 from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row, Series

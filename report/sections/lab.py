@@ -1,6 +1,6 @@
 """Measure it yourself: what the engine in the page is held against, and what Newton's model for MuJoCo C loses."""
 
-from measured_report.claims.claim import Claim, all_of, at_most, decided
+from measured_report.parts.claim import Claim, all_of, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results

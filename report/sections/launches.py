@@ -1,6 +1,6 @@
 """Whose the launches of a frame are, and what a frame takes without some of them."""
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided
 from measured_report.parts.figures import INK, SERIES, is_narrow, new_figure, tick_125
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row

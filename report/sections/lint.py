@@ -1,7 +1,7 @@
 """The lint: what it says of the scene as shipped and of the fixed one."""
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
-from measured_report.claims.claim import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
+from measured_report.parts.claim import FAILS, Claim, Outcome, all_of, at_least, decided, equal_within, greater
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row

@@ -7,7 +7,7 @@ from statistics import fmean
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_most, within
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.records.columns import column_of

@@ -1,6 +1,6 @@
 """The runs that are shown moving: what they come to, so that a picture and the page say the same."""
 
-from measured_report.claims.claim import Claim, at_least, at_most, greater
+from measured_report.parts.claim import Claim, at_least, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import noise_floor, table_of

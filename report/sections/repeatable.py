@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import extreme

@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
 from experiments.facts.classes import cycle_increments
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value

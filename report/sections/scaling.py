@@ -6,7 +6,7 @@ from itertools import takewhile
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value

@@ -1,6 +1,6 @@
 """Is it the solver? Its convergence, its treatment of friction, and the time step."""
 
-from measured_report.claims.claim import Claim, within
+from measured_report.parts.claim import Claim, within
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 from report.shared.arithmetic import largest_size

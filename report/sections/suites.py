@@ -1,6 +1,6 @@
 """The suites: what the lint says of robot scenes that pip brings."""
 
-from measured_report.claims.claim import Claim, all_of, at_least, decided
+from measured_report.parts.claim import Claim, all_of, at_least, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import Column, table_of

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from measured_report.deriving.chapters import Releases
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row

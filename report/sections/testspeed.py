@@ -1,6 +1,6 @@
 """The engine's own benchmark beside our frames, and what lies between the two."""
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results

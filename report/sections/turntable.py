@@ -6,8 +6,8 @@ from itertools import chain
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.files.root import ROOT
+from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, is_narrow, new_figure, say_value, write
 from measured_report.parts.section import Download, Figure, Section
 from measured_report.values.quantities import Quantity, Value

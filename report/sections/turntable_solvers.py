@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row

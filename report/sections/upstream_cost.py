@@ -1,6 +1,6 @@
 """What the patch for MuJoCo Warp costs: the engine's steps with its option off and on."""
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most
+from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from measured_report.claims.claim import FAILS, Bound, Claim, Outcome, at_most
+from measured_report.parts.claim import FAILS, Bound, Claim, Outcome, at_most
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row

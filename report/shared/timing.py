@@ -7,7 +7,7 @@ from typing import Any
 
 from matplotlib.axes import Axes
 
-from measured_report.claims.claim import HOLDS, Outcome, all_of, at_most
+from measured_report.parts.claim import HOLDS, Outcome, all_of, at_most
 from measured_report.parts.figures import SERIES, is_narrow
 from measured_report.values.format import format_number
 from measured_report.values.quantities import Quantity, Value

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, at_least, greater
+from measured_report.parts.claim import HOLDS, Claim, Outcome, at_least, greater
 from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from measured_report.claims.claim import (
+from measured_report.parts.claim import (
     HOLDS,
     OPPOSITE,
     Claim,

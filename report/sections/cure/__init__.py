@@ -7,7 +7,7 @@ from itertools import pairwise, product
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, at_least, at_most, decided, explains, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, at_least, at_most, decided, explains, greater
 from measured_report.parts.figures import FAINT, INK, is_narrow, new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from measured_report.claims.claim import Claim, all_of, at_least, at_most, greater
+from measured_report.parts.claim import Claim, all_of, at_least, at_most, greater
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row

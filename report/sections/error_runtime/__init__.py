@@ -4,7 +4,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import HOLDS
+from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results, Row
 from report.sections.error_runtime.claims import accuracy_claims, knob_claims, pads_claims

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.claims.claim import Claim, Outcome, all_of, at_least, at_most, decided, greater, within
+from measured_report.parts.claim import Claim, Outcome, all_of, at_least, at_most, decided, greater, within
 from measured_report.values.quantities import Value
 from report.sections.error_runtime.runs import (
     ENGINES,

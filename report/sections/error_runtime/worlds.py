@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from markupsafe import Markup
 
-from measured_report.claims.claim import HOLDS, Claim, all_of, contiguous, greater
+from measured_report.parts.claim import HOLDS, Claim, all_of, contiguous, greater
 from measured_report.parts.section import Figure
 from measured_report.values.quantities import Value
 from measured_report.values.results import Row

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater, within
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_least, decided, greater, within
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row

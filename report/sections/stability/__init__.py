@@ -6,7 +6,7 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.claims.claim import HOLDS
+from measured_report.parts.claim import HOLDS
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value, absent
 from measured_report.values.results import Results, Row

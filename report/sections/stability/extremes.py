@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import (
+from measured_report.parts.claim import (
     HOLDS,
     Claim,
     Outcome,

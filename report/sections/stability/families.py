@@ -5,7 +5,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, some_html

@@ -8,7 +8,7 @@ from typing import Any
 from markupsafe import Markup
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from measured_report.claims.claim import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, decreases
+from measured_report.parts.claim import FAILS, OPPOSITE, Claim, Outcome, all_of, at_least, at_most, decided, decreases
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
 from report.sections.stability.families import count, family, family_claim, least, most

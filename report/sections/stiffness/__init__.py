@@ -3,7 +3,7 @@
 from typing import Any
 
 from experiments.facts.case import AS_SHIPPED
-from measured_report.claims.claim import HOLDS, all_of
+from measured_report.parts.claim import HOLDS, all_of
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results
 from report.sections.stiffness import knobs

@@ -4,7 +4,7 @@ from statistics import median
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, all_of, at_least, at_most, greater
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results
 from report.sections.stiffness.runs import SHIPPED, Runs, drift_without_slide, has_slip, is_held

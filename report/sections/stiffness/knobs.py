@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_least, at_most, within
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_least, at_most, within
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results
 from report.sections.stiffness.runs import FIX, SHIPPED, Runs, has_slip, is_held

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from measured_report.claims.claim import Outcome, at_least
+from measured_report.parts.claim import Outcome, at_least
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import other_cell, other_value

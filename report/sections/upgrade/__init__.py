@@ -5,8 +5,8 @@ from itertools import pairwise
 
 from measured_report.changes.flips import Flip, FlipList, flips
 from measured_report.changes.query import Query
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, decided
 from measured_report.deriving.chapters import Releases
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, decided
 from measured_report.parts.section import Section
 from measured_report.values.noise import EDGES
 from measured_report.values.quantities import Quantity, Value, absent

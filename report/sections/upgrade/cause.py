@@ -1,6 +1,6 @@
 """What is new in the live contacts of a release, and whether the old number comes back without it."""
 
-from measured_report.claims.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
+from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results
 from report.sections.upgrade.ends import Ends

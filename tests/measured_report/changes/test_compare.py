@@ -8,10 +8,10 @@ import pytest
 from conftest import MODULE, ROWS, Toy, compared, derived
 
 from measured_report.changes.flips import flips_between
-from measured_report.claims.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.commands import building, findings
 from measured_report.editions.stack import stack_of
 from measured_report.editions.status import status_matrix
+from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.records.record import Origin, write_record

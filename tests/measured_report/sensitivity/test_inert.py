@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 from conftest import TEMPLATE
 
-from measured_report.claims.citations import references
-from measured_report.claims.claim import HOLDS
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
+from measured_report.parts.citations import references
+from measured_report.parts.claim import HOLDS
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
 from measured_report.sensitivity.inert import inert_passages, surveys

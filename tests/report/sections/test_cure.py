@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim
 from measured_report.editions.project import Project
+from measured_report.parts.claim import FAILS, HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results

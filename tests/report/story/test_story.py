@@ -7,12 +7,12 @@ import pytest
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.task import FRAME_RATE
-from measured_report.claims.claim import FAILS, HOLDS, Outcome
 from measured_report.deriving.editions import Edition
 from measured_report.files.root import ROOT
 from measured_report.pages.outline import FRONT
 from measured_report.pages.passages import WRITTEN
 from measured_report.pages.prose import Templates
+from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of
 from measured_report.values.quantities import Quantity, absent

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from measured_report.claims.claim import Claim, at_least, decided
+from measured_report.parts.claim import Claim, at_least, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.results import Results
 

@@ -2,8 +2,8 @@
 
 import pandas as pd
 
-from measured_report.claims.claim import FAILS, HOLDS, Claim, decided
 from measured_report.deriving.chapters import Releases
+from measured_report.parts.claim import FAILS, HOLDS, Claim, decided
 from measured_report.parts.section import Section, Table
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results

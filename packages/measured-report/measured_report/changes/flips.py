@@ -8,9 +8,9 @@ from itertools import groupby
 from markupsafe import Markup
 
 from measured_report.changes.costs import terms_of
-from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.pages.outline import PAGES, Page
+from measured_report.parts.claim import Claim
 
 NUMBER = re.compile(r"<data[^>]*>[^<]*</data>(&nbsp;[^\s,.;:)]+)?")
 """A number in a sentence, with its unit."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from measured_report.changes.compare import Comparison
 from measured_report.changes.moves import Move, percent
-from measured_report.claims.claim import NEAR_NOISE
 from measured_report.files.config import config
+from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import column_of
 from measured_report.values.noise import ROUNDING_SHARE
 

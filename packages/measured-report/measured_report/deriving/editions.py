@@ -10,7 +10,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import HOLDS, Claim
 from measured_report.deriving.cache import Derivation, DerivedCache
 from measured_report.deriving.chapters import Chapter, Chapters, Releases, stale_mark, values_text
 from measured_report.deriving.dependencies import Dependencies, Tracked
@@ -27,6 +26,7 @@ from measured_report.files.errors import ReportError
 from measured_report.pages.outline import FRONT, PAGES, Page
 from measured_report.pages.passages import teller
 from measured_report.pages.prose import Prose, Templates, Text
+from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.contradictions import refuse_contradictions
 from measured_report.parts.section import Section
 from measured_report.records.code import files

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import Claim
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.files.config import config
+from measured_report.parts.claim import Claim
 
 MARK = Markup('<span class="badge" title="{} in full runs: {}">{} in full runs</span> ')
 

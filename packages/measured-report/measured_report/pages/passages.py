@@ -26,8 +26,8 @@ from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-from measured_report.claims.claim import LOST, Claim
 from measured_report.pages.converting import token
+from measured_report.parts.claim import LOST, Claim
 from measured_report.parts.contradictions import contradictory
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")

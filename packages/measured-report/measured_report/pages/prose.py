@@ -15,17 +15,17 @@ from typing import Any
 import jinja2
 from markupsafe import Markup, escape
 
-from measured_report.claims import citations, words
-from measured_report.claims.citations import StatedTag, numbered, references
-from measured_report.claims.words import Wording, WordTags, refuse_typed, worded
 from measured_report.files.cache import Cache
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.pages import passages
 from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter, token
 from measured_report.pages.passages import Passage, PassageTag
+from measured_report.parts import citations, words
+from measured_report.parts.citations import StatedTag, numbered, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
+from measured_report.parts.words import Wording, WordTags, refuse_typed, worded
 from measured_report.values.results import ResultsError
 
 LAYOUT = Path(__file__).resolve().parent / "layout"

@@ -1,1 +1,1 @@
-"""Parts of a section: figures and tables."""
+"""Parts of a section: claims, figures and tables, and their words."""

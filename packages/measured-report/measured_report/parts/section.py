@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import Claim
-from measured_report.claims.words import Wording
 from measured_report.files.errors import ReportError
+from measured_report.parts.claim import Claim
+from measured_report.parts.words import Wording
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
 

@@ -14,8 +14,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.claims.claim import Claim
 from measured_report.pages.passages import Passage
+from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
 from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_tracked

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from measured_report.claims.claim import Claim, greater
+from measured_report.parts.claim import Claim, greater
 from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results

@@ -10,7 +10,7 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-from measured_report.claims.words import Wording
+from measured_report.parts.words import Wording
 from measured_report.values.format import ABSENT
 from measured_report.values.quantities import Quantity, mixed
 

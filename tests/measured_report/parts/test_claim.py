@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
-from measured_report.claims import claim as claims
-from measured_report.claims.claim import (
+from measured_report.parts import claim as claims
+from measured_report.parts.claim import (
     FAILS,
     HOLDS,
     Claim,
@@ -19,7 +19,7 @@ from measured_report.claims.claim import (
     greater,
     within,
 )
-from measured_report.claims.words import Wording
+from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
 from report.shared import arithmetic

@@ -3,11 +3,11 @@
 import pytest
 from conftest import MODULE, TEMPLATE
 
-from measured_report.claims.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
-from measured_report.claims.not_shown import overstated
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
+from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
+from measured_report.parts.not_shown import overstated
 
 pytestmark = pytest.mark.words
 ASKS = "{% asks %} whether it helps\n"

@@ -1,1 +1,0 @@
-"""Claims: tests on values, and the words for each outcome."""
