@@ -17,7 +17,7 @@ from experiments.simulation.scene import build_scene
 from experiments.simulation.simulation import CONSTRAINT_MAX, CONTACT_MAX
 from experiments.simulation.task import FRAME_RATE
 from newton_lint.findings import Buffer, Finding, columns, grouped
-from newton_lint.of_newton.rules import Engine, lint
+from newton_lint.newton_models.rules import Engine, lint
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: what it finds is the same on any machine."""

@@ -5,7 +5,7 @@ from importlib import metadata
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
-from newton_lint.of_newton.compat import warp_has_noslip
+from newton_lint.newton_models.compat import warp_has_noslip
 
 ITERATION_COUNT = 10
 PLAIN = [

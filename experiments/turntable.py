@@ -26,7 +26,7 @@ from experiments.scenes.engines import Contacts, contacts_in_c, contacts_in_warp
 from experiments.simulation import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from experiments.simulation.measurement import Conditions, Measurement, absent
-from newton_lint.of_newton.compat import warp_has_noslip
+from newton_lint.newton_models.compat import warp_has_noslip
 
 TURN_RAD_S = 2.0
 RADIUS_M = 0.2

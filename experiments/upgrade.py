@@ -12,7 +12,7 @@ from experiments.facts.trace import ContactRows
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, grasp_columns, summarize
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
-from newton_lint.of_newton import compat
+from newton_lint.newton_models import compat
 
 REFSAFE_TIMECONST_S = 2.0 / (FRAME_RATE * AS_SHIPPED.substeps)
 """What the engine makes of any smaller timeconst: two time steps."""

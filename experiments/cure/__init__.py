@@ -13,7 +13,7 @@ from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import gather, processes, start
-from newton_lint.of_newton.compat import kf_is_read
+from newton_lint.newton_models.compat import kf_is_read
 
 PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}

@@ -42,7 +42,7 @@ from experiments.simulation.scene import PAD_SOLIMP, body_index
 from experiments.simulation.simulation import Simulation
 from experiments.stability.limits import reference_stiffness, solref, step_s
 from newton_lint.creep import impedance_at
-from newton_lint.of_newton.compat import kf_is_read
+from newton_lint.newton_models.compat import kf_is_read
 
 BISECTION_COUNT = 50
 

@@ -23,7 +23,7 @@ from experiments.simulation import simulation as simulations
 from experiments.simulation.compiling import load_all
 from experiments.simulation.scene import build_scene
 from experiments.simulation.worlds import WORLDS_BUILT
-from newton_lint.of_newton.compat import release
+from newton_lint.newton_models.compat import release
 
 OLDEST = (1, 4, 0)
 """The oldest release that can run the scene."""

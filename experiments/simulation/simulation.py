@@ -23,7 +23,7 @@ from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.task import FRAME_RATE, build_task
 from measured_report.measuring.pool import gather, processes, start
 from measured_report.measuring.reasons import is_out_of_memory
-from newton_lint.of_newton.compat import make_solver, warp_has_noslip
+from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
 CONTACT_MAX = 64
 CONSTRAINT_MAX = 96

@@ -28,7 +28,7 @@ import warp as wp
 from newton.solvers import SolverBase, SolverMuJoCo
 
 from newton_lint.findings import tally
-from newton_lint.of_newton.rules import Engine, findings_of, read
+from newton_lint.newton_models.rules import Engine, findings_of, read
 
 TIME_LIMIT_S = 120
 """Of a processor, for one example: what takes longer is a row without findings."""

@@ -13,7 +13,7 @@ from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.simulation import simulate
 from experiments.stability.limits import solref
-from newton_lint.of_newton.compat import kf_is_read
+from newton_lint.newton_models.compat import kf_is_read
 
 SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=210)
 """The lift's time in the hand and 2 s of shake."""

@@ -19,7 +19,7 @@ from experiments.simulation.simulation import Simulation, batches, run_batch, si
 from experiments.simulation.timing import in_the_shake, put_in_state_of
 from measured_report.files.root import ROOT
 from measured_report.measuring.pool import gather, processes, start
-from newton_lint.of_newton import compat
+from newton_lint.newton_models import compat
 
 FRAME_COUNT = 10
 VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}

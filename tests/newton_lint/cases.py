@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from newton_lint.hold import Work, held, settled, started
 from newton_lint.output import LEAST_MM_S
 from newton_lint.report import scene_of
+from newton_lint.settle import Work, held, settled, started
 from newton_lint.target import Target
 
 BALLAST = 'tolerance="1e-12" iterations="200"'

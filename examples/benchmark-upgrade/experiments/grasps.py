@@ -10,9 +10,9 @@ from experiments import episodes
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement, absent
 from newton_lint.findings import grouped
-from newton_lint.hold import Work, held
 from newton_lint.report import scene_of
 from newton_lint.rules import lint
+from newton_lint.settle import Work, held
 from newton_lint.target import Target
 
 SETTLE_S = 1.0

@@ -114,7 +114,7 @@ def engine_of(given: argparse.Namespace, table: dict[str, Any]):
 
 def work_of(given: argparse.Namespace):
     """The body that is to be held; None where none is asked for."""
-    from newton_lint.hold import SETTLE_S, Work
+    from newton_lint.settle import SETTLE_S, Work
 
     return Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
 

@@ -12,12 +12,12 @@ import numpy as np
 
 from newton_lint.command import CLEAN, Parser, add_work, engine_of, positive, work_of
 from newton_lint.findings import alike
-from newton_lint.hold import Hold
 from newton_lint.output import LEAST_MM_S, rated, sentence
 from newton_lint.prediction import Load, predictions
 from newton_lint.prescribe import BELOW_MM_S, Prescription, Trial, changes_of, prescribed, touched, with_setting
 from newton_lint.report import Asked, Report, report_of, scene_of
 from newton_lint.scene import Scene
+from newton_lint.settle import Hold
 from newton_lint.target import Target, TargetError, read_target
 
 NEEDS_GENERATOR = "a page takes measured-report: pip install 'newton-lint[page]'"
@@ -175,7 +175,7 @@ def _rendered(scene: Scene, target: Target) -> bytes:
     import mujoco
     from matplotlib.image import imsave
 
-    from newton_lint.hold import started
+    from newton_lint.settle import started
 
     if os.name == "posix" and not any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL")):
         raise RuntimeError("there is no display, and asking for one would end the process")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from newton_lint.creep import M, clamped
-from newton_lint.hits import alike
+from newton_lint.grouping import alike
 from newton_lint.law import STEP_SHARE, Contact, Option, response_of
 from newton_lint.scene import Scene
 

@@ -13,11 +13,11 @@ from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of, posit
 from newton_lint.creep import M
 from newton_lint.findings import Change
 from newton_lint.fix import fix
-from newton_lint.hold import Hold, Work, held, predicted_hold, settled, started
 from newton_lint.law import IMPLICITFAST, STEP_SHARE
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
+from newton_lint.settle import Hold, Work, held, predicted_hold, settled, started
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1

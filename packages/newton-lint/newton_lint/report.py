@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from newton_lint.findings import SEVERITIES, Finding
-from newton_lint.hold import Hold, Work, held
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
+from newton_lint.settle import Hold, Work, held
 from newton_lint.source import Source
 from newton_lint.target import Target, newtons
 
@@ -58,7 +58,7 @@ def report_of(target: Target, asked: Asked) -> Report:
         TargetError: It has no such body as is to be held, or Newton is needed and is not there.
     """
     if target.newton_model is not None:
-        return newtons(target.name, "newton_lint.of_newton.report", "report_of", target, asked)
+        return newtons(target.name, "newton_lint.newton_models.report", "report_of", target, asked)
     scene = scene_of(target, asked.engine)
     hold = held(scene, target, asked.work) if asked.work else None
     found = lint(scene) + (hold.findings(scene, asked.below_mm_s) if hold else [])
@@ -67,7 +67,7 @@ def report_of(target: Target, asked: Asked) -> Report:
         message = "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it"
         found.append(Finding(*told, message, "error"))
     if asked.engine.name == "newton" and target.path:
-        found += newtons(target.name, "newton_lint.of_newton.dropped", "dropped", scene, target)
+        found += newtons(target.name, "newton_lint.newton_models.dropped", "dropped", scene, target)
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,

@@ -15,10 +15,10 @@ from newton_lint.advice import (
 )
 from newton_lint.findings import Finding
 from newton_lint.grip import gripped
-from newton_lint.hits import Hits, findings_of, hits
+from newton_lint.grouping import Hits, findings_of, hits
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.scene import Scene
-from newton_lint.whole import engine, excluded, flags, lost, named_pairs, pyramid
+from newton_lint.scene_rules import engine, excluded, flags, lost, named_pairs, pyramid
 
 SAME = 1e-5
 """Relative difference up to which two parameters are the same."""

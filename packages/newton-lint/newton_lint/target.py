@@ -17,7 +17,7 @@ USD = (".usd", ".usda", ".usdc", ".usdz")
 ENDINGS = (*MUJOCOS, *USD)
 ROOTS = (b"<mujoco", b"<robot")
 """One of them is in a file that a folder is searched for."""
-READER = "newton_lint.of_newton.reader"
+READER = "newton_lint.newton_models.reader"
 NEEDS_NEWTON = "takes Newton, which does not come with the lint: pip install 'newton-lint[newton]'"
 
 

@@ -14,7 +14,7 @@ from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
 from experiments.scenes.slope import creep_mm_s
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions
-from newton_lint.of_newton.compat import warp_has_noslip
+from newton_lint.newton_models.compat import warp_has_noslip
 
 RECIPE = capsule.Pinch("recipe")
 

@@ -16,7 +16,7 @@ from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
 from measured_report.records.reading import load_record
 from measured_report.values.noise import noise_floors
-from newton_lint.of_newton.compat import kf_is_read, warp_has_noslip
+from newton_lint.newton_models.compat import kf_is_read, warp_has_noslip
 
 SLIP_WITH_KF_MM = SLIP_MM | {"as-shipped": (0.32, 0.01)}
 """The same with Newton's contacts, in releases that read kf."""

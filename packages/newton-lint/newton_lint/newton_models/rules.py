@@ -8,10 +8,10 @@ import newton
 import numpy as np
 
 from newton_lint.findings import Buffer, Finding
-from newton_lint.hits import Hits, hits
-from newton_lint.hits import findings_of as told
-from newton_lint.of_newton.compat import kf_is_read
-from newton_lint.of_newton.contacts import (
+from newton_lint.grouping import Hits, hits
+from newton_lint.grouping import findings_of as told
+from newton_lint.newton_models.compat import kf_is_read
+from newton_lint.newton_models.contacts import (
     CONDIM,
     CONES,
     CONVERTED,

@@ -7,7 +7,7 @@ import pytest
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.simulation import simulate
 from experiments.upgrade import REFSAFE_TIMECONST_S, row_columns
-from newton_lint.of_newton.compat import kf_is_read, release
+from newton_lint.newton_models.compat import kf_is_read, release
 
 GRASPED = 150
 """Frame in which the cube is in the grasp."""

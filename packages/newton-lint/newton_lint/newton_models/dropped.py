@@ -8,8 +8,8 @@ import numpy as np
 
 from newton_lint.combined import OVERRIDE, REFSAFE_OFF
 from newton_lint.findings import Finding
-from newton_lint.of_newton.compat import make_solver
-from newton_lint.of_newton.reader import imported
+from newton_lint.newton_models.compat import make_solver
+from newton_lint.newton_models.reader import imported
 from newton_lint.pairs import pairs_of
 from newton_lint.scene import Scene
 from newton_lint.target import Target

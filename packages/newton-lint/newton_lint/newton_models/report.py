@@ -4,8 +4,8 @@ import newton
 import numpy as np
 
 from newton_lint.law import Contact, Option
-from newton_lint.of_newton.compat import make_solver
-from newton_lint.of_newton.rules import Engine, Scene, findings_of, kf_unread, read
+from newton_lint.newton_models.compat import make_solver
+from newton_lint.newton_models.rules import Engine, Scene, findings_of, kf_unread, read
 from newton_lint.prediction import Load, Prediction, predicted
 from newton_lint.report import Asked, Report
 from newton_lint.target import Target

@@ -14,8 +14,8 @@ from experiments.lint import SCENES, measure
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from newton_lint.findings import Buffer, alike, columns, grouped
-from newton_lint.of_newton.compat import kf_is_read
-from newton_lint.of_newton.contacts import (
+from newton_lint.newton_models.compat import kf_is_read
+from newton_lint.newton_models.contacts import (
     CONDIM,
     CONES,
     CONVERTED,
@@ -26,8 +26,8 @@ from newton_lint.of_newton.contacts import (
     Shapes,
     contacts_of,
 )
-from newton_lint.of_newton.report import predictions
-from newton_lint.of_newton.rules import Engine, lint, read
+from newton_lint.newton_models.report import predictions
+from newton_lint.newton_models.rules import Engine, lint, read
 from newton_lint.prediction import Load
 
 DT = 1.0 / 960.0
