@@ -8,7 +8,7 @@ from experiments.cure import BEST, FIRM, TERMS
 from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.comparing import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
-from measured_report.measuring.batch import Plan, timing
+from measured_report.measuring.batch import Batch, Plan
 
 CASES = (
     AS_SHIPPED,
@@ -23,7 +23,7 @@ WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 
 def measure(conditions: Conditions) -> Plan:
     counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
-    found = yield [timing(f"worlds-{count}", measure_worlds, conditions, count) for count in counts]
+    found = yield [Batch(f"worlds-{count}", measure_worlds, (conditions, count), exclusive=True) for count in counts]
     return Measurement([row for rows in found for row in rows])
 
 

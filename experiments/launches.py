@@ -14,8 +14,7 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.switches import SWITCHES
-from measured_report.measuring.batch import Plan, timing
-from measured_report.measuring.turns import alone
+from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"cuda": (1, 16384), "cpu": (1,)}
 WITHOUT = {"sensors": {"sensors": False}, "limits": {"limits": False}}
@@ -30,7 +29,7 @@ OWNERS = {"mujoco_warp": "engine", "newton": "newton", "experiments": "scene"}
 
 def measure(conditions: Conditions) -> Plan:
     counts = WORLD_COUNTS["cuda" if conditions.is_cuda else "cpu"]
-    found = yield [timing(f"worlds-{count}", measure_worlds, conditions, count) for count in counts]
+    found = yield [Batch(f"worlds-{count}", measure_worlds, (conditions, count), exclusive=True) for count in counts]
     return Measurement([row for rows in found for row in rows])
 
 
@@ -41,11 +40,10 @@ def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, o
     whole = Frames(simulation, FIXED, pilot)
     frames = {"whole": whole} | {name: Frames(simulation, FIXED, pilot, switch) for name, switch in SWITCHES.items()}
     frames |= {name: Frames(simulation, replace(FIXED, name=name, **change), pilot) for name, change in WITHOUT.items()}
-    with alone():
-        results = in_turn(list(frames.values()), cap_s=CAP_S * len(frames))
-        simulation.vary(FIXED)
-        pilot.put(simulation, FIXED)
-        kernels = kernel_rows(simulation, world_count)
+    results = in_turn(list(frames.values()), cap_s=CAP_S * len(frames))
+    simulation.vary(FIXED)
+    pilot.put(simulation, FIXED)
+    kernels = kernel_rows(simulation, world_count)
     rows: list[dict[str, object]] = []
     for (name, each), found in zip(frames.items(), results, strict=True):
         row = {

@@ -15,7 +15,7 @@ from experiments.facts.trace import Trace
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.simulation import CONTACT_MAX, Simulation, run
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.reasons import NOT_COMPILED
+from measured_report.measuring.error_text import NOT_COMPILED
 
 CONTACTS, CONSTRAINT, ATOMICS = 1, 2, 4
 """Bits of ``Option.deterministic`` (mujoco-warp 3.17, ``DeterminismType``)."""

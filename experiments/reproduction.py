@@ -16,7 +16,7 @@ QUICK_FRAME_COUNT = 24
 def measure(conditions: Conditions) -> Plan:
     runs, times = yield [
         Batch("runs", measure_runs, (conditions,)),
-        Batch("times", batch_rows, (conditions,), alone=True),
+        Batch("times", batch_rows, (conditions,), exclusive=True),
     ]
     return replace(runs, rows=[*runs.rows, *times])
 

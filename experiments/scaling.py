@@ -12,8 +12,7 @@ from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import EngineSteps, batch_invalid_reason, memory_bytes, spread
-from measured_report.measuring.batch import Plan, timing
-from measured_report.measuring.turns import alone
+from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
@@ -21,7 +20,7 @@ ABSENT = (*(name for name in TIMED if name != "buffer_bytes_per_world"), "world_
 
 
 def measure(conditions: Conditions) -> Plan:
-    [rows] = yield [timing("worlds", measure_worlds, conditions)]
+    [rows] = yield [Batch("worlds", measure_worlds, (conditions,), exclusive=True)]
     return Measurement(rows)
 
 
@@ -31,8 +30,7 @@ def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
     pilot = Pilot([FIXED], device)
     counts = WORLD_COUNTS["quick" if conditions.quick or not conditions.is_cuda else "full"]
     built = [Worlds(pilot, world_count) for world_count in counts]
-    with alone():
-        return [worlds.row() for worlds in built]
+    return [worlds.row() for worlds in built]
 
 
 class Worlds:

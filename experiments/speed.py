@@ -8,7 +8,7 @@ from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, dif
 from experiments.simulation.comparing import time_cases
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.task import FRAME_RATE
-from measured_report.measuring.batch import Plan, timing
+from measured_report.measuring.batch import Batch, Plan
 
 CASES = (
     AS_SHIPPED,
@@ -21,7 +21,7 @@ CASES = (
 
 
 def measure(conditions: Conditions) -> Plan:
-    [rows] = yield [timing("times", measure_times, conditions)]
+    [rows] = yield [Batch("times", measure_times, (conditions,), exclusive=True)]
     return Measurement(rows)
 
 

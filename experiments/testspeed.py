@@ -28,8 +28,7 @@ from experiments.simulation.resolving import in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.switches import SWITCHES
 from experiments.simulation.timing import EngineSteps, elapsed_ms
-from measured_report.measuring.batch import Batch, Plan, timing
-from measured_report.measuring.turns import alone
+from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_CUDA = "the engine's benchmark runs on CUDA devices only"
 STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}
@@ -54,7 +53,8 @@ def measure(conditions: Conditions) -> Plan:
         return Measurement((yield [Batch("none", dict, ({"case": "none", "reason": NEEDS_CUDA},))]))
     yield [Batch("compile", measure_worlds, (conditions, 1, 2))]  # what is not compiled yet is, before any time counts
     found = yield [
-        timing(f"worlds-{count}", measure_worlds, conditions, count, STEP_COUNTS[count]) for count in STEP_COUNTS
+        Batch(f"worlds-{count}", measure_worlds, (conditions, count, STEP_COUNTS[count]), exclusive=True)
+        for count in STEP_COUNTS
     ]
     return Measurement([row for rows in found for row in rows])
 
@@ -89,7 +89,7 @@ def measure_worlds(conditions: Conditions, world_count: int, step_count: int) ->
         ways["our-engine-steps"] = of_engine, simulation.solver.mjw_data
     for name in ("recording", "inverse-kinematics", "control", "collision"):
         ways[f"without-{name}"] = Frames(simulation, case, pilot, SWITCHES[name]), simulation.solver.mjw_data
-    with testspeed(mjcf, world_count, step_count) if device.is_cuda else nullcontext(dict) as run_testspeed, alone():
+    with testspeed(mjcf, world_count, step_count) if device.is_cuda else nullcontext(dict) as run_testspeed:
         said = run_testspeed()
         results = in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
     rows: list[dict[str, object]] = []

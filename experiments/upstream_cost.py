@@ -43,7 +43,9 @@ TIMEOUT_S = 300.0
 def measure(conditions: Conditions) -> Plan:
     counts = WORLD_COUNTS["cuda" if conditions.is_cuda else "cpu"]
     [(mjcf, released)] = yield [Batch("compile", measure_released, (conditions,))]
-    found = yield [Batch(f"worlds-{count}", measure_apart, (conditions, mjcf, count), alone=True) for count in counts]
+    found = yield [
+        Batch(f"worlds-{count}", measure_apart, (conditions, mjcf, count), exclusive=True) for count in counts
+    ]
     return Measurement([released, *(row for rows in found for row in rows)])
 
 

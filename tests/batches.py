@@ -58,7 +58,7 @@ def double(rows: list) -> dict:
 
 def section(log: str, names: str, seconds: float = 0.0, alone: str = "") -> Plan:
     """A batch for each letter, those of ``alone`` by themselves, and one that needs them all."""
-    rows = yield [Batch(name, work, (log, name, seconds), alone=name in alone) for name in names]
+    rows = yield [Batch(name, work, (log, name, seconds), exclusive=name in alone) for name in names]
     [last] = yield [Batch("sum", double, (rows,))]
     return Rows([*rows, last])
 

@@ -29,7 +29,7 @@ LOG = Path(__file__).resolve().parent.parent / "many.log"
 def measure(conditions) -> Plan:
     from experiments.simulation.measurement import Measurement
 
-    rows = yield [Batch(f"b{{number}}", work, (number,), alone=number % 10 == 9) for number in range({BATCH_COUNT})]
+    rows = yield [Batch(f"b{{number}}", work, (number,), exclusive=number % 10 == 9) for number in range({BATCH_COUNT})]
     [total] = yield [Batch("sum", add, (rows,))]
     return Measurement([*rows, total])
 

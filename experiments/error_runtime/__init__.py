@@ -20,7 +20,7 @@ from experiments.simulation.resolving import Resolved, in_turn
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
 from experiments.simulation.timing import WARMUP_COUNT, elapsed_ms, invalid_reason, put_in_state_of
-from measured_report.measuring.batch import Batch, Plan, timing
+from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Of the reference; a second one with half as many tells how far it has converged."""
@@ -29,8 +29,6 @@ HALF_CYCLE = 30
 """Frames in C that are timed together: as long as the force on the cube takes to have had all its sizes."""
 PART_COUNT = 4
 """Parts of the settings, each timed in turn by itself, so that one can be built while another is timed."""
-TIMES_CPU = ("times-", "worlds")
-"""What the names of the batches begin with that time the CPU: see ``SectionRun``."""
 CAP_S = 16.0
 """Seconds after which the settings of a part are not looked at again."""
 WORLDS_CAP_S = 10.0
@@ -52,8 +50,11 @@ def measure(conditions: Conditions) -> Plan:
     others = [name for name in valid if name != REFERENCE]
     parts = [reference + others[number::PART_COUNT] for number in range(min(PART_COUNT, len(others)))]
     *found, worlds = yield [
-        *(timing(f"times-{number}", measure_times, conditions, part) for number, part in enumerate(parts)),
-        timing("worlds", measure_worlds, conditions),
+        *(
+            Batch(f"times-{number}", measure_times, (conditions, part), exclusive=True)
+            for number, part in enumerate(parts)
+        ),
+        Batch("worlds", measure_worlds, (conditions,), exclusive=True),
     ]
     times = {name: columns for part in reversed(found) for name, columns in part.items()}
     return Measurement([row | times.get(row["case"], {}) for row in rows] + worlds)

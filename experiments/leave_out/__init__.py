@@ -17,7 +17,7 @@ from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Me
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
 from experiments.simulation.timing import in_the_shake
-from measured_report.measuring.batch import Batch, Plan, timing
+from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.pool import gather, processes, start
 
 WITHOUT = {
@@ -39,8 +39,6 @@ IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
-TIMES_CPU = ("cpu-", "stages-cpu")
-"""What the names of the batches begin with that time the CPU: see ``SectionRun``."""
 WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
 """What is left out alone with the most worlds, where to build a batch takes longer than to time it."""
 ON_CPU = ("buffers",)
@@ -65,8 +63,11 @@ def measure(conditions: Conditions) -> Plan:
     (trajectories, double_rows), items, *found = yield [
         Batch("to-end", run_to_end, (conditions, kinds)),
         Batch("audit", measure_audit, (conditions,)),
-        *(Batch(f"stages-{kind}", measure_stages, (kind,), alone=True) for kind in kinds),
-        *(timing(f"{kind}-{count}", measure_times, conditions, kind, count) for kind, count in timings),
+        *(Batch(f"stages-{kind}", measure_stages, (kind,), exclusive=True) for kind in kinds),
+        *(
+            Batch(f"{kind}-{count}", measure_times, (conditions, kind, count), exclusive=True)
+            for kind, count in timings
+        ),
     ]
     stages, timed = dict(zip(kinds, found, strict=False)), dict(zip(timings, found[len(kinds) :], strict=True))
     rows = []

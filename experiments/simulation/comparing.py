@@ -29,7 +29,7 @@ from experiments.simulation.timing import (
     put_in_state_of,
     spread,
 )
-from measured_report.measuring.reasons import is_out_of_memory
+from measured_report.measuring.error_text import is_out_of_memory
 
 MOMENT_FRAME_STEP = 7
 """Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""

@@ -9,9 +9,9 @@ from tqdm import tqdm
 from experiments.simulation.measurement import Conditions
 from measured_report.editions.devices import NO_CUDA
 from measured_report.files.errors import ReportError
+from measured_report.measuring.error_text import NOT_COMPILED
 from measured_report.measuring.host import Device
 from measured_report.measuring.pool import processes
-from measured_report.measuring.reasons import NOT_COMPILED
 from measured_report.records.provenance import package_versions
 
 __all__ = ["Conditions", "be_quiet", "device", "explained", "prepare", "settle"]

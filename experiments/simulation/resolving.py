@@ -20,8 +20,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measured_report.measuring.turns import alone
-
 RESOLUTION = 0.01
 """Half of the interval of a ratio that is narrow enough, as a share of the ratio."""
 BATCH_COUNT = 8
@@ -59,20 +57,13 @@ def in_turn(
     """Time the blocks against the first of them until each ratio is known to ``resolution``.
 
     A case that is known takes no further part; the reference does to the end. Alone it is timed as often as the first
-    look takes. Nothing else is measured on this host meanwhile: see ``turns``.
+    look takes.
 
     Args:
         blocks: Each times a frame of its case [ms] in the round of that number.
         resolution: See ``RESOLUTION``.
         cap_s: Where another look would end after this time [s], the resolution stays as it is.
     """
-    with alone():
-        return _in_turn(blocks, resolution, cap_s, clock)
-
-
-def _in_turn(
-    blocks: Sequence[Callable[[int], float]], resolution: float, cap_s: float, clock: Callable[[], float]
-) -> list[Resolved]:
     start = clock()
     rounds: list[list[float]] = [[] for _ in blocks]
     active = list(range(len(blocks)))

@@ -21,8 +21,8 @@ from experiments.simulation.recorder import Recorder
 from experiments.simulation.remedies import install_remedies
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.task import FRAME_RATE, build_task
+from measured_report.measuring.error_text import is_out_of_memory
 from measured_report.measuring.pool import gather, processes, start
-from measured_report.measuring.reasons import is_out_of_memory
 from newton_lint.newton_models.compat import make_solver, warp_has_noslip
 
 CONTACT_MAX = 64

@@ -15,7 +15,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.stack import stack_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.reasons import is_expected, reason_of
+from measured_report.measuring.error_text import is_expected, reason_of
 
 
 @pytest.mark.parametrize(

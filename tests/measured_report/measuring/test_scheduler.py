@@ -1,7 +1,6 @@
 """The scheduler: sections in batches, measured by this process and its forks, and what may go wrong meanwhile."""
 
 import os
-import random
 import subprocess
 import sys
 from pathlib import Path
@@ -120,8 +119,8 @@ def test_batches_need_names_of_their_own(toy, log, names, capsys):
     assert "batches need names of their own" in capsys.readouterr().err
 
 
-def task(name: str, seconds: float = 1.0, alone: bool = False, prepares: bool = False) -> Task:
-    return Task("toy", Batch(name, batches.work, alone=alone or prepares, prepares=prepares), seconds)
+def task(name: str, seconds: float = 1.0, alone: bool = False) -> Task:
+    return Task("toy", Batch(name, batches.work, exclusive=alone), seconds)
 
 
 KIND = ("cuda", "NVIDIA H200")
@@ -151,20 +150,6 @@ def test_what_need_not_be_alone_shares_the_gpus_where_it_can():
     assert next_start(ready, [host], {}) == (alone, host, ("one", "gpu"))
 
 
-def test_gpus_of_one_host_have_as_much_to_do_and_what_is_alone_on_one_leaves_the_other():
-    gpus = [Host("one", KIND, [f"{uuid}/0", f"{uuid}/1"], [uuid]) for uuid in "AB"]
-    ready, busy, places = [(task(f"t{i}", 9.0 - i), None) for i in range(4)], {}, []
-    while found := next_start(ready, gpus, busy):
-        places.append(found[2][1])
-        busy[found[2]] = found[0]
-        ready.remove((found[0], None))
-    assert places == ["A/0", "B/0", "A/1", "B/1"]
-    alone = task("alone", alone=True)
-    assert next_start([(alone, None)], gpus, busy) is None
-    del busy["one", "B/0"], busy["one", "B/1"]
-    assert next_start([(alone, None)], gpus, busy) == (alone, gpus[1], ("one", "B"))
-
-
 def test_processes_share_a_gpu_where_a_daemon_lets_them_and_several_prepare_where_memory_is(tmp_path, monkeypatch):
     monkeypatch.setenv(worker.MPS, str(tmp_path))
     monkeypatch.setattr(worker.os, "cpu_count", lambda: 5)
@@ -180,43 +165,6 @@ def test_a_batch_that_is_new_may_take_as_long_as_its_section_did():
     known = {"toy": 9.0, "toy/old": 2.0}
     run = SectionRun(None, "toy", "cpu", iter(()), None, known, waiting=waiting)
     assert [each.seconds for each in run.tasks()] == [9.0, 2.0]
-
-
-def test_what_prepares_does_so_beside_what_is_left_to_run():
-    running, other, timed = task("running"), task("other"), task("timed", prepares=True)
-    ready, busy = [(timed, None), (task("alone", alone=True), None)], {("one", "0"): running}
-    assert next_start(ready, TWO[:1], busy) == (timed, TWO[0], ("one", "1"))
-    assert next_start([*ready, (other, None)], TWO[:1], busy)[0] is other
-    shared = Host("one", KIND, ["gpu/0"], ["gpu", "gpu:1"])
-    assert next_start(ready, [shared], {("one", "gpu/0"): running}) is None, "no process is idle"
-    assert next_start(ready[:1], [shared], {("one", "gpu"): timed})[2] == ("one", "gpu:1")
-    two = Host("one", KIND, ["gpu/0", "gpu/1"], ["gpu", "gpu:1", "gpu:2"])
-    busy = {("one", "gpu/0"): running, ("one", "gpu"): timed}
-    assert next_start(ready[:1], [two], busy)[2] == ("one", "gpu:1"), "what has prepared waits"
-    assert next_start(ready[:1], [two], busy | {("one", "gpu:1"): timed}) is None
-
-
-def test_what_must_be_alone_takes_turns_with_its_like_and_leaves_the_host_to_others_that_wait():
-    first, second, other = task("first", alone=True), task("second", alone=True), task("other")
-    assert next_start([(second, None)], TWO[:1], {("one", "0"): first}) == (second, TWO[0], ("one", "1"))
-    assert next_start([(second, None), (other, None)], TWO[:1], {("one", "0"): first}) is None
-
-
-def test_no_batch_is_beside_one_that_is_alone_but_its_like_whatever_happens():
-    chance = random.Random(0)
-    for _ in range(50):
-        ready = [(task(f"t{i}", chance.random(), *(chance.random() < 0.2 for _ in "ab")), None) for i in range(20)]
-        busy = {}
-        while ready or busy:
-            while found := next_start(ready, TWO, busy):
-                busy[found[2]] = found[0]
-                ready = [pair for pair in ready if pair[0] is not found[0]]
-            for host in TWO:
-                there = [each for (name, _), each in busy.items() if name == host.name]
-                assert len({each.batch.alone for each in there if not each.batch.prepares}) <= 1
-                assert len(there) <= len(host.processes)
-            assert busy, "something can always be started"
-            del busy[chance.choice(list(busy))]
 
 
 HOSTS = {"none": "# nobody\n", "twice": "a\na\n", "option": "-oProxyCommand=x\n", "folder": "a relative/path\n"}

@@ -5,7 +5,7 @@ return, in the order in which it has named them; what needs others' results is y
 
     def measure(conditions: Conditions) -> Plan:
         points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
-        [alone] = yield [Batch("alone", time_cell, (conditions, cells[0]), alone=True)]
+        [alone] = yield [Batch("alone", time_cell, (conditions, cells[0]), exclusive=True)]
         return Measurement([*points, *cells, alone])
 
 The generator itself runs where the records are kept, which may have no GPU: what takes a device or long is a batch. A
@@ -28,17 +28,8 @@ class Batch:
     function: Callable[..., Any]
     """Found by its name in a module. It and what it returns travel as bytes."""
     arguments: tuple = ()
-    alone: bool = False
-    """Whether nothing else may run on its GPU meanwhile, since it measures times; without a GPU, on its host."""
-    prepares: bool = False
-    """Whether such a batch is alone only within ``turns.alone``, and prepares beside its like."""
-    on_host: bool = False
-    """Whether such a batch times the CPU, so that nothing else may run on its host: on a CPU, or by ``TIMES_CPU``."""
-
-
-def timing(name: str, function: Callable[..., Any], *arguments: Any) -> Batch:
-    """Declare a batch that prepares, and is alone only within ``turns.alone``."""
-    return Batch(name, function, arguments, alone=True, prepares=True)
+    exclusive: bool = False
+    """Measures times, so that nothing else is measured on its GPU meanwhile, nor, without one, on its host."""
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]

@@ -71,7 +71,7 @@ class LocalExecutor:
         self._running: dict[Future, Task] = {}
 
     def start(self, task: Task, process: tuple[str, str]) -> None:
-        call = task.batch, self._alone if task.batch.alone else self._together
+        call = task.batch, self._alone if task.batch.exclusive else self._together
         if self._pool:
             future = self._pool.submit(run_batch, *call)
         else:

@@ -9,7 +9,7 @@ from datetime import datetime, timezone
 from typing import Any, TypeAlias
 
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.reasons import is_expected, reason_of
+from measured_report.measuring.error_text import is_expected, reason_of
 from measured_report.measuring.turns import turn
 
 
@@ -49,7 +49,7 @@ def run_batch(batch: Batch, machine: Mapping[str, Any]) -> Done | Failed:
     """Measure a batch in this process."""
     start = time.perf_counter()
     try:
-        with turn(alone=batch.alone, prepares=batch.prepares, on_host=batch.on_host) as mine:
+        with turn(alone=batch.exclusive, on_host=batch.exclusive) as mine:
             started = now()
             content = pickle.dumps(batch.function(*batch.arguments), protocol=pickle.HIGHEST_PROTOCOL)
     except Exception as error:  # one batch's fault must not cost the others

@@ -22,22 +22,18 @@ def next_start(
     """Choose which of the tasks, each with the kind of machine that its section is bound to, to start next, and where.
 
     Where more than one batch runs at a time the longest goes first, to the host that has least to do, and those that
-    must be alone there, which take turns, go when nothing else is left to run, or, if they prepare, to start, two for
-    each process that this leaves idle: most of the time they wait. None when nothing can be started beside what is
-    ``busy``.
+    must be alone there go when nothing else is left to run. None when nothing can be started beside what is ``busy``.
     """
     in_turn = sum(len({*host.processes, *host.alone}) for host in hosts) == 1
     for host in sorted(hosts, key=lambda host: len(host.those_of(busy))):
         beside = host.those_of(busy)
         fit = [task for task, kind in ready if kind in (None, host.kind)]
-        shared = fit if in_turn else [task for task in fit if not task.batch.alone]
-        is_shared = not all(task.batch.alone for task in beside)
-        has_room = len(beside) - sum(task.batch.alone for task in beside) / 2 < len(host.processes)
-        timed = [task for task in fit if not is_shared or (has_room and task.batch.prepares)]
-        candidates = [] if shared and any(task.batch.alone for task in beside) else shared or timed
+        shared = fit if in_turn else [task for task in fit if not task.batch.exclusive]
+        timed = fit if not beside else []
+        candidates = [] if shared and any(task.batch.exclusive for task in beside) else shared or timed
         if candidates:
             task = candidates[0] if in_turn else max(candidates, key=lambda task: task.seconds)
-            names = host.alone if task.batch.alone else host.processes
+            names = host.alone if task.batch.exclusive else host.processes
             if free := [(host.name, name) for name in names if (host.name, name) not in busy]:
                 return task, host, free[0]
     return None

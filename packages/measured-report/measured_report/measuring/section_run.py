@@ -6,7 +6,7 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from types import ModuleType
 
 from tqdm import tqdm
@@ -40,8 +40,6 @@ class SectionRun:
     identity: Identity
     known: Mapping[str, float]
     """Seconds that it took the last time, by section and by ``section/batch``."""
-    times_cpu: tuple[str, ...] = ()
-    """What the names of those of its batches begin with that time the CPU."""
     stage: list[Batch] = field(default_factory=list)
     """What was yielded last."""
     waiting: list[Batch] = field(default_factory=list)
@@ -78,13 +76,12 @@ class SectionRun:
             except StopIteration as end:
                 self._write(end.value)
                 return
-            on_cpu = self.device == "cpu"
-            self.stage = [replace(batch, on_host=on_cpu or batch.name.startswith(self.times_cpu)) for batch in stage]
+            self.stage = list(stage)
             names = [batch.name for batch in self.stage]
             if not all(map(NAME.fullmatch, names)) or len({*names, *self.done}) < max(1, len(names)) + len(self.done):
                 fault = "batches need names of their own, lower-case words joined by hyphens"
                 raise ValueError(f"{fault}: {', '.join(names)}")
-            self.alone |= {batch.name for batch in self.stage if batch.alone}
+            self.alone |= {batch.name for batch in self.stage if batch.exclusive}
             for batch in self.stage:
                 kept = Cache(self.project.root).get(self._kept_start + batch.name, self.identity)
                 if kept and kind_of(kept.machine) in ({self.kind} if self.kind else kinds):
@@ -149,7 +146,7 @@ def section_run(
     conditions = host().Conditions(device=alias, quick=project.profile == "quick")
     plans = inspect.isgeneratorfunction(module.measure)
     plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return SectionRun(project, section, device, plan, identity, known, getattr(module, "TIMES_CPU", ()))
+    return SectionRun(project, section, device, plan, identity, known)
 
 
 def _as_one(batch: Batch) -> Plan:
