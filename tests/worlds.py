@@ -30,11 +30,11 @@ from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
-from measured_report.sensitivity.inert import NUMBER
-from measured_report.sensitivity.perturbed import load_trace_once
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of
+from tests.sensitivity_inert import NUMBER
+from tests.sensitivity_perturbed import load_trace_once
 
 SNAPSHOTS = Path(__file__).parent / "worlds"
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")

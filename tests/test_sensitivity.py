@@ -17,11 +17,11 @@ from measured_report.parts.citations import references
 from measured_report.parts.claim import HOLDS
 from measured_report.records.columns import REASON
 from measured_report.records.record import Record
-from measured_report.sensitivity.inert import inert_passages, surveys
-from measured_report.sensitivity.perturbed import CHANGES, Perturbation, of_editions, perturbed
 from measured_report.site.check import check_site
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
+from tests.sensitivity_inert import inert_passages, surveys
+from tests.sensitivity_perturbed import CHANGES, Perturbation, of_editions, perturbed
 
 pytestmark = pytest.mark.words
 WORK = ROOT / "tests" / "sentences"

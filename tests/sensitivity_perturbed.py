@@ -9,8 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from measured_report.deriving.chapters import Chapters
-from measured_report.deriving.editions import Edition, derive_section, editions_of
-from measured_report.editions.project import Project, own_release
+from measured_report.deriving.editions import Edition, derive_section
 from measured_report.files.config import config
 from measured_report.pages.passages import Passage
 from measured_report.pages.prose import Templates
@@ -130,12 +129,6 @@ class Perturbation:
         return PerturbedResults(
             record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.name_of, traces
         )
-
-
-def of_tracked() -> Perturbation:
-    """Of the tracked results."""
-    project = Project(own_release())
-    return of_editions(editions_of(project, templates := Templates(project.templates)), templates)
 
 
 def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:

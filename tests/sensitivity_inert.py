@@ -1,11 +1,6 @@
-"""Inert numbers: those in the words of a claim or a passage that could be anything, and the words would stay.
-
-``python -m measured_report.sensitivity.inert SECTION`` prints those of a section, and what a claim's words name unread;
-without a section those of all, and of passages.
-"""
+"""Inert numbers: those in the words of a claim or a passage that could be anything, and the words would stay."""
 
 import re
-import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -18,8 +13,8 @@ from measured_report.pages.passages import Passage
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
-from measured_report.sensitivity.perturbed import FACTORS, Perturbation, of_tracked
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
+from tests.sensitivity_perturbed import FACTORS, Perturbation
 
 SOURCE = re.compile('data-src="([^"]*)"')
 NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
@@ -176,21 +171,3 @@ def surveys(perturbation: Perturbation) -> list[Survey]:
     """One for every section of every release."""
     releases, values = perturbation.releases, _values(perturbation)
     return [Survey(perturbation, release, section, values) for release in releases for section in releases[release]]
-
-
-def main(sections: list[str]) -> int:
-    perturbation = of_tracked()
-    for release in perturbation.releases if not sections else ():
-        for named in sorted(inert_passages(perturbation, release)):
-            print(f"{release}  inert   {named}")
-    for survey in surveys(perturbation):
-        if survey.section in sections or not sections:
-            unread = survey.unread() | survey.unread_captions()
-            for what, found in (("inert", survey.inert()), ("unread", unread), ("fixed", survey.fixed_titles())):
-                for named in sorted(found):
-                    print(f"{survey.release}  {what:6}  {named}")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -1,1 +1,0 @@
-"""Sensitivity: what the report would say if something else had been measured."""
