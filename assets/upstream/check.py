@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from experiments.turntable import MJCF, RADIUS_M, TURN_RAD_S
-from experiments.upstream_cost import apply
 from measured_report.editions.environment import python_with
 
 HERE = Path(__file__).parent
@@ -67,7 +66,8 @@ def copied(python: Path, folder: Path) -> Path:
 def patched(folder: Path) -> Path:
     """Apply the patches to the packages in a folder."""
     for patch in PATCHES.values():
-        apply(patch, folder)
+        command = ["patch", "-p1", "--silent", "--forward", "--fuzz=0", f"--input={patch}"]
+        subprocess.run(command, cwd=folder, check=True)
     return folder
 
 

@@ -4,7 +4,6 @@ Packaging alone: a small repository that is named newton stands for a checkout, 
 """
 
 import json
-from argparse import Namespace
 from dataclasses import replace
 
 import pytest
@@ -22,7 +21,6 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
 from measured_report.measuring import measure
-from measured_report.measuring.run import section_runs
 from measured_report.records import provenance
 from measured_report.records.provenance import package_versions
 from measured_report.records.record import write_record
@@ -236,12 +234,6 @@ def test_what_needs_a_version_is_missing_only_where_that_is_and_measured_nowhere
     assert "–" in status_matrix(toy.project).splitlines()[1]
     toy.project.record_path("other").write_text("{}")  # one that is there is shown, whatever is wrong with it
     assert {state.section: state.kind for state in states_of(toy.project)}["other"] == "damaged"
-
-
-@pytest.mark.skipif(devices.is_about("upstream_cost", package_versions()), reason="this release has all")
-def test_a_section_about_another_version_is_refused_before_anything_is_measured():
-    with pytest.raises(ReportError, match="upstream_cost"):
-        section_runs(Namespace(section=["noise", "upstream_cost"], edition=None, profile="quick", aside=""))
 
 
 def test_the_command_that_is_shown_names_what_make_can_find(toy):
