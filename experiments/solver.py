@@ -1,9 +1,11 @@
-"""Is it the solver? More iterations, a tighter tolerance, another cone, more impratio, smaller steps."""
+"""Is it the solver? More iterations, a tighter tolerance, another cone, more impratio, smaller steps, and noslip."""
 
 from dataclasses import replace
+from importlib import metadata
 
-from experiments.facts.case import AS_SHIPPED
-from experiments.simulation.measurement import Conditions, Measurement
+from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from newton_lint.newton_models.compat import warp_has_noslip
 
 CASES = (
     replace(AS_SHIPPED, name="iterations-15"),
@@ -14,7 +16,21 @@ CASES = (
     replace(AS_SHIPPED, name="substeps-32", substeps=32),
     replace(AS_SHIPPED, name="substeps-64", substeps=64),
 )
+PLAIN = tuple(
+    replace(case, name=f"{case.name}-{ending}", backend=backend)
+    for ending, backend in (("mujoco-c", "mujoco"), ("warp", "warp"))
+    for case in (AS_SHIPPED, STIFF_PADS)
+)
+NOSLIP = tuple(replace(case, name=f"{case.name}-noslip", noslip_iterations=10) for case in PLAIN)
 
 
 def measure(conditions: Conditions) -> Measurement:
-    return conditions.measure(CASES, "solver")
+    """Measure a row for each case; without numbers where MuJoCo Warp has no noslip."""
+    there = [case for case in NOSLIP if case.backend == "mujoco" or warp_has_noslip()]
+    rows = [*conditions.measure(CASES, "solver").rows, *conditions.measure([*PLAIN, *there], "noslip").rows]
+    reason = f"mujoco-warp {metadata.version('mujoco-warp')} has no noslip"
+    for case in NOSLIP:
+        if case not in there:
+            row = {"case": case.name, "backend": case.backend, "noslip_iterations": case.noslip_iterations}
+            rows.append(row | absent(SHAKE_COLUMNS, reason))
+    return Measurement(rows)

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from statistics import fmean
 
 import numpy as np
+from markupsafe import Markup
 from matplotlib.figure import Figure as Drawing
 
-from measured_report.parts.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_most, within
+from measured_report.parts.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_least, at_most, within
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.records.columns import column_of
@@ -15,7 +16,7 @@ from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.shared.arithmetic import cell_count, share, size_difference, spread, table_of
+from report.shared.arithmetic import cell_count, extreme, share, size_difference, spread, table_of
 from report.shared.drawing import SHIPPED, STIFF, mark_points
 
 order = 20
@@ -24,6 +25,15 @@ label = "the same again"
 
 METRICS, UNITS = {"slip": "slip_mm", "drift": "drift_mm_s"}, {"slip": "mm", "drift": "mm/s"}
 SMALL = "far less than what is looked for"
+SWITCHES = {
+    "plain": "as shipped",
+    "sorted": "Newton's contacts sorted",
+    "ordered": "MuJoCo Warp asked to order its contacts and rows",
+    "all": "MuJoCo Warp asked to order its sums as well",
+}
+SO = {"sorted": SWITCHES["sorted"], "ordered": f"{SWITCHES['sorted']} and {SWITCHES['ordered']}"}
+SO |= {"all": "all that both offer"}
+"""The same in a sentence."""
 
 
 @dataclass(frozen=True)
@@ -47,8 +57,10 @@ class Group:
 
 
 def derive(results: Results) -> Section:
-    keys = dict.fromkeys((row.of, row.kind) for row in results.rows)
-    groups = [Group(*key, [row for row in results.rows if (row.of, row.kind) == key]) for key in keys]
+    twice = {case: results.row[case] for case in SWITCHES}
+    repeated = [row for row in results.rows if row.case not in SWITCHES]
+    keys = dict.fromkeys((row.of, row.kind) for row in repeated)
+    groups = [Group(*key, [row for row in repeated if (row.of, row.kind) == key]) for key in keys]
     floors = {metric: _floor(results, groups, metric) for metric in METRICS}
     means, spreads = (
         {metric: [find(results, group, metric) for group in groups] for metric in METRICS} for find in (_mean, _spread)
@@ -64,10 +76,12 @@ def derive(results: Results) -> Section:
     columns = {"runs": counts}
     for metric in METRICS:
         columns |= {f"mean {metric}": means[metric], f"{metric} spread": spreads[metric]}
+    exact = [_plain_differs(twice["plain"]), _some_switch_repeats(results, twice)] if twice["plain"] else []
     return Section(
         tables={"groups": table_of("case", [group.label for group in groups], columns)},
         figures={"runs": runs},
-        claims=[_noise_is_small(results, groups, floors), alike],
+        claims=[_noise_is_small(results, groups, floors), alike, *exact],
+        unmeasured=() if exact else ("plain_differs", "some_way_repeats"),  # as in releases that were measured before
     )
 
 
@@ -128,6 +142,23 @@ def _batch_or_alone(results: Results, groups: Sequence[Group], means: Mapping, s
     kind_spread = results.value("within_spread", formula, max, *pair, unit="mm", is_noise=True)
     outcome = all_of(within(apart, kind_spread), at_most(of_slip, 1.0, why=SMALL))
     return Claim("batch_or_alone", outcome, {"difference": apart, "within": kind_spread, "share": of_slip})
+
+
+def _plain_differs(plain: Row) -> Claim:
+    differing, spread = plain.differing_world_count, plain.run_spread_mm
+    is_seen = at_least(spread, 1e-6, why="to be seen in the slip")
+    outcome = all_of(at_least(differing, 1, why="one of them is enough"), is_seen)
+    return Claim("plain_differs", outcome, {"differing": differing, "worlds": plain.worlds, "spread": spread})
+
+
+def _some_switch_repeats(results: Results, rows: Mapping[str, Row]) -> Claim:
+    counts = {switch: rows[switch].differing_world_count for switch in SO}
+    exact = next((switch for switch, count in counts.items() if count.value == 0), "")
+    formula = "least number of worlds that differ, of all ways"
+    least = extreme(results, "differing_least", formula, min, list(counts.values()))
+    tried = Markup("; ").join(SWITCHES[switch] for switch, count in counts.items() if count.value is not None)
+    numbers = {"way": SO.get(exact, ""), "tried": tried, "worlds": rows["plain"].worlds, "least": least}
+    return Claim("some_way_repeats", at_most(least, 0, why="the same to the last bit"), numbers)
 
 
 def _draw_runs(groups: Sequence[Group]) -> Drawing:

@@ -1,21 +1,34 @@
-"""Is it the solver? Its convergence, its treatment of friction, and the time step."""
+"""Is it the solver? Its convergence, its treatment of friction, the time step, and MuJoCo's own remedy for slip."""
 
-from measured_report.parts.claim import Claim, within
+from collections.abc import Mapping
+
+from measured_report.parts.claim import Claim, at_most, within
 from measured_report.parts.section import Section
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results
-from report.shared.arithmetic import largest_size
+from report.shared.arithmetic import excess, largest_size, told
 from report.shared.variants import Variants, variant_section, variants_of
 
 order = 50
 label = "solver and time step"
 
+ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
+PADS = ("as-shipped", "stiff-pads")
+
 
 def derive(results: Results) -> Section:
-    variants = variants_of(results, "iterations-15")
+    changes = {}
+    for case in (f"{pads}-{engine}" for engine in ENGINES for pads in PADS):
+        formula = f"drift of {case} with noslip less that without, of that without"
+        drifts = results.row[f"{case}-noslip"].drift_mm_s, results.row[case].drift_mm_s
+        changes[case] = excess(results, f"{case}_change", formula, *drifts)
+    remedies = (*changes, *(f"{case}-noslip" for case in changes))
+    variants = variants_of(results, "iterations-15", apart=remedies)
     claims = [
         _converged(results, variants),
         _does_not_help(results, variants, "impratio_does_not_help", "impratio-1000", "impratio"),
         _does_not_help(results, variants, "smaller_steps_do_not_help", "substeps-64", "substeps"),
+        *(_noslip_does_not_help(results, engine, changes) for engine in ENGINES),
     ]
     return variant_section(results, variants, *claims)
 
@@ -37,3 +50,19 @@ def _does_not_help(results: Results, variants: Variants, claim: str, case: str, 
     reduction = results.value(f"{case}_reduction", formula, lambda a: -a, variants.difference[case], unit="mm")
     numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
     return Claim(claim, within(reduction, variants.floor), variants.numbers | numbers, effect=variants.slips)
+
+
+def _noslip_does_not_help(results: Results, engine: str, changes: Mapping[str, Value]) -> Claim:
+    formula = f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}"
+    of_engine = (changes[f"{pads}-{engine}"] for pads in PADS)
+    largest = largest_size(results, f"{engine}_change", formula, of_engine, unit="%")
+    drifts = {
+        name + end: results.row[f"{pads}-{engine}{way}"].drift_mm_s
+        for pads, end in zip(PADS, ("", "_stiff"), strict=True)
+        for name, way in (("without", ""), ("treated", "-noslip"))
+    }
+    return Claim(
+        f"noslip_does_not_help_in_{engine.replace('-', '_')}",
+        at_most(largest, 10.0, why="it is the same drift"),
+        {"iterations": results.row[f"{PADS[0]}-{engine}-noslip"].noslip_iterations, **told(largest, drifts)},
+    )

@@ -1,6 +1,6 @@
 """Cases that each change one thing, against the baseline that was measured with them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from matplotlib.figure import Figure as Drawing
@@ -57,9 +57,9 @@ def variant_section(results: Results, variants: Variants, *claims: Claim) -> Sec
     )
 
 
-def variants_of(results: Results, baseline: str) -> Variants:
-    """Compare every row of the section with the row of the case ``baseline``."""
-    reference, rows = results.row[baseline], [row for row in results.rows if row.case != baseline]
+def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) -> Variants:
+    """Compare every row of the section, but for the cases ``apart``, with the row of the case ``baseline``."""
+    reference, rows = results.row[baseline], [row for row in results.rows if row.case not in (baseline, *apart)]
     found = Differences()
     for row in rows:
         formula = f"slip of {row.case} less that of {reference.case}"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import repeatable, reproduction, scaling
+from experiments import reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
 from experiments.simulation import comparing, simulation
 from experiments.simulation.comparing import TIMED, Again, Pilot, time_cases
@@ -20,7 +20,6 @@ SMALL = replace(AS_SHIPPED, name="small", constraint_max=12)
 OVERFLOW = "not timed: the constraint buffer overflowed"
 NO_MEMORY = RuntimeError("Failed to allocate 1024 bytes on device 'cpu'")
 DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
-NOT_COMPILED = Exception("CPU kernel build failed with error code -1")
 
 
 @pytest.fixture(scope="module")
@@ -129,12 +128,3 @@ def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, pilote
     monkeypatch.setattr(comparing, "Simulation", refusing(DEVICE_FAULT, most=1))
     with pytest.raises(RuntimeError, match="CUDA error 719"):
         time_cases([AS_SHIPPED], 2, cpu)
-
-
-def test_only_what_a_release_cannot_compile_is_a_fact_about_it(monkeypatch):
-    monkeypatch.setattr(repeatable, "engine_has_it", lambda: True)
-    monkeypatch.setattr(repeatable, "Deterministic", refusing(NOT_COMPILED))
-    assert repeatable.measure_likeness(QUICK, "all")["slip_mm_reason"] == str(NOT_COMPILED)
-    monkeypatch.setattr(repeatable, "Deterministic", refusing(DEVICE_FAULT))
-    with pytest.raises(RuntimeError, match="CUDA error 719"):
-        repeatable.measure_likeness(QUICK, "all")
