@@ -6,10 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments import forecast, least_friction, pick
+from experiments import forecast, pick
 from experiments.scenes import capsule, panda
 from experiments.scenes.engines import ENGINES, InC, ThroughNewton
-from experiments.scenes.least_friction import LEAST, Setting, Start, coulomb_factor, drop_m, least_factors, warm_up
 from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
 from experiments.scenes.slope import creep_mm_s
 from experiments.simulation.c_warnings import RunFailed
@@ -124,30 +123,3 @@ def test_shakes_are_counted_or_have_a_reason(tmp_path, monkeypatch):
 def test_every_grasp_is_a_case_of_its_own():
     cases = pick.cases()
     assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)
-
-
-def held_beside(offset_m: float) -> Start:
-    """A cube between two fingers along y, each with a contact 1 cm to either side of a point beside its centre."""
-    places = [[offset_m + x, y, 0.0] for y in (-0.02, 0.02) for x in (-0.01, 0.01)]
-    frame = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]
-    return Start(None, np.zeros(0), 4.0, 1.0, 0.0, np.ones(4), np.array(places), np.array([frame] * 4))
-
-
-def test_the_least_friction_is_coulombs_or_told_where_the_search_has_two_ends():
-    # The nearer contact of a finger carries (a + e) / 2a of its load.
-    assert coulomb_factor(held_beside(0.0), "elliptic") == pytest.approx(1.0)
-    assert coulomb_factor(held_beside(0.004), "pyramidal") == pytest.approx(1.4)
-    assert least_friction.found(1.19, 1.2) == {"least_factor": 1.2}
-    nothing, everything = least_friction.found(32.0, math.inf), least_friction.found(0.0, 0.5)
-    assert nothing["least_factor"] is None and "do not hold" in nothing["least_factor_reason"]
-    assert everything["least_factor"] is None and "the least that was tried" in everything["least_factor_reason"]
-
-
-def test_less_friction_than_coulomb_asks_for_drops_the_cube_and_without_a_pull_any_holds_it():
-    start = warm_up(Setting("", "elliptic", 1.0, "implicitfast"))
-    least = coulomb_factor(start, "elliptic")
-    assert start.force_n == pytest.approx(6.96, abs=0.05)
-    assert drop_m(start, 0.9 * least, 1.0) > 0.005
-    assert drop_m(start, 1.1 * least, 1.0) < 0.001
-    start.engine.model.opt.gravity[:] = 0.0
-    assert least_factors(start, 0.1) == (0.0, LEAST)
