@@ -11,9 +11,12 @@ from measured_report.changes.costs import terms_of
 from measured_report.deriving.chapters import Chapters, Releases
 from measured_report.pages.outline import PAGES, Page
 from measured_report.parts.claim import Claim
+from measured_report.parts.macros import macros
 
 NUMBER = re.compile(r"<data[^>]*>[^<]*</data>(&nbsp;[^\s,.;:)]+)?")
 """A number in a sentence, with its unit."""
+Answer = tuple[list[str], list[str], Claim]
+"""Editions that word a claim so, those that do with other numbers, and the claim."""
 
 
 @dataclass(frozen=True)
@@ -119,33 +122,24 @@ class FlipList:
 
     def __html__(self) -> Markup:
         by_page = {page: [flip for flip in self.flips if flip.page == page] for page in PAGES}
-        groups = Markup("\n").join(self._group(page, found) for page, found in by_page.items() if found)
-        return Markup('<figure class="turns">\n{}\n</figure>').format(groups or Markup("<p>None.</p>"))
+        return macros().turns([(page, self._of_page(found)) for page, found in by_page.items() if found])
 
-    def _group(self, page: Page, flips: Sequence[Flip]) -> Markup:
-        lines = [Markup("<h3>{}</h3>\n<dl>").format(page.label)]
-        for section, found in groupby(flips, lambda flip: flip.section):
-            own = list(found)
-            place = Markup('<a href="#{}">{}</a>' if section in self.sections else "{1}").format(section, own[0].label)
-            lines.append(Markup("<dt>{}</dt>").format(place))
-            others = [(flip, names) for flip in own for names, _ in flip.said if self.shown not in names]
-            lines += [_answer(*answer) for other in others for answer in _worded(*other)]
-        return Markup("\n").join([*lines, Markup("</dl>")])
+    def _of_page(self, flips: Sequence[Flip]) -> list[tuple[str, str, list[Answer]]]:
+        """List the sections of a page: what each is called, its id, and what others say to its claims."""
+        found = []
+        for section, group in groupby(flips, lambda flip: flip.section):
+            own = list(group)
+            anchor = section if section in self.sections else ""
+            found.append((own[0].label, anchor, [answer for flip in own for answer in self._worded(flip)]))
+        return found
 
-
-def _worded(flip: Flip, names: Sequence[str]) -> Iterator[tuple[list[str], list[str], Claim]]:
-    """Yield the newest sentence of each wording of editions that agree: who says it so, and who with other numbers."""
-    wordings: dict[str, list[str]] = {}
-    for name in names:
-        wordings.setdefault(NUMBER.sub("#", flip.answers[name].sentence), []).append(name)
-    for alike in wordings.values():
-        said = flip.answers[alike[-1]]
-        exactly = [name for name in alike if flip.answers[name].text == said.text]
-        yield exactly, [name for name in alike if name not in exactly], said
-
-
-def _answer(names: Sequence[str], others: Sequence[str], claim: Claim) -> Markup:
-    """Write what editions say."""
-    so_too = Markup(' <span class="moved">So too, with other numbers: {}.</span>').format(", ".join(others))
-    answer = Markup("<dd><b>{}:</b> {}{}</dd>")
-    return answer.format(", ".join(names), claim.sentence, so_too if others else "")
+    def _worded(self, flip: Flip) -> Iterator[Answer]:
+        """Yield the newest sentence of each wording of other editions that agree."""
+        for names in (names for names, _ in flip.said if self.shown not in names):
+            wordings: dict[str, list[str]] = {}
+            for name in names:
+                wordings.setdefault(NUMBER.sub("#", flip.answers[name].sentence), []).append(name)
+            for alike in wordings.values():
+                said = flip.answers[alike[-1]]
+                exactly = [name for name in alike if flip.answers[name].text == said.text]
+                yield exactly, [name for name in alike if name not in exactly], said

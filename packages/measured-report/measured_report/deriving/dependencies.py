@@ -14,6 +14,7 @@ from measured_report.deriving.sections import Outline, outline_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.parts import macros
 from measured_report.records.code import files, roots_of
 
 NAMES = "*"  # in the place of a name: all that there are
@@ -95,6 +96,7 @@ def files_of(code: Path) -> dict[str, str]:
     sources = {graph.name_of(file): graph.source(file) for file in closure}
     named = {name for source in sources.values() for name in source.assets} | set(READ_BY_NAME)
     found = {name: (ROOT / name).read_bytes() for name in named if (ROOT / name).is_file()}
+    found[macros.FILE.name] = macros.FILE.read_bytes()
     digests = {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
     return digests | {name: source.digest for name, source in sources.items()}
 

@@ -20,20 +20,15 @@ from markupsafe import Markup
 
 from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
+from measured_report.parts.macros import macros
 
 NAME = "sources.toml"
-MARK = '<sup class="cited" data-source="{}"></sup>'
-CITED = re.compile(MARK.format("([a-z0-9_]+)"))
-NUMBER = '<sup class="cited"><a href="#source-{0}" aria-label="Source {0}">{0}</a></sup>'
-LIST = Markup(
-    '<section class="sources">\n<h2 id="sources">Sources of what is not measured here</h2>\n<ol>\n{}</ol>\n</section>\n'
-)
-ITEM = Markup('<li id="source-{}">{}</li>\n')
+CITED = re.compile(r'(?<=<sup class="cited") data-source="([a-z0-9_]+)">')
 
 
 @dataclass(frozen=True)
 class Reference:
-    """Where a statement is from: an address, and where that is of a package's file, the line in it."""
+    """The source of a statement: an address, and for a package's file the line in it."""
 
     url: str = ""
     package: str = ""
@@ -43,15 +38,9 @@ class Reference:
     excerpt: str = ""
     """One line of the file, or a part of one."""
 
-    def __html__(self) -> Markup:
-        if not self.package:
-            return Markup('<a href="{0}">{1}</a>').format(self.url, self.url.partition("://")[2])
-        place = Markup('{} {}, <a href="{}"><code>{}</code></a>, line {}')
-        return place.format(self.package, self.version, self.url, self.file, self.line)
-
 
 def references(templates: Path) -> Mapping[str, Reference]:
-    """The references of a folder of templates by name; ReportError, one line, for one that is not whole."""
+    """Read the references of a folder of templates by name; ReportError, one line, for one that is not whole."""
     path = templates / NAME
     if not path.is_file():
         return {}
@@ -77,9 +66,8 @@ def _reference(addresses: Mapping[str, str], **fields: Any) -> Reference:
 def numbered(html: str, known: Mapping[str, Reference]) -> Markup:
     """Return the text of a page with its statements numbered, and the list of their sources behind it."""
     places = {name: number for number, name in enumerate(dict.fromkeys(CITED.findall(html)), 1)}
-    text = Markup(CITED.sub(lambda mark: NUMBER.format(places[mark[1]]), html))
-    items = Markup("").join(ITEM.format(number, known[name]) for name, number in places.items())
-    return text + LIST.format(items) if items else text
+    text = Markup(CITED.sub(lambda mark: f">{macros().cited(places[mark[1]])}", html))
+    return text + macros().sources([known[name] for name in places]) if places else text
 
 
 class StatedTag(Extension):
@@ -98,5 +86,4 @@ class StatedTag(Extension):
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
     def _stated(self, name: str, caller) -> Markup:
-        words = Markup(" ".join(caller().split()))
-        return Markup('<span class="stated">{}{}</span>\n').format(words, Markup(MARK.format(name)))
+        return macros().stated(Markup(" ".join(caller().split())), name) + "\n"

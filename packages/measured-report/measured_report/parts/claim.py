@@ -1,6 +1,7 @@
 """Claims: sentences that say what the data shows, each a test here and a wording for every outcome in a template."""
 
 import math
+import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -10,6 +11,7 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
 from measured_report.values.format import ABSENT
 from measured_report.values.quantities import Quantity, mixed
@@ -17,10 +19,8 @@ from measured_report.values.quantities import Quantity, mixed
 NEAR_NOISE = 2.0
 """Chosen: beyond the noise, but up to so many times it, a difference can't tell. The noise is the largest difference
 among some tens of runs, and measured again some other pair differs more."""
-
-
 LOST = re.compile(f'<(?:data|span)[^>]* title="([^"]*)"[^>]*>{ABSENT}<')
-"""How a number that is not there is printed, with its reason."""
+"""A number that is not there as it is printed, with its reason."""
 
 
 @dataclass(frozen=True)
@@ -37,34 +37,34 @@ class Bound(Quantity):
 
 
 Number = Quantity | float
-"""What a test compares: a quantity, or a number that was chosen in the unit of the quantities, and ``why`` in words."""
+"""A test compares quantities, and numbers that were chosen in their unit, ``why`` in words."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a test on the results found: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
+    """The finding of a test on the results: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
 
     name: str
     reason: str = ""
-    """Why it is unknown."""
+    """Says why it is unknown."""
     is_near: bool = False
-    """Whether that is for being near the noise, so that the same measured again may be decided."""
+    """Unknown for being near the noise, so that the same measured again may be decided."""
     is_opposite: bool = field(default=False, compare=False)
-    """Whether it fails because the opposite is shown, and not for want of what would show it."""
+    """Fails because the opposite is shown, and not for want of what would show it."""
     reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
     """Pointers to all that the test compared, and to what that was computed from."""
     bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)
     """Numbers that were chosen for the test alone, each with its unit and why."""
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
-        """The same, for a test that looked at these as well."""
+        """Return the same, for a test that looked at these as well."""
         reads = self.reads.union(*(quantity.reads for quantity in quantities))
         chosen = [str(quantity) for quantity in quantities if isinstance(quantity, Bound)]
         return replace(self, reads=reads, bounds=tuple(dict.fromkeys((*self.bounds, *chosen))))
 
     @property
     def said(self) -> str:
-        """One of four: holds, the opposite, not shown, cannot tell."""
+        """Say one of four: holds, the opposite, not shown, cannot tell."""
         if self.name == "fails":
             return "the opposite" if self.is_opposite else "not shown"
         return {"unknown": "cannot tell"}.get(self.name, self.name)
@@ -84,18 +84,21 @@ class Claim:
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """Quantities, and texts and flags."""
     wording: Wording | None = None
-    """What the section's template says of it, once that is known."""
+    """The words of the section's template, once they are known."""
     says_missing: bool = False
-    """Whether its words say what is missing, so that they can stand with a number that is not there."""
+    """Says that its words say what is missing, so that they can stand with a number that is not there."""
     effect: Outcome = HOLDS
-    """Whether there is what its ``because`` explains; where that does not hold it is not explained."""
+    """Tells whether there is what its ``because`` explains; where that does not hold it is not explained."""
     mark: Markup = field(default=Markup(""), compare=False)
-    """What is shown before its sentence."""
+    """Shown before its sentence."""
 
     @cached_property
     def sentence(self) -> Markup:
-        """The wording of the outcome; where it is unknown, that what the claim asks cannot be told, and why; where it
-        fails and only the opposite has words, that it is not shown."""
+        """Word the outcome.
+
+        Where it is unknown, what the claim asks cannot be told, and why; where it fails and only the opposite has
+        words, it is not shown.
+        """
         parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
         if said := next(filter(None, map(self.said, parts)), Markup("")):
             return said
@@ -104,7 +107,7 @@ class Claim:
         return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
 
     def checked(self) -> "Claim":
-        """The same; where its sentence would print a number that is not there, it can't tell, and says why."""
+        """Return the same; where its sentence would print a number that is not there, it can't tell, and says why."""
         lost = LOST.search(self.sentence) if self.outcome.name != "unknown" else None
         if not lost or self.says_missing:
             return self
@@ -116,48 +119,43 @@ class Claim:
         return self.sentence.striptags().replace("\xa0", " ")
 
     def html(self, section: str) -> Markup:
-        claim = Markup('{}<span class="claim" data-claim="{}.{}" data-outcome="{}"{}{}>{}</span>')
-        opposite = Markup(" data-opposite") if self.outcome.is_opposite else ""
-        bounds = Markup(' title="Chosen: {}"').format("; ".join(self.outcome.bounds)) if self.outcome.bounds else ""
-        html = claim.format(self.mark, section, self.name, self.outcome.name, opposite, bounds, self.sentence)
         because = self.said("because") if self.outcome == self.effect == HOLDS else ""
-        return html + Markup(" {}").format(because) if because else html
+        return macros().claim(self, section, because)
 
     def said(self, part: str) -> Markup:
-        """One part of its wording."""
+        """Render one part of its wording."""
         assert self.wording, f"the claim {self.name} has no words yet"
         return self.wording(part, self.numbers)
 
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
-    """Holds or fails by a condition that was computed from these; cannot tell where one of them is missing."""
+    """Hold or fail by a condition that was computed from these; cannot tell where one of them is missing."""
     return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Whether a bound is reached; one that is missed shows nothing, and one within the noise can't tell."""
-    return _judged(
-        lambda a, bound: _undecided(a, bound) or (HOLDS if a.value >= bound.value else FAILS), a, bound, why=why
-    )
+    """Test whether a bound is reached; one that is missed shows nothing, and one within the noise can't tell."""
+    return _bounded(a, bound, why, operator.ge)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Whether a bound is kept; one that is not shows nothing, and one within the noise can't tell."""
-    return _judged(
-        lambda a, bound: _undecided(a, bound) or (HOLDS if a.value <= bound.value else FAILS), a, bound, why=why
-    )
+    """Test whether a bound is kept; one that is not shows nothing, and one within the noise can't tell."""
+    return _bounded(a, bound, why, operator.le)
 
 
-def _undecided(a: Quantity, bound: Quantity) -> Outcome | None:
-    """Where they are less apart than their noise, measured again it may be on the other side."""
-    if abs(a.value - bound.value) >= math.hypot(a.noise or 0.0, bound.noise or 0.0):
-        return None
-    reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
-    return Outcome("unknown", reason, is_near=True)
+def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float], bool]) -> Outcome:
+    def judge(a: Quantity, bound: Quantity) -> Outcome:
+        # Where they are less apart than their noise, measured again it may be on the other side.
+        if abs(a.value - bound.value) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
+            reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
+            return Outcome("unknown", reason, is_near=True)
+        return HOLDS if keeps(a.value, bound.value) else FAILS
+
+    return _judged(judge, a, bound, why=why)
 
 
 def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
-    """Whether there is an effect beyond the noise, and a ``share`` [%] of it is most of it and no more than all.
+    """Test whether there is an effect beyond the noise, and a ``share`` [%] is most of it and no more than all.
 
     A share is known no better than the effect that it is of.
     """
@@ -171,12 +169,12 @@ def explains(share: Quantity, effect: Quantity, *, noise: Quantity) -> Outcome:
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Whether those that are true stand together, in the order given; the quantities are what they were decided by."""
+    """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
 
 
 def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
-    """Whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell.
+    """Test whether ``a`` is greater than ``b``; less is the opposite, and a difference within the noise can't tell.
 
     The ``noise`` that nobody names is the larger one of theirs.
     """
@@ -194,8 +192,7 @@ def _noise_of(*numbers: Number) -> Quantity:
 
 
 def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Whether the last is greater than the first by more than the noise, and none is less by more than it than one
-    before; falling so all the way is the opposite."""
+    """Test whether a sequence rises by more than the noise, and nowhere falls by more; falling so is the opposite."""
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, most = (quantity.value for quantity in quantities)
@@ -205,7 +202,7 @@ def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> 
 
 
 def decreases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """``increases``, the other way round."""
+    """Test whether a sequence falls, as ``increases`` does whether it rises."""
     return increases(sequence[::-1], noise=noise, why=why)
 
 
@@ -220,13 +217,12 @@ def _trend(values: Sequence[float], noise: float) -> Outcome:
 
 
 def _rises(values: Sequence[float], noise: float) -> bool:
-    """Whether the last is above the first, and none below one before, by more than the noise."""
     falls = [top - value for top, value in zip(accumulate(values, max), values, strict=True)]
     return values[-1] - values[0] > noise >= max(falls)
 
 
 def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
-    """Whether all are beyond the noise in the same direction; one within the noise can't tell."""
+    """Test whether all are beyond the noise in the same direction; one within the noise can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, most = (quantity.value for quantity in quantities)
@@ -238,7 +234,7 @@ def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
 
 
 def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
-    """Whether the largest and the smallest are no farther apart than noise; what is little more can't tell."""
+    """Test whether the largest and the smallest are no farther apart than noise; little more can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, _ = (quantity.value for quantity in quantities)
@@ -250,12 +246,12 @@ def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") 
 
 
 def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
-    """Whether a difference is no more than noise; one that is little more can't tell."""
+    """Test whether a difference is no more than noise; one that is little more can't tell."""
     return _judged(lambda a, noise: HOLDS if a.value <= noise.value else beyond(a, noise), difference, noise, why=why)
 
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
-    """The opposite is shown; but what is only little more than the noise, either way, can't tell."""
+    """Return the opposite for a difference beyond the noise; what is only little more, either way, can't tell."""
     found = _absent(difference, noise)
     if not found:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
@@ -285,7 +281,7 @@ def _absent(*quantities: Quantity) -> Outcome | None:
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
-    """Holds when all hold; one that fails decides, otherwise one that can't tell.
+    """Hold when all hold; one that fails decides, otherwise one that can't tell.
 
     Of those that fail one that is not shown comes first: no more is said than the weakest of them allows.
     """

@@ -1,4 +1,4 @@
-"""What a section module makes of its results; the words of it are in the section's template."""
+"""A section as its module derives it from results: claims, figures, tables; their words are in its template."""
 
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from measured_report.files.errors import ReportError
 from measured_report.parts.claim import Claim
+from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
@@ -23,10 +24,10 @@ TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"
 """Said in the place of a figure; no figure of the tracked results may say it."""
 ROLE = Markup('role="img"')
-"""In a drawn figure: what it says to whoever can't see it comes behind."""
+"""Stands in a drawn figure before what it says to whoever can't see it."""
 VIEW = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
-"""Where a number is from that there is."""
+"""Finds the source of each number that there is."""
 
 
 @dataclass(frozen=True)
@@ -34,18 +35,20 @@ class Table:
     """A table whose cells are Quantities, text, or yes and no; the index names the rows."""
 
     frame: "pd.DataFrame | Markup"
-    """The HTML of it where it is kept."""
+    """HTML where it is kept."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
-    """What its caption can name."""
+    """Named by its caption."""
     wording: Wording | None = None
 
+    @property
+    def caption(self) -> Markup:
+        return _caption(self)
+
     def __html__(self) -> Markup:
-        return Markup('<figure class="table"><figcaption>{}</figcaption>{}</figure>').format(
-            _caption(self), self.kept().frame
-        )
+        return macros().captioned_table(self)
 
     def kept(self) -> "Table":
-        """The same as it is kept."""
+        """Return the same as it is kept."""
         if isinstance(self.frame, Markup):
             return self
         from measured_report.parts.tables import table_html
@@ -60,12 +63,12 @@ class Figure:
     draw: "Callable[[], Drawing] | None"
     """None where it is kept as it was drawn."""
     sources: Sequence[Quantity | Series]
-    """What it draws; when none of it exists the page says why in place of the figure."""
+    """All that it draws; when none of it exists the page says why in place of the figure."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
-    """What its caption and its alternative text can name."""
+    """Named by its caption and its alternative text."""
     wording: Wording | None = None
     anchor: str = ""
-    """Its id, unique on the page."""
+    """Id, unique on the page."""
     drawn_by: str = ""
     """Path of the code that draws it."""
     command: str = ""
@@ -75,11 +78,11 @@ class Figure:
 
     @property
     def is_there(self) -> bool:
-        """Whether anything of what it draws exists."""
+        """Tell whether anything of what it draws exists."""
         return any(source.value is not None for source in self.sources)
 
     def kept(self, pictures: Pictures | None) -> "Figure":
-        """The same as it is kept once it is drawn: of its series no more than whether they are there."""
+        """Return the same as it is kept once it is drawn: of its series no more than whether they are there."""
         sources = [
             replace(source, value=None if source.value is None else ()) if isinstance(source, Series) else source
             for source in self.sources
@@ -94,49 +97,41 @@ class Figure:
             return draw_svgs(self.draw, name=self.anchor)
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())
-            return Markup('<p class="left-out">{}: {}.</p>').format(UNDRAWN, reason), Markup("")
+            return macros().left_out(UNDRAWN, reason), Markup("")
 
     def html(self, pictures: Pictures | None, address: str = "") -> Markup:
-        """What the page shows, with the figure as it is drawn, where anything of it exists.
+        """Show the figure as it is drawn, where anything of it exists.
 
         Drawings that are files are at ``address``, but for how their names end.
         """
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
             reasons = [source.reason for source in self.sources] or ["there is nothing to draw"]
-            return Markup('<p class="left-out">A figure is left out here: {}.</p>').format(reasons[0])
+            return macros().left_out("A figure is left out here", reasons[0])
         files = list(dict.fromkeys(file for source in there for file in _files(source.partition("#")[0])))
         names = [file.rpartition("/")[2] for file in files]
-        links = Markup(", ").join(
-            # The same file of several releases is told apart by its folder.
-            Markup('<a href="data/{}">{}</a>').format(file, name if names.count(name) == 1 else file)
-            for file, name in zip(files, names, strict=True)
-        )
-        return Markup(
-            '<figure id="{}">{}<figcaption>{}\n<details class="source"><summary>Data and source</summary>'
-            "<dl><dt>Data</dt><dd>{}</dd><dt>Drawn by</dt><dd><code>{}</code></dd>"
-            "<dt>Measured again by</dt><dd><code>{}</code></dd></dl></details></figcaption></figure>"
-        ).format(self.anchor, self._spoken(pictures, address), _caption(self), links, self.drawn_by, self.command)
+        # The same file of several releases is told apart by its folder.
+        links = [(file, name if names.count(name) == 1 else file) for file, name in zip(files, names, strict=True)]
+        return macros().figure(self, self._spoken(pictures, address), links)
+
+    @property
+    def caption(self) -> Markup:
+        return _caption(self)
 
     @property
     def undrawn(self) -> Markup:
-        """Its caption, for whoever only reads."""
-        return Markup('<figure id="{}"><figcaption>{}</figcaption></figure>').format(self.anchor, _caption(self))
+        """Return its caption, for whoever only reads."""
+        return macros().undrawn(self)
 
     def _spoken(self, pictures: Pictures | None, address: str) -> Markup:
-        """The pictures with what they say to whoever can't see them, and where the numbers in that are from."""
+        """Return the pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
         words = self.wording("alt", self.numbers)
         alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
-        links = Markup(' data-src="{}"').format(" ".join(sources)) if sources else Markup("")
         if address:
-            broad, narrow = (Markup('width="{}" height="{}"').format(*_size(picture)) for picture in pictures)
-            return Markup(
-                '<picture><source media="screen and (max-width: 30rem)" srcset="{0}-narrow.svg" {1}>'
-                '<img src="{0}.svg" {2} alt="{3}"{4} loading="lazy"></picture>'
-            ).format(address, narrow, broad, alt, links)
-        label = Markup('{} aria-label="{}"{}').format(ROLE, alt, links)
+            return macros().picture(address, *map(_size, pictures), alt, sources)
+        label = ROLE + macros().label(alt, sources)
         return Markup("").join(picture.replace(ROLE, label, 1) for picture in pictures)
 
 
@@ -149,17 +144,15 @@ class Download:
 
     @property
     def link(self) -> Markup:
-        return Markup('<a href="download/{0}" download>{0}</a>').format(self.name)
+        return macros().download_link(self)
 
     def __html__(self) -> Markup:
-        return Markup('<figure><pre tabindex="0"><code>{}</code></pre><figcaption>{}</figcaption></figure>').format(
-            self.text, self.link
-        )
+        return macros().download(self)
 
 
 @dataclass(frozen=True)
 class Section:
-    """All that a section's template can name, besides what ``chapters`` gives to all of them."""
+    """A section: all that its template can name, besides what ``chapters`` gives to all of them."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
     """Tables, and other things that print themselves."""
@@ -167,15 +160,15 @@ class Section:
     claims: Sequence[Claim] = ()
     downloads: Sequence[Download] = ()
     unmeasured: Collection[str] = ()
-    """What only other records have, so that the words for it stay unsaid."""
+    """Names that only other records have, so that the words for them stay unsaid."""
 
     def kept(self, pictures: Mapping[str, Pictures | None]) -> "Section":
-        """The same as it is kept once its figures are drawn, by their names."""
+        """Return the same as it is kept once its figures are drawn, by their names."""
         figures = {name: figure.kept(pictures[name]) for name, figure in self.figures.items()}
         return replace(self.tabled(), figures=figures)
 
     def tabled(self) -> "Section":
-        """The same with its tables as HTML, of which each is made once."""
+        """Return the same with its tables as HTML, of which each is made once."""
         tables = {name: thing.kept() if isinstance(thing, Table) else thing for name, thing in self.tables.items()}
         return replace(self, tables=tables)
 
@@ -208,7 +201,7 @@ class Section:
 
 
 def _size(picture: Markup) -> tuple[int, int]:
-    """Width and height of a drawing, as far as their proportion goes."""
+    """Return width and height of a drawing, as far as their proportion goes."""
     width, height = VIEW.search(picture).groups()  # type: ignore[union-attr]
     return round(float(width)), round(float(height))
 
@@ -219,6 +212,6 @@ def _caption(thing: Table | Figure) -> Markup:
 
 
 def _files(source: str) -> list[str]:
-    """Files of the site's ``data/`` that hold a source: the rows of a record are there as CSV as well."""
+    """Name the files of the site's ``data/`` that hold a source: the rows of a record are there as CSV as well."""
     is_record = source.endswith(".json") and not source.endswith(VALUES_FILE)
     return [source, source.removesuffix("json") + "csv"] if is_record else [source]
