@@ -22,10 +22,10 @@ import warp as wp
 from tqdm import tqdm
 
 from assets.fix import contact_bias
-from experiments.scenes.engines import Contacts, contacts_in_c, contacts_in_warp
 from experiments.simulation import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
 from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.mjcf_engines import Contacts, contacts_in_c, contacts_in_warp
 from newton_lint.newton_models.compat import warp_has_noslip
 
 TURN_RAD_S = 2.0

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.scenes.engines import ENGINES, Contacts, Engine
+from experiments.simulation.mjcf_engines import ENGINES, Contacts, Engine
 from newton_lint.creep import impedance_at, predicted_creep
 
 MASS_KG = 0.045

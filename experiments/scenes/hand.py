@@ -19,9 +19,9 @@ from functools import partial
 import mujoco
 import numpy as np
 
-from experiments.scenes.engines import ENGINES, STEPS, Contacts, InC, InWarp
 from experiments.simulation import contact_bias_c
 from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, InC, InWarp
 from newton_lint.creep import response
 
 REACH_M = 0.5

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from experiments.scenes import panda
-from experiments.scenes.engines import ENGINES, STEPS, Contacts, Engine, InC
+from experiments.simulation.mjcf_engines import ENGINES, STEPS, Contacts, Engine, InC
 from newton_lint.creep import impedance_at, predicted_creep
 
 OBJECTS = {"cube": 'type="box" size="0.02 0.02 0.02"', "ball": 'type="sphere" size="0.02"'}

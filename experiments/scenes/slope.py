@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.scenes.engines import STEPS, InC
+from experiments.simulation.mjcf_engines import STEPS, InC
 from newton_lint.creep import impedance_at, predicted_creep
 
 TILT_RAD = 0.1

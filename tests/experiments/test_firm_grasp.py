@@ -9,8 +9,8 @@ import pytest
 
 from experiments import firm_grasp
 from experiments.scenes import hand
-from experiments.scenes.engines import Contacts, InC
 from experiments.scenes.hand import Grasp, Look, Swung, rate_s, swing
+from experiments.simulation.mjcf_engines import Contacts, InC
 
 PLAIN = Grasp("")
 TOUCHED = Contacts(count=10, normal_n=100.0, softness_1_kg=0.005, damping_per_s=0.0, depth_m=0.0)

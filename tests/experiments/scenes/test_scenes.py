@@ -8,11 +8,11 @@ import pytest
 
 from experiments import forecast, pick
 from experiments.scenes import capsule, panda
-from experiments.scenes.engines import ENGINES, InC, ThroughNewton
 from experiments.scenes.pick import OBJECTS, Pick, Picked, hold, shake
 from experiments.scenes.slope import creep_mm_s
 from experiments.simulation.c_warnings import RunFailed
 from experiments.simulation.measurement import Conditions
+from experiments.simulation.mjcf_engines import ENGINES, InC, ThroughNewton
 from newton_lint.newton_models.compat import warp_has_noslip
 
 RECIPE = capsule.Pinch("recipe")
