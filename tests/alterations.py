@@ -1,7 +1,7 @@
 """Alterations: a record as other hardware, a bug or a hand might have made it, one column or its rows at a time.
 
 Whatever is altered, the pages stand, without a number that no record has, and what can't be shown is named in one line.
-``make torture`` tries that on whole records, and a test on small ones.
+``python -m tests.torture`` tries that on whole records, and a test on small ones.
 """
 
 import json
@@ -19,7 +19,7 @@ from unittest.mock import patch
 
 from markupsafe import Markup
 
-from measured_report.commands import building
+from measured_report.commands import page
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
 from measured_report.files.atomic import remove
@@ -102,7 +102,7 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
     trial.name = f"altered records, {AT_ONCE} at once: no traceback, no false number, each shown or named in one line"
     whole = type(world).made(world.root.parent / "whole", {own_release(): (), release: ()}, {})
     project = Project(own_release(), root=whole.root)
-    page(project)
+    build_page(project)
     cache, kept = whole.root / CACHE, whole.root.parent / "kept"
     cache.rename(kept)
     paths = sorted(project.results.parent.glob("*/*.json"))
@@ -117,7 +117,7 @@ def alterations(world, trial, moments: int, release: str) -> Iterator:
         shutil.copytree(kept, cache, copy_function=os.link)  # what is written there takes the place of the link
         is_drawn = trial.tried % (AT_ONCE * DRAWN_EVERY) == 0
         with nullcontext() if is_drawn else patch.multiple(Drawing, begin=lambda *_: None, all=_undrawn):
-            status, lines = page(project)
+            status, lines = build_page(project)
         is_said = status == bool(lines) and all(line.startswith("damaged: ") for line in lines)
         found = [] if is_said else [f"status {status}: {' / '.join(lines)[-300:]}"]
         found += check_site(project.site)[:2]
@@ -141,14 +141,14 @@ def _undrawn(_: Drawing, figures: Sequence[Figure], meanwhile: Callable[[], None
     return [(UNDRAWN, UNDRAWN)] * len(figures)
 
 
-def page(project: Project) -> tuple[int, list[str]]:
+def build_page(project: Project) -> tuple[int, list[str]]:
     """Build the site as ``make page`` does; its status, and what it says is wrong, a line each."""
     said = StringIO()
     signal.signal(signal.SIGALRM, signal.default_int_handler)
     signal.alarm(LIMIT_S)
     try:
         with redirect_stdout(StringIO()), redirect_stderr(said):
-            status = building.page(project, Namespace(stack=stack_of(project.release), address=""))
+            status = page.run(project, Namespace(stack=stack_of(project.release), address=""))
     except (Exception, KeyboardInterrupt) as error:
         where = extract_tb(error.__traceback__)[-1]
         return -1, [*said.getvalue().splitlines(), f"{type(error).__name__}: {error} ({where.name}:{where.lineno})"]

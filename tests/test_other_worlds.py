@@ -1,6 +1,6 @@
 """Scenarios: whatever is measured, the pages build, no section is lost, and their claims were read by a person.
 
-``make worlds`` writes what is kept anew; read what changed before you commit it.
+``python -m tests.worlds`` writes what is kept anew; read what changed before you commit it.
 """
 
 import re
@@ -56,7 +56,7 @@ def among(outcomes: dict[str, str], names: tuple[str, ...]) -> dict[str, str]:
 
 @pytest.mark.parametrize("scenario", SCENARIOS, ids=[scenario.name for scenario in SCENARIOS])
 def test_what_a_scenario_says_otherwise_was_read(scenario):
-    assert otherwise(scenario) == kept(scenario.name), "make worlds renews it; read what changed"
+    assert otherwise(scenario) == kept(scenario.name), "python -m tests.worlds renews it; read what changed"
 
 
 def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing():

@@ -504,7 +504,7 @@ def _keep(name: str, trial: Trial) -> None:
 
 HEAD = """# Reliability
 
-What was tried against the project from outside, and how often it held. `make torture` writes this page;
+What was tried against the project from outside, and how often it held. `python -m tests.torture` writes this page;
 each line says of which commit it is.
 
 {machine}.

@@ -1,5 +1,4 @@
-"""Kills of worker processes, workers and the driver while sections are measured, for ``make torture``: the records must
-be the same as without."""
+"""Kills of workers and the driver while sections are measured, for tests/torture.py: the records must be as without."""
 
 import json
 import os

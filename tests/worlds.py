@@ -1,7 +1,7 @@
 """Scenarios: the report as it would be if something else had been measured.
 
 The claims that have another outcome in a scenario are kept in ``tests/worlds/``: a person reads them once, and a test
-compares. ``make worlds`` builds the whole site of each, figures as well, checks it and writes anew what is kept.
+compares. ``python -m tests.worlds`` builds the whole site of each, checks it and writes anew what is kept.
 """
 
 import re

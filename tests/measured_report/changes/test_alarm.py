@@ -16,7 +16,8 @@ from measured_report.changes.alarm import check, check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.changes.costs import is_cost
 from measured_report.changes.upgrade import verdict
-from measured_report.commands import findings
+from measured_report.commands import check as check_command
+from measured_report.commands import diff
 from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.stack import stack_of
@@ -136,10 +137,10 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         newer.write("experiments/other.py", "")
         for side in (toy, newer):
             write_record(side.project.record_path("other"), side.record(section="other"))
-        assert findings.diff(toy.project, arguments) == 0
+        assert diff.run(toy.project, arguments) == 0
         capsys.readouterr()
         change(newer.record_path)
-        assert findings.diff(toy.project, arguments) == 1
+        assert diff.run(toy.project, arguments) == 1
         assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
 
 
@@ -242,9 +243,9 @@ def test_diff_and_check_say_it_in_every_format_and_markdown_is_not_made_of_what_
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
     for form in FORMATS:
-        assert findings.diff(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        assert diff.run(toy.project, Namespace(**sides, format=form, values="sums")) == 1
         assert "toy" in capsys.readouterr().out
-        assert findings.check(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
+        assert check_command.run(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])

@@ -14,7 +14,9 @@ from measured_report.changes.bisect import Bisection, bisect_commits, bisect_rel
 from measured_report.changes.flips import decided_flips
 from measured_report.changes.history import flip_history, history
 from measured_report.changes.query import Query
-from measured_report.commands import editions as commands
+from measured_report.commands import bisect as command
+from measured_report.commands import history as history_command
+from measured_report.commands import retire
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.stack import stack_of
@@ -187,7 +189,7 @@ def test_a_history_of_what_nothing_knows_is_refused_with_what_is_near(toy, searc
         ({"claim": "toy.help"}, "near it: toy.helps; CLAIM=reproduction.slips is one"),
     ):
         with pytest.raises(UsageError, match=near) as refused:
-            commands.history(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
+            history_command.run(toy.project, Namespace(**{"claim": "", "value": "", **asked}))
         assert "\n" not in str(refused.value)
 
 
@@ -218,16 +220,16 @@ def test_a_retired_edition_leaves_nothing(toy, search, capsys):
     write_manifest(side.results, Manifest("1.6.9"))
     replace(side, profile="quick", aside=bisect.ASIDE).results.mkdir(parents=True)
     (toy.project.root / ".venv-newton-1.6.9").mkdir()
-    assert commands.retire(side, Namespace(stack=stack, address="", list=True)) == 0
+    assert retire.run(side, Namespace(stack=stack, address="", list=True)) == 0
     listed = capsys.readouterr().out
     assert ".venv-newton-1.6.9/" in listed and "results/newton-1.6.9/" in listed and side.results.exists()
-    assert commands.retire(side, Namespace(stack=stack, address="", list=False)) == 0
+    assert retire.run(side, Namespace(stack=stack, address="", list=False)) == 0
     assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
     assert not list(toy.project.root.glob("results/*/*/newton-1.6.9"))
     site = toy.project.site
     assert not (site / "newton-1.6.9").exists() and "1.6.9" not in toy.front and check_site(site) == []
     with pytest.raises(UsageError, match="neither results"):
-        commands.retire(side, Namespace(stack=stack, address="", list=False))
+        retire.run(side, Namespace(stack=stack, address="", list=False))
 
 
 def test_what_searches_left_goes_without_a_name_and_checkouts_and_editions_stay(toy, search):
@@ -244,10 +246,10 @@ def test_what_searches_left_goes_without_a_name_and_checkouts_and_editions_stay(
         (root / name).mkdir(parents=True)
         if not name.endswith("1.3.9"):
             (root / name / "file").touch()
-    assert commands.retire(toy.project, own) == 0
+    assert retire.run(toy.project, own) == 0
     assert not any((root / name).exists() for name in left) and all((root / name).exists() for name in kept)
     with pytest.raises(UsageError, match="stays"):
-        commands.retire(toy.project, own)
+        retire.run(toy.project, own)
 
 
 def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hours(toy, search, monkeypatch, capsys):
@@ -258,8 +260,8 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hour
         return toy.project.of("1.5.9")
 
     monkeypatch.setattr(bisect, "measure", note)
-    monkeypatch.setattr(commands, "releases_between", lambda first, last: ["1.5.9"])
-    monkeypatch.setattr(commands, "sections", lambda: ["toy"])
+    monkeypatch.setattr(command, "releases_between", lambda first, last: ["1.5.9"])
+    monkeypatch.setattr(command, "sections", lambda: ["toy"])
     search.is_first(("holds", "fails"), stack_of("1.4.9"))
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
         "results/bisect/full/newton-1.4.9"
@@ -267,4 +269,4 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hour
     assert capsys.readouterr().out == "step 1: 1.4.9: toy.helps holds\n"
     asked = Namespace(claim="toy.helps", value="", a=stack_of("1.4.0"), b=stack_of("1.5.9"), device="cpu", yes=False)
     with pytest.raises(UsageError, match=r"full ones: about 3 steps.*YES=1 begins"):
-        commands.bisect(toy.project, asked)
+        command.run(toy.project, asked)

@@ -7,8 +7,8 @@ from argparse import Namespace
 import pytest
 
 from measured_report.changes.upgrade import base_of, unmeasured
-from measured_report.commands import editions as commands
-from measured_report.commands.editions import printing_to_stderr
+from measured_report.commands import upgrade
+from measured_report.commands.upgrade import printing_to_stderr
 from measured_report.editions import environment
 from measured_report.editions.manifest import Manifest, write_manifest
 from measured_report.editions.project import Project
@@ -62,11 +62,11 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
     def refuse(project, stack, *others):
         raise UsageError(f"{stack.label} cannot run the scene")
 
-    monkeypatch.setattr(commands, "prepare", refuse)
-    monkeypatch.setattr(commands, "measure", lambda *arguments: pytest.fail("the base was measured"))
+    monkeypatch.setattr(upgrade, "prepare", refuse)
+    monkeypatch.setattr(upgrade, "measure", lambda *arguments: pytest.fail("the base was measured"))
     asked = Namespace(device="cpu", since=stack_of("1.8.0"), stack=stack_of("1.9.0"), format="text")
     with pytest.raises(UsageError, match="cannot run the scene"):
-        commands.upgrade(toy.project.of("1.9.0"), asked)
+        upgrade.run(toy.project.of("1.9.0"), asked)
 
 
 def test_an_environment_that_its_day_makes_impossible_says_how_to_take_another():

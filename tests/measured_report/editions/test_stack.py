@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 from conftest import Toy, git
 
-from measured_report.commands import building
+from measured_report.commands import page
 from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
 from measured_report.editions.label import read_label
@@ -193,10 +193,10 @@ def test_one_machine_never_takes_the_place_of_another(toy, capsys):
 
 def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of(toy, monkeypatch, capsys):
     def hint(side: Project) -> str:
-        building.build_site(side, "")
+        page.build_site(side)
         return next(line for line in capsys.readouterr().out.splitlines() if line.startswith("make rerun"))
 
-    monkeypatch.setattr(building, "has_cuda", lambda: False)
+    monkeypatch.setattr(page, "has_cuda", lambda: False)
     stale = toy.record().identity
     toy.write("experiments/scene.py", "def slip():\n    return 2.0\n")  # which makes the record stale
     assert hint(toy.project) == "make rerun SECTION=toy DEVICE=cpu measures one of them"
@@ -209,7 +209,7 @@ def test_what_measures_a_section_is_said_for_the_machine_that_the_results_are_of
         side = toy.of(release) if "@" in release else toy
         write_record(side.record_path, side.record(machine=gpu, identity=stale, traces=None))
         assert hint(side.project) == said
-    monkeypatch.setattr(building, "has_cuda", lambda: True)
+    monkeypatch.setattr(page, "has_cuda", lambda: True)
     assert hint(toy.project) == "make rerun SECTION=toy measures one of them"
     assert measure.kept_by(toy.project, "cpu", ["toy"]).release == "1.4.0@cpu", "as it was said"
 

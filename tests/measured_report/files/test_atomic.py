@@ -1,4 +1,4 @@
-"""What goes wrong outside: damage, kills, hostile text; the slow ones of the kind are in ``make torture``."""
+"""What goes wrong outside: damage, kills, hostile text; the slow ones are in tests/torture.py."""
 
 import json
 import os

@@ -1,5 +1,6 @@
-"""Provenance of a number: from the page back to the rows that it was read from, their cases, and what measures them."""
+"""Show where a number comes from: page, rows, case and command."""
 
+import argparse
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -8,8 +9,9 @@ from itertools import groupby
 from typing import Any
 
 from measured_report.changes.query import Query
+from measured_report.commands.options import add_options, refuse_unmeasured
 from measured_report.deriving.chapters import Chapter, Chapters
-from measured_report.deriving.editions import Edition
+from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
@@ -23,6 +25,23 @@ from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 
 ANCHOR = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what is asked, and of which edition."""
+    add_options(parser, "value", "edition", "profile")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the way of one value, from the page back to rows, cases and command."""
+    if not arguments.value:
+        rules = config().changes
+        forms = f"{rules.example_value}, or a number of a row, VALUE={rules.headline}"
+        raise UsageError(f"VALUE is missing: make trace VALUE={forms}")
+    refuse_unmeasured(project, arguments.stack.asked)
+    templates = Templates(project.templates)
+    print(Provenance(project, editions_of(project, templates), templates).text(arguments.value))
+    return 0
 
 
 @dataclass(frozen=True)

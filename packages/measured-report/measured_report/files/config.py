@@ -76,9 +76,6 @@ class Changes:
     """More of them, which text leaves out."""
     classes: str = ""
     """The column that lists how the repeats of a run ended; where they differ, the row is not compared."""
-    verify: str = ""
-    """The module that verifies the headline: ``PROGRAM``, a module that measures it with ``--device`` and writes what
-    it found as ``--json FILE``, and ``verify(edition, found)``, the text and whether that agrees."""
 
 
 @dataclass(frozen=True)
@@ -98,8 +95,6 @@ class Config:
     host: str = "measured_report.measuring.host"
     """The module that says how this report measures on a host; the one named here says what it may have, and measures
     on the CPU."""
-    commands: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    """Programs that the command line offers besides, by name; ``commands.programs.Program`` has their fields."""
     case: str = ""
     """The dataclass, as ``module:name``, whose fields are what a run was set to."""
     noise_section: str = "noise"

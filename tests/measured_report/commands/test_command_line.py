@@ -2,14 +2,13 @@
 
 import gc
 import signal
-import subprocess
 import sys
 from collections.abc import Iterator
 
 import pytest
 from conftest import program
 
-from measured_report.commands import options
+from measured_report.commands import rerun
 from measured_report.commands.command_line import main
 from measured_report.files.errors import UsageError
 from measured_report.parts.section import UNDRAWN
@@ -19,15 +18,10 @@ NO_GPU = {"PATH": "/nowhere"}
 """Without nvidia-smi on it every machine has no GPU."""
 
 
-def run(code: str) -> subprocess.CompletedProcess:
-    return program("-c", code, **NO_GPU)
-
-
 @pytest.fixture
 def command(monkeypatch) -> Iterator[None]:
     """What ``command_line.main`` sets in its process, as it was before."""
-    stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)}
-    monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)
+    stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM)}
     monkeypatch.setenv("PATH", NO_GPU["PATH"])
     yield
     gc.unfreeze()
@@ -51,7 +45,7 @@ def command(monkeypatch) -> Iterator[None]:
         (["report", "--device", "cuda"], "no CUDA device"),
         (["report", "--cluster", "local:0"], "CLUSTER=local:0"),
         (["report", "--device", "cuda", "--cluster", "local"], "no CUDA device"),
-        (["rerun", "--section", "gap", "--cluster", "ssh:/nowhere"], "CLUSTER=ssh:/nowhere"),
+        (["rerun", "--section", "gap", "--cluster", "nowhere"], "CLUSTER=nowhere"),
         (["status", "--cluster", "local"], "--cluster local"),
         (["report", "--profile", "slow"], "PROFILE=slow"),
         (["status", "--newton", "new"], "NEWTON=new"),
@@ -89,9 +83,9 @@ def test_the_program_ends_with_the_status_of_its_command():
 def test_a_section_that_is_measured_and_not_derived_is_named(tmp_path, monkeypatch):
     (tmp_path / "experiments").mkdir()
     (tmp_path / "experiments" / "weight.py").touch()
-    monkeypatch.setattr(options, "ROOT", tmp_path)
+    monkeypatch.setattr(rerun, "ROOT", tmp_path)
     with pytest.raises(UsageError, match=r"there is no report/sections/weight\.py; use one of"):
-        options.OPTIONS["section"]["type"]("weight")
+        rerun.refuse_unknown("weight")
 
 
 def test_status_does_not_import_the_simulator():
@@ -99,7 +93,7 @@ def test_status_does_not_import_the_simulator():
         "import sys, build; sys.argv = ['build.py', 'status']; build.main();"
         "sys.exit(bool({'warp', 'newton', 'mujoco', 'matplotlib', 'pandas'} & set(sys.modules)))"
     )
-    done = run(code)
+    done = program("-c", code, **NO_GPU)
     assert done.returncode == 0, done.stderr
     assert "reproduction" in done.stdout
 
@@ -110,44 +104,29 @@ def test_the_tracked_results_make_a_report_without_the_simulator(site):
     assert [path for path in site.rglob("*.html") if UNDRAWN in path.read_text(encoding="utf-8")] == []
 
 
-INTERRUPTED = """
-import signal, sys, time
-import build
-from measured_report.commands import command_line
-
-class Closing:
-    def __del__(self):
-        raise KeyboardInterrupt
-
-signal.signal(signal.SIGALRM, signal.default_int_handler)
-sys.unraisablehook = command_line.interrupt_again
-try:
-    Closing()
-    time.sleep(10.0)
-except KeyboardInterrupt:
-    print("interrupted")
-"""
+def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(command, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["build.py", "help"])
+    assert main() == 0
+    lines = {line.split()[1]: line for line in capsys.readouterr().out.splitlines() if line.startswith("make ")}
+    assert {"report", "rerun", "help", "clips", "verify"} <= set(lines)
+    assert all(len(line.split()) > 2 for line in lines.values())
+    assert lines["rerun"].endswith("[SECTION NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]")
 
 
-def test_no_interrupt_is_dropped_or_taken_for_an_error():
-    done = run(INTERRUPTED)
-    assert (done.stdout, done.stderr) == ("interrupted\n", "")
-    done = run(MADE)  # Python before 3.12 makes it an error of another kind
-    assert (done.returncode, done.stderr) == (130, "stopped; what was measured before is kept\n")
-
-
-MADE = """
-import sys
-import build
-from measured_report.commands import command_line
-
-class Hit:
-    def __set_name__(self, owner, name):
-        raise KeyboardInterrupt
-
-def make_class():
-    type("Made", (), {"hit": Hit()})
-
-command_line._parse_arguments = make_class
-sys.exit(command_line.main())
-"""
+@pytest.mark.parametrize(
+    ("typed", "arguments", "status"),
+    [
+        ({"SECTION": "frction"}, ["rerun"], "near it: friction"),
+        ({"SECTION": "frction"}, ["rerun", "--section", "gup"], "near it: gap"),
+        ({"SECTON": "gap"}, ["rerun"], "SECTON= is no variable of make here; near it: SECTION"),
+        ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
+    ],
+)
+def test_what_was_typed_behind_make_is_an_option(typed, arguments, status, command, monkeypatch, capsys):
+    monkeypatch.setenv("MAKELEVEL", "1")
+    monkeypatch.setenv("TYPED", " ".join(typed))
+    for name, value in typed.items():
+        monkeypatch.setenv(f"TYPED_{name}", value)
+    monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
+    assert main() == 2
+    assert status in capsys.readouterr().err

@@ -1,0 +1,26 @@
+"""Print every claim with its outcome, what can't be trusted first."""
+
+import argparse
+
+from measured_report.changes import alarm
+from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.page import say_damage
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.project import Project
+from measured_report.pages.prose import Templates
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add which edition is checked, and how that is told."""
+    add_options(parser, "edition", "profile", "format")
+    parser.add_argument("--strict", action="store_true", help="1: end with status 1 when anything can't be trusted")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the claims; 1 where a record is damaged."""
+    refuse_unmeasured(project, arguments.stack.asked)
+    edition = editions_of(project, Templates(project.templates))[project.release]
+    found = alarm.check(edition)
+    print(alarm.check_text(found, arguments.format))
+    damaged = say_damage(edition.left_out)
+    return int(damaged or (arguments.strict and found.is_alarm))

@@ -1,0 +1,29 @@
+"""Print which claims flipped and what moved between two editions, worst first."""
+
+import argparse
+
+from measured_report.changes.alarm import diff_text
+from measured_report.changes.compare import compare
+from measured_report.commands.options import add_options, one_of, refuse_lacking_ends, refuse_unmeasured
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.project import Project
+from measured_report.pages.prose import Templates
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the editions, and how much is told."""
+    add_options(parser, "a", "b", "profile", "format")
+    values = one_of("VALUES", ("sums", "all"))
+    parser.add_argument("--values", type=values, default="sums", help="all: list every value that moved")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
+    refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
+    sides = [project.of(str(stack.label)) for stack in (arguments.a, arguments.b)]
+    for side, stack in zip(sides, (arguments.a, arguments.b), strict=True):
+        refuse_unmeasured(side, stack.asked)
+    editions = editions_of(project, Templates(project.templates), among=[side.release for side in sides])
+    comparison = compare(*(editions[side.release] for side in sides))
+    print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))
+    return int(comparison.is_alarm)

@@ -1,0 +1,42 @@
+"""Print a claim or a value over all editions, or the headlines."""
+
+import argparse
+
+from measured_report.changes import history
+from measured_report.changes.query import Query
+from measured_report.commands.options import add_options
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.project import Project
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
+from measured_report.files.suggestion import suggestion
+from measured_report.pages.prose import Templates
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what is asked."""
+    add_options(parser, "claim", "value", "profile")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print a claim or a value; without one, the numbers that say most and the claims that flip."""
+    editions = editions_of(project, Templates(project.templates))
+    releases = {release: edition.chapters for release, edition in editions.items()}
+    if not (arguments.claim or arguments.value):
+        told = [history.history(releases, Query(value)) for value in config().changes.headlines.values()]
+        print("\n\n".join([*told, history.flip_history(releases, project.release)]))
+        return 0
+    query = query_of(arguments)
+    if not any(query.answer(each) is not None or query.text in query.names(each) for each in releases.values()):
+        hint = suggestion(query.text, query.names(releases[project.release]))
+        raise UsageError(f"no edition has {query.given}{hint}; {query.example} is one")
+    print(history.history(releases, query))
+    return 0
+
+
+def query_of(arguments: argparse.Namespace) -> Query:
+    """Return what CLAIM or VALUE asks."""
+    if bool(arguments.claim) == bool(arguments.value):
+        examples = " and ".join(Query("", is_claim).example for is_claim in (True, False))
+        raise UsageError(f"one of {examples} is needed")
+    return Query(arguments.claim or arguments.value, bool(arguments.claim))

@@ -1,0 +1,17 @@
+"""Check site/ and put it at TARGET, or on the branch gh-pages of git's origin."""
+
+import argparse
+
+from measured_report.editions.project import Project
+from measured_report.site.publish import publish
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add where to."""
+    parser.add_argument("--target", default="", help="where to publish: dir:PATH, rsync:HOST:PATH or git:REMOTE")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Publish the site and say where it lies."""
+    print(f"published at {publish(project.site, arguments.target)}")
+    return 0

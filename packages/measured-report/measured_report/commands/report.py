@@ -1,0 +1,45 @@
+"""Measure what is missing or stale, and build site/."""
+
+import argparse
+import sys
+
+from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.commands.page import build_site
+from measured_report.editions.devices import NO_CUDA, measuring_device
+from measured_report.editions.project import Project
+from measured_report.editions.status import states_of
+from measured_report.files.errors import ReportError, UsageError
+from measured_report.measuring.measure import measure
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add which edition is measured, where and by whom."""
+    add_options(parser, "edition", "device", "cluster", "profile", "address")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Measure what is not fresh, where that may be done unasked, and build the site."""
+    device = device_of(project, arguments)
+    if not device:
+        refuse_unmeasured(project, arguments.stack.asked)
+    stale = [state.section for state in states_of(project) if state.kind != "fresh"]
+    failed = False
+    if stale and device:
+        try:
+            project = measure(project, arguments.stack, stale, device, arguments.cluster)
+        except UsageError:
+            raise
+        except ReportError as error:
+            print(error, file=sys.stderr)
+            failed = True
+    damaged, lacking = build_site(project, arguments.address)
+    if lacking and not device:
+        print(f"{NO_CUDA}, in up to hours")
+    return int(failed or damaged)
+
+
+def device_of(project: Project, arguments: argparse.Namespace) -> str | None:
+    """Return the device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
+    if arguments.cluster and not arguments.cluster.is_here:
+        return arguments.device or "cuda"
+    return measuring_device(arguments.device, project.profile)

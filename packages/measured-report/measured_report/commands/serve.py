@@ -1,0 +1,34 @@
+"""Serve site/ at http://127.0.0.1:8000, rebuilt on every change."""
+
+import argparse
+import subprocess
+import sys
+from functools import partial
+
+from measured_report.commands.options import EDITION, add_options, refuse_unmeasured
+from measured_report.editions.project import Project
+from measured_report.files.errors import UsageError
+from measured_report.site.serving import Server
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add where, and which edition is shown first."""
+    parser.add_argument("--port", type=_port, default="8000", help="where to serve, 8000 if not given")
+    add_options(parser, "edition", "profile")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Serve the site until Ctrl-C, and build it again whenever something changes."""
+    refuse_unmeasured(project, arguments.stack.asked)
+    server = Server(project.site, arguments.port)
+    print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
+    options = [f"--{EDITION}", arguments.stack.asked, "--profile", project.profile]
+    command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
+    server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
+    return 0
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) < 65536):
+        raise UsageError(f"PORT={text} is no port; use a number from 1 to 65535")
+    return int(text)

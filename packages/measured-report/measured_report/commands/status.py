@@ -1,0 +1,27 @@
+"""List which sections are fresh, and what changed for the others."""
+
+import argparse
+
+from measured_report.commands.command_line import OWN, commands
+from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.editions.project import Project
+from measured_report.editions.status import states_of, status_matrix, status_table
+from measured_report.files.config import config
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add which edition is told of."""
+    add_options(parser, "edition", "profile")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print the sections of all editions as a matrix, and those of one with what changed.
+
+    A command of the report that makes something says by its ``state(project)`` whether that is fresh.
+    """
+    refuse_unmeasured(project, arguments.stack.asked)
+    print(status_matrix(project))
+    print(f"\n{config().package} {project.release}")
+    made = [module.state(project) for module in commands(OWN) if hasattr(module, "state")]
+    print(status_table([*states_of(project), *made], project.profile))
+    return 0

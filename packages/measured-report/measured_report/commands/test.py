@@ -1,0 +1,24 @@
+"""Run the tests; they need no GPU."""
+
+import argparse
+import subprocess
+
+from measured_report.commands.options import add_options
+from measured_report.editions.environment import add_cluster, python_of
+from measured_report.editions.project import Project
+from measured_report.editions.status import expected_packages
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add which edition is tested, and how much."""
+    add_options(parser, "edition")
+    parser.add_argument("--fast", action="store_true", help="1: only what a change of words or figures needs")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Run pytest with one edition; return its exit status."""
+    python = python_of(arguments.stack, expected_packages(project), project.root)
+    if python.is_relative_to(project.root):  # a Python that is not the project's is left as it is
+        add_cluster(python, project.root)
+    command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
+    return subprocess.run(command, cwd=project.root, check=False).returncode

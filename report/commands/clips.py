@@ -1,0 +1,24 @@
+"""Render the clips from kept poses, in minutes on a GPU."""
+
+import argparse
+import subprocess
+import sys
+
+from experiments.facts.clip_record import clips_state as state  # noqa: F401, which make status asks
+from measured_report.commands.options import add_options
+from measured_report.editions.environment import add_group
+from measured_report.editions.project import Project
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add whose poses are shown, and where they are rendered."""
+    add_options(parser, "edition", "device", "profile")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Run the renderer, apart from the page, which knows no simulator; return its exit status."""
+    add_group("clips", project.root)
+    options = [f"--newton={project.release}", f"--profile={project.profile}"]
+    options += [f"--device={arguments.device}"] if arguments.device else []
+    command = [sys.executable, "-m", "experiments.media.render", *options]
+    return subprocess.run(command, cwd=project.root, check=False).returncode

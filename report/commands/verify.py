@@ -1,0 +1,29 @@
+"""Measure the headline again here, and compare it with the tracked one; keep nothing."""
+
+import argparse
+
+from measured_report.commands.options import add_options, refuse_unmeasured
+from measured_report.deriving.editions import derive_edition
+from measured_report.editions.devices import has_cuda, measuring_device
+from measured_report.editions.project import Project
+from measured_report.measuring.measure import measure_headline
+from measured_report.pages.prose import Templates
+from report.lab_check import verify_lab
+from report.verify import PROGRAM, verify
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add of which edition, and where."""
+    add_options(parser, "edition", "device")
+    parser.add_argument("--lab", action="store_true", help="1: also with the engine that the page runs, in Node")
+
+
+def run(project: Project, arguments: argparse.Namespace) -> int:
+    """Print both and whether they agree within the noise; 1 when they differ."""
+    refuse_unmeasured(project, arguments.stack.asked)
+    device = measuring_device(arguments.device or ("cuda" if has_cuda() else "cpu"), project.profile)
+    found = measure_headline(project, arguments.stack, device, PROGRAM)
+    edition = derive_edition(project, Templates(project.templates))
+    checks = [verify(edition, found)] + ([verify_lab(edition)] if arguments.lab else [])
+    print("\n\n".join(text for text, _ in checks))
+    return int(not all(agrees for _, agrees in checks))

@@ -1,0 +1,88 @@
+"""What is typed behind make: it arrives as it was typed, and a misspelt variable is refused."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from measured_report.files.root import ROOT
+
+NAMES = ["SECTION", "NEWTON", "CLAIM", "FAST"]
+OF_THE_MAKEFILES = ["name", "TYPED", "READY", "ASKED", "GOAL", "OWN", "pass_on", "TYPED_SECTION"]
+WORDS = ["$(shell touch {})", "$$(touch {})", "`touch {}`", "'; touch {}; '"]
+
+
+def make(*arguments: str | Path, level: str = "0") -> subprocess.CompletedProcess:
+    # These tests may run below a make themselves.
+    environment = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MAKEOVERRIDES")}
+    command = ["make", "--silent", *arguments]
+    return subprocess.run(
+        command, cwd=ROOT, env={**environment, "MAKELEVEL": level}, capture_output=True, text=True, check=False
+    )
+
+
+@pytest.fixture
+def python(tmp_path) -> str:
+    """What stands in for Python: it prints what make passes on."""
+    path = tmp_path / "python"
+    path.write_text("#!/bin/sh\nenv | grep '^TYPED'\necho \"$@\"\n")
+    path.chmod(0o755)
+    return f"PYTHON={path}"
+
+
+def test_the_makefile_itself_names_what_can_be_asked_for():
+    """Programs outside read that file and follow no include."""
+    named = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+    assert named >= set("report test status rerun check serve publish help page verify trace clips upgrade".split())
+    assert named >= {"bisect", "history", "diff"}
+
+
+@pytest.mark.parametrize("word", ["friction", *WORDS])
+@pytest.mark.parametrize(("name", "near"), [("SECTON", "near it: SECTION"), ("section", "near it: SECTION")])
+def test_a_misspelt_variable_is_refused_and_not_executed(name, near, word, tmp_path):
+    canary = tmp_path / "canary"
+    done = make("rerun", f"PYTHON={sys.executable}", f"{name}={word.format(canary)}")
+    [line] = [line for line in done.stderr.splitlines() if not line.startswith("make: ")]
+    assert (done.returncode, done.stdout) == (2, "")
+    assert line.startswith(f"{name}= is no variable of make here") and near in line
+    assert not canary.exists()
+
+
+@pytest.mark.parametrize("name", [*OF_THE_MAKEFILES, *NAMES])
+@pytest.mark.parametrize("word", WORDS)
+def test_no_value_is_executed(name, word, python, tmp_path):
+    canary = tmp_path / "canary"
+    make("status", python, f"{name}={word.format(canary)}")
+    assert not canary.exists()
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_no_goal_is_executed(word, python, tmp_path):
+    canary = tmp_path / "canary"
+    make(word.format(canary), python)
+    assert not canary.exists()
+
+
+@pytest.mark.parametrize("goal", ["rerun", "test", "lint", "site"])
+def test_every_variable_arrives_as_it_was_typed(goal, python):
+    given = {name: f"a '$(b)' ${name} \\" for name in NAMES}
+    done = make(goal, python, *(f"{name}={value}" for name, value in given.items()))
+    passed = done.stdout.splitlines()
+    assert done.returncode == 0, done.stderr
+    assert {f"TYPED_{name}={value}" for name, value in given.items()} <= set(passed)
+    assert goal == "lint" or passed[-1] == f"build.py {goal}"
+    [typed] = [line for line in passed if line.startswith("TYPED=")][:1]
+    assert sorted(typed.removeprefix("TYPED=").split()) == sorted(NAMES)
+
+
+def test_what_is_for_make_itself_is_no_variable_of_the_project(python):
+    for options in ("-j8", "-k -B", "-e", "SHELL=/bin/sh", "MAKEFLAGS=-s"):
+        assert "TYPED=" in make("status", python, *options.split()).stdout.splitlines(), options
+
+
+def test_what_a_make_above_was_asked_for_is_not_refused():
+    assert make("help", f"PYTHON={sys.executable}", "CC=gcc", level="1").returncode == 0
+    assert make("help", f"PYTHON={sys.executable}", "CC=gcc").returncode == 2
