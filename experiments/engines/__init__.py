@@ -1,25 +1,27 @@
-"""The box on the turning table and the pinched capsule in other engines, each in an environment of its own.
+"""The box on the turning table and the pinched capsule in other engines, and the box with Newton's other solvers.
 
-The capsule is one that ends between the pads, which is held by the balls at its ends. NVIDIA's SimReady test FET028
-(2 cm at 2 Hz for 2 s, passed below 3 cm of slip) is done with the shake of this report.
+Each other engine is in an environment of its own. The capsule is one that ends between the pads, which is held by the
+balls at its ends. NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, passed below 3 cm of slip) is done with the
+shake of this report.
 """
 
 import json
 import subprocess
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 from tqdm import tqdm
 
-from experiments.engines.laws import LAWS, Load, walk_per_s
+from experiments.engines import laws, newton_solvers
+from experiments.engines.laws import Load, walk_per_s
+from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
-from experiments.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, SETTLE_S, TURN_RAD_S
-from experiments.turntable_solvers import FEET, FOOT_M, HALF_EDGE_M, TABLE_INERTIA
+from experiments.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
@@ -28,12 +30,9 @@ NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: small scenes, and engines that run on a CPU."""
 SECONDS = {"full": {"turntable": 4.0, "pinch": 2.0}, "quick": {"turntable": 1.5, "pinch": 1.5}}
 STEPS_S = (0.002, 0.001)
-PRESS_N = 12.0
-"""What each pad presses with, as in the report that section capsule is after."""
-CAPSULE = capsule.Pinch("within-pads", half_length_m=0.02)
 STICTION_M_S = 1e-3
 """Drake's own."""
-SHARED = "assets/engines/apart.py"
+APART = "experiments/engines/apart/apart.py"
 GROWTHS = ("growth_per_s", "predicted_growth_per_s", "end_height_mm")
 CREEPS = ("creep_mm_s", "predicted_creep_mm_s")
 TEST_SHAKE = {"shake_amplitude_m": 0.02, "shake_frequency_hz": 2.0}
@@ -44,7 +43,7 @@ TEST_PADS_KD = (100.0, 50.0, 20.0, 10.0, 5.0, 2.0)
 
 @dataclass(frozen=True)
 class Engine:
-    """An engine, what of it is installed, and the script that runs scenes in it."""
+    """An engine, the script that runs scenes in it, and what is installed for it."""
 
     name: str
     release: str
@@ -58,68 +57,65 @@ class Model:
 
     name: str
     engine: Engine
-    law: str = ""
-    """Of ``LAWS``; empty where it is MuJoCo's, which sections turntable and capsule have."""
+    law: Callable[[Load], float] | None = None
+    """None where it is MuJoCo's, which other sections have."""
     options: dict[str, object] = field(default_factory=dict)
     steps_s: Sequence[float] = STEPS_S
     scenes: Sequence[str] = ("turntable", "pinch")
 
 
-DRAKE = Engine("Drake", "1.51.1", "assets/engines/drake_run.py", ("drake==1.51.1", "numpy==2.4.6"))
-BULLET = Engine("PyBullet", "3.2.7", "assets/engines/bullet_run.py", ("pybullet==3.2.7", "numpy==2.4.6"))
-DART = Engine("DART", "6.20.0", "assets/engines/dart_run.py", ("dartpy==6.20.0", "numpy==2.4.6"))
-PHYSX = Engine(
-    "PhysX", "SAPIEN 3.0.3", "assets/engines/physx_run.py", ("sapien==3.0.3", "numpy==2.4.6", "setuptools==81.0.0")
-)
+DRAKE = Engine("Drake", "1.51.1", "experiments/engines/apart/drake_run.py", ("drake==1.51.1", "numpy==2.4.6"))
+BULLET = Engine("PyBullet", "3.2.7", "experiments/engines/apart/bullet_run.py", ("pybullet==3.2.7", "numpy==2.4.6"))
+DART = Engine("DART", "6.20.0", "experiments/engines/apart/dart_run.py", ("dartpy==6.20.0", "numpy==2.4.6"))
+WITH_SAPIEN = ("sapien==3.0.3", "numpy==2.4.6", "setuptools==81.0.0")
+PHYSX = Engine("PhysX", "SAPIEN 3.0.3", "experiments/engines/apart/physx_run.py", WITH_SAPIEN)
 WITH_MJX = ("mujoco-mjx==3.17.0", "mujoco==4.0.0", "jax==0.10.2", "jaxlib==0.10.2")
-MJX = Engine("MJX", "3.17.0", "assets/engines/mujoco_run.py", WITH_MJX)
-MUJOCO = Engine("MuJoCo", "4.0.0", "assets/engines/mujoco_run.py", ("mujoco==4.0.0", "numpy==2.4.6"))
+MJX = Engine("MJX", "3.17.0", "experiments/engines/apart/mujoco_run.py", WITH_MJX)
+MUJOCO = Engine("MuJoCo", "4.0.0", "experiments/engines/apart/mujoco_run.py", ("mujoco==4.0.0", "numpy==2.4.6"))
 POINT = {"contact": "point", "stiction_m_s": STICTION_M_S}
 HYDROELASTIC = {"contact": "hydroelastic", "stiction_m_s": STICTION_M_S}
 TAMSI = {"approximation": "tamsi"}
-TIMECONSTS_S = (0.02, 0.01)
-DISCRETE_STEPS_S = (0.001, 0.002, 0.005, 0.01)
 MODELS = (
     Model("mjx", MJX),
-    Model("drake-sap-point", DRAKE, "sap", POINT),
-    Model("drake-sap-hydroelastic", DRAKE, "sap", HYDROELASTIC),
-    Model("drake-tamsi-point", DRAKE, "tamsi", POINT | TAMSI),
-    Model("drake-tamsi-hydroelastic", DRAKE, "tamsi", HYDROELASTIC | TAMSI),
-    Model("drake-tamsi-strict", DRAKE, "tamsi", POINT | TAMSI | {"stiction_m_s": 1e-4}),
-    Model("drake-lagged-point", DRAKE, "lagged", POINT | {"approximation": "lagged"}),
-    Model("drake-continuous-point", DRAKE, "stribeck", POINT, (0.0,)),
-    Model("dart", DART, "mixed"),
-    Model("pybullet", BULLET, "rigid"),
-    Model("physx", PHYSX, "anchored"),
+    Model("drake-sap-point", DRAKE, laws.sap, POINT),
+    Model("drake-sap-hydroelastic", DRAKE, laws.sap, HYDROELASTIC),
+    Model("drake-tamsi-point", DRAKE, laws.tamsi, POINT | TAMSI),
+    Model("drake-tamsi-hydroelastic", DRAKE, laws.tamsi, HYDROELASTIC | TAMSI),
+    Model("drake-tamsi-strict", DRAKE, laws.tamsi, POINT | TAMSI | {"stiction_m_s": 1e-4}),
+    Model("drake-lagged-point", DRAKE, laws.lagged, POINT | {"approximation": "lagged"}),
+    Model("drake-continuous-point", DRAKE, laws.stribeck, POINT, (0.0,)),
+    Model("dart", DART, laws.mixed),
+    Model("pybullet", BULLET, laws.rigid),
+    Model("physx", PHYSX, laws.anchored),
     *(
-        Model(f"discrete-{1e3 * timeconst_s:g}ms", MUJOCO, "discrete", options, DISCRETE_STEPS_S, ("turntable",))
-        for timeconst_s in TIMECONSTS_S
-        for options in [{"discrete": True, "timeconst_s": timeconst_s}]
+        Model(
+            f"discrete-{1e3 * timeconst_s:g}ms",
+            MUJOCO,
+            laws.discrete,
+            {"discrete": True, "timeconst_s": timeconst_s},
+            steps_s=(0.001, 0.002, 0.005, 0.01),
+            scenes=("turntable",),
+        )
+        for timeconst_s in (0.02, 0.01)
     ),
 )
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """A row for each model, scene and step, and one for each shake of the test."""
+    """Make a row for each model, scene and step, one for each shake of the test, and those of Newton's solvers."""
     models = [model for model in MODELS if not conditions.quick or model.engine in (BULLET, DART)]
-    rows = [
-        row for model in tqdm(models, desc="engines", delay=3.0) for row in _rows(model, SECONDS[conditions.profile])
-    ]
-    return Measurement([*rows, *_test_rows(conditions)])
+    seconds = SECONDS[conditions.profile]
+    rows = [row for model in tqdm(models, desc="engines", delay=3.0) for row in model_rows(model, seconds)]
+    return Measurement([*rows, *shake_rows(conditions), *newton_solvers.rows(conditions)])
 
 
-def _rows(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
+def model_rows(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, object]]:
     scenes = {"turntable": turntable(seconds["turntable"]), "pinch": pinch(seconds["pinch"])}
     runs = [(name, step_s) for name in model.scenes for step_s in model.steps_s]
     asked = [{"scene": scenes[name], "step_s": step_s, "options": model.options} for name, step_s in runs]
     for (name, step_s), result in zip(runs, run_apart(model.engine, asked), strict=True):
-        row = {
-            "case": f"{model.name}-{name}-{1e3 * step_s:g}ms",
-            "model": model.name,
-            "scene": name,
-            "step_ms": 1e3 * step_s,
-        }
-        row |= {"engine": model.engine.name, "release": model.engine.release}
+        row = {"case": f"{model.name}-{name}-{1e3 * step_s:g}ms", "model": model.name, "scene": name}
+        row |= {"step_ms": 1e3 * step_s, "engine": model.engine.name, "release": model.engine.release}
         columns = growth_columns if name == "turntable" else creep_columns
         try:
             yield row | columns(model, scenes[name], step_s, result)
@@ -128,7 +124,7 @@ def _rows(model: Model, seconds: Mapping[str, float]) -> Iterator[dict[str, obje
 
 
 def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
-    """What the runs show that an engine is asked for; ``reason`` in the place of it where it shows nothing."""
+    """Run an engine in its environment; each run returns what it shows, or a ``reason`` where it shows nothing."""
     try:
         python = python_with(f"engine-{engine.name.lower()}", engine.requirements)
     except UsageError as error:
@@ -136,7 +132,7 @@ def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
     with tempfile.TemporaryDirectory() as folder:
         question, answer = Path(folder) / "asked.json", Path(folder) / "answer.json"
         question.write_text(json.dumps(asked), encoding="utf-8")
-        call = [python, ROOT / engine.script, question, answer]
+        call = [python, ROOT / APART, ROOT / engine.script, question, answer]
         done = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
         if done.returncode:
             last = done.stderr.strip().splitlines()[-1:] or [f"it ended with status {done.returncode}"]
@@ -144,41 +140,8 @@ def run_apart(engine: Engine, asked: Sequence[dict]) -> list[dict]:
         return json.loads(answer.read_text(encoding="utf-8"))
 
 
-def turntable(seconds: float) -> dict[str, object]:
-    """The box on four feet on the turning table, in rest on it."""
-    inertia = [MASS_KG / 3.0 * (HALF_EDGE_M**2 + 0.04**2)] * 2 + [MASS_KG / 3.0 * 2.0 * HALF_EDGE_M**2]
-    body = {"mass_kg": MASS_KG, "inertia_kg_m2": inertia, "feet": FEET, "foot_m": FOOT_M, "place": [RADIUS_M, 0.0, 0.1]}
-    body |= {"velocity": [0.0, TURN_RAD_S * RADIUS_M, 0.0], "spin": [0.0, 0.0, TURN_RAD_S]}
-    table = {"joint": "hinge", "axis": [0.0, 0.0, 1.0], "half_size": [0.5, 0.5, 0.05], "place": [0.0, 0.0, 0.0]}
-    table |= {"mass_kg": TABLE_INERTIA, "inertia_kg_m2": TABLE_INERTIA, "speed": TURN_RAD_S, "force_n": 0.0}
-    start = [TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S]
-    return _scene(seconds, 1.0, body, [table]) | {"mjcf": MJCF, "qvel": start, "ctrl": []}
-
-
-def pinch(seconds: float) -> dict[str, object]:
-    """Two pads that press on a capsule's ends, which touch them."""
-    mass, radius, half = capsule.MASS_KG, capsule.RADIUS_M, CAPSULE.half_length_m
-    across, along = mass * (radius**2 / 4.0 + half**2 / 3.0), mass * radius**2 / 2.0
-    body = {"mass_kg": mass, "inertia_kg_m2": [across, along, across], "foot_m": radius, "place": [0.0, 0.0, 0.0]}
-    body |= {"feet": [[0.0, -half, 0.0], [0.0, half, 0.0]], "velocity": [0.0, 0.0, 0.0], "spin": [0.0, 0.0, 0.0]}
-    size = capsule.PAD_HALF_SIZE_M
-    pad = {"joint": "slide", "axis": [1.0, 0.0, 0.0], "half_size": size, "mass_kg": capsule.PAD_MASS_KG, "speed": 0.0}
-    pads = [
-        pad | {"inertia_kg_m2": 1e-3, "place": [side * (radius + size[0]), 0.0, 0.0], "force_n": -side * PRESS_N}
-        for side in (-1.0, 1.0)
-    ]
-    travel = capsule.GAP_M + capsule.SQUEEZE_M
-    start = {"mjcf": CAPSULE.mjcf(), "qvel": [0.0] * 8, "ctrl": [travel, -travel]}
-    return _scene(seconds, capsule.FRICTION[0], body, pads) | start
-
-
-def _scene(seconds: float, friction: float, body: dict, supports: list[dict]) -> dict[str, object]:
-    scene = {"seconds": seconds, "sample_s": SAMPLE_S, "gravity_m_s2": capsule.GRAVITY_M_S2, "friction": friction}
-    return scene | {"body": body, "supports": supports}
-
-
 def settled(result: dict) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and places [m] of the body, shape [sample, 3], after the settling; ValueError where there are none."""
+    """Return times [s] and places [m] of the body after the settling, shape [sample, 3]; ValueError without any."""
     if "reason" in result:
         raise ValueError(result["reason"])
     path = np.array(result["path"], dtype=float)
@@ -189,7 +152,7 @@ def settled(result: dict) -> tuple[np.ndarray, np.ndarray]:
 
 
 def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> dict[str, object]:
-    """How fast the distance of the box from the axis grows, measured and by the model's law."""
+    """Say how fast the distance of the box from the axis grows, measured and by the model's law."""
     time_s, path = settled(result)
     if abs(path[-1, 2] - scene["body"]["place"][2]) > FOOT_M:
         raise ValueError("the box is not on the table any more")
@@ -197,38 +160,60 @@ def growth_columns(model: Model, scene: dict, step_s: float, result: dict) -> di
     row: dict[str, object] = {"growth_per_s": float(np.polyfit(time_s, np.log(radius), 1)[0])}
     row["end_height_mm"] = 1e3 * float(path[-1, 2])
     if not model.law:
-        return row | absent(["predicted_growth_per_s"], "it is MuJoCo's, which section turntable has")
+        return row | absent(["predicted_growth_per_s"], "it is MuJoCo's, which section cure has")
     middle = float(np.exp(np.mean(np.log(radius))))
-    force, normal = MASS_KG * TURN_RAD_S**2 * middle, MASS_KG * capsule.GRAVITY_M_S2
-    load = _load(model, scene, step_s, result, force, (1.0, 0.0, 0.0), normal, np.zeros((3, 3)))
+    load = load_on(
+        model,
+        scene,
+        step_s,
+        result,
+        force_n=MASS_KG * TURN_RAD_S**2 * middle,
+        direction=(1.0, 0.0, 0.0),
+        normal_n=MASS_KG * capsule.GRAVITY_M_S2,
+        support_inverse_mass_1_kg=np.zeros((3, 3)),
+    )
     return row | {"predicted_growth_per_s": walk_per_s(model.law, load, TURN_RAD_S, middle)}
 
 
 def creep_columns(model: Model, scene: dict, step_s: float, result: dict) -> dict[str, object]:
-    """How fast the capsule sinks, measured and by the model's law."""
+    """Say how fast the capsule sinks, measured and by the model's law."""
     time_s, path = settled(result)
     row: dict[str, object] = {"creep_mm_s": -1e3 * float(np.polyfit(time_s, path[:, 2], 1)[0])}
     if abs(path[-1, 2]) > capsule.PAD_HALF_SIZE_M[2]:
         raise ValueError("the capsule is lost")
     if not model.law:
-        return row | absent(["predicted_creep_mm_s"], "it is MuJoCo's, which section capsule has")
-    force, leaning = capsule.MASS_KG * capsule.GRAVITY_M_S2, np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0])
-    load = _load(model, scene, step_s, result, force, (0.0, 0.0, 1.0), 2.0 * PRESS_N, leaning)
-    return row | {"predicted_creep_mm_s": 1e3 * LAWS[model.law](load)}
+        return row | absent(["predicted_creep_mm_s"], "it is MuJoCo's, which section scenes has")
+    load = load_on(
+        model,
+        scene,
+        step_s,
+        result,
+        force_n=capsule.MASS_KG * capsule.GRAVITY_M_S2,
+        direction=(0.0, 0.0, 1.0),
+        normal_n=2.0 * PRESS_N,
+        support_inverse_mass_1_kg=np.diag([1.0 / capsule.PAD_MASS_KG, 0.0, 0.0]),
+    )
+    return row | {"predicted_creep_mm_s": 1e3 * model.law(load)}
 
 
-def _load(model, scene, step_s, result, force_n, direction, normal_n, support) -> Load:
-    body, stiction_m_s = scene["body"], model.options.get("stiction_m_s", STICTION_M_S)
-    carried = {"force_n": force_n, "direction": direction, "normal_n": normal_n, "friction": scene["friction"]}
-    held = {name: body[name] for name in ("mass_kg", "inertia_kg_m2")} | {"support_inverse_mass_1_kg": support}
-    held |= {"timeconst_s": model.options.get("timeconst_s"), "yields_1_kg": result.get("regularization_1_kg")}
-    return Load(**carried, **held, step_s=step_s, stiction_m_s=stiction_m_s, contacts=result.get("contacts", ()))
+def load_on(model: Model, scene: dict, step_s: float, result: dict, **carried) -> Load:
+    """Return what friction carries, by the scene and by what the run shows of its contacts."""
+    return Load(
+        step_s=step_s,
+        stiction_m_s=model.options.get("stiction_m_s", STICTION_M_S),
+        timeconst_s=model.options.get("timeconst_s"),
+        friction=scene["friction"],
+        mass_kg=scene["body"]["mass_kg"],
+        inertia_kg_m2=scene["body"]["inertia_kg_m2"],
+        contacts=result.get("contacts", ()),
+        yields_1_kg=result.get("regularization_1_kg"),
+        **carried,
+    )
 
 
-def _test_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """The shake by the rule of FET028, with stiff pads and with ever softer ones."""
+def shake_rows(conditions: Conditions) -> Sequence[dict[str, object]]:
+    """Do the shake by the rule of FET028, with stiff pads and with ever softer ones."""
     cases = [replace(STIFF_PADS, name="fet028-stiff-pads")]
     cases += [replace(AS_SHIPPED, name=f"fet028-pad-kd-{kd:g}", pad_kd=kd) for kd in TEST_PADS_KD]
-    return list(
-        conditions.measure([replace(case, frame_count=TEST_FRAMES, **TEST_SHAKE) for case in cases], "engines").rows
-    )
+    cases = [replace(case, frame_count=TEST_FRAMES, **TEST_SHAKE) for case in cases]
+    return conditions.measure(cases, "engines").rows

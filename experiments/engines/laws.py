@@ -1,7 +1,7 @@
-"""How fast a body slides that other engines hold by friction, by what they document of their contacts.
+"""Laws of how fast a body slides that other engines hold by friction, by what they document of their contacts.
 
 A time-stepping engine has the velocity at a contact vanish at the end of a step of h, and moves by that velocity: on
-a table that turns at ω a body goes along a tangent, and dr/dt = r ω² h/2 (as in ``turntable_solvers``). Besides it
+a table that turns at ω a body goes along a tangent, and dr/dt = r ω² h/2 (as in ``newton_solvers``). Besides it
 slides at the v at which its friction carries the load F:
 
 - ``rigid``: no v at all.
@@ -19,49 +19,48 @@ slides at the v at which its friction carries the load F:
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 SAP_SIGMA = 1e-3
 MUJOCO_DMAX = 0.95
-"""MuJoCo's own."""
 DART_MIXING = 1e-5
 
 
 @dataclass(frozen=True)
 class Load:
-    """What friction carries, and on which contacts."""
+    """A load on friction, and the contacts that carry it."""
 
     force_n: float
     direction: tuple[float, float, float]
-    """Of the force, in the body's frame."""
+    """Direction of the force in the body's frame."""
     friction: float
     normal_n: float
-    """Of all contacts."""
+    """Normal force of all contacts together."""
     step_s: float
     stiction_m_s: float
     contacts: Sequence[Sequence[float]]
     """Place from the centre of mass [m], in the body's frame, and normal force [N], shape [contact, 4]."""
     mass_kg: float
     inertia_kg_m2: Sequence[float]
-    """Principal, in the body's frame, shape [3]."""
+    """Principal moments in the body's frame, shape [3]."""
     support_inverse_mass_1_kg: np.ndarray
-    """Of what a contact leans on, shape [3, 3]."""
+    """Inverse mass of the support, shape [3, 3]."""
     timeconst_s: float | None = None
-    """Of MuJoCo's contacts."""
+    """Time constant of MuJoCo's contacts."""
     yields_1_kg: float | None = None
-    """R of each of its friction rows."""
+    """R of each of MuJoCo's friction rows."""
 
     @property
     def share(self) -> float:
-        """Of what friction could carry."""
+        """Share of what friction could carry."""
         return self.force_n / (self.friction * self.normal_n)
 
 
 def delassus(load: Load) -> np.ndarray:
-    """Velocity that an impulse gives each contact where it acts [1/kg], shape [contact, 3, 3]."""
+    """Return the velocity that an impulse gives each contact where it acts [1/kg], shape [contact, 3, 3]."""
     across = np.array([[[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]] for x, y, z, _ in load.contacts])
     turned = across @ np.diag(1.0 / np.array(load.inertia_kg_m2)) @ across.transpose(0, 2, 1)
     return np.eye(3) / load.mass_kg + load.support_inverse_mass_1_kg + turned
@@ -110,13 +109,7 @@ def anchored(load: Load) -> float:
     return 0.0
 
 
-LAWS: Mapping[str, Callable[[Load], float]] = {
-    law.__name__: law for law in (rigid, sap, mixed, tamsi, lagged, stribeck, discrete, anchored)
-}
-"""How fast a body slides under a load [m/s], by name."""
-
-
-def walk_per_s(law: str, load: Load, turn_rad_s: float, radius_m: float) -> float:
-    """How fast the distance of a body from a turning table's axis grows [1/s]."""
-    tangent = 0.0 if law == anchored.__name__ else turn_rad_s**2 * load.step_s / 2.0
-    return tangent + LAWS[law](load) / radius_m
+def walk_per_s(law: Callable[[Load], float], load: Load, turn_rad_s: float, radius_m: float) -> float:
+    """Return how fast the distance of a body from a turning table's axis grows [1/s]."""
+    tangent = 0.0 if law is anchored else turn_rad_s**2 * load.step_s / 2.0
+    return tangent + law(load) / radius_m

@@ -7,8 +7,8 @@ from itertools import product
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Section
 from measured_report.values.quantities import Quantity, Value, absent
-from measured_report.values.results import Results
-from report.shared.arithmetic import Column, other_cell, ratio, share, table_of
+from measured_report.values.results import Results, Row
+from report.shared.arithmetic import Column, cell_count, extreme, other_cell, ratio, share, table_of
 
 order = 187
 page = "limits"
@@ -26,13 +26,11 @@ LAWS = {
     "anchored": "none",
     "": "none derived",
 }
-"""Of the walk. Each gives the sinking as well, by the same v."""
+"""Laws of the walk. Each gives the sinking as well, by the same v."""
 HELPS = {"mujoco": "the term", **dict.fromkeys(("tamsi", "lagged", "stribeck"), "smaller vₛ")}
-"""What takes away from the walk by its law, beside a shorter step."""
+"""Remedies that a law of the walk names, beside a shorter step."""
 GOES_WITH_STEP = 0.75
 """Half the step leaves at most so much of a walk that goes with the step."""
-
-
 MODELS = {
     "mjx": ("MJX", "mujoco"),
     "drake-sap-point": ("Drake, SAP, points", "sap"),
@@ -47,12 +45,24 @@ MODELS = {
     "physx": ("PhysX, TGS", "anchored"),
 }
 TIMECONSTS, STEPS = ("20ms", "10ms"), ("1ms", "2ms", "5ms", "10ms")
-"""Of the runs with MuJoCo's integrator ``discrete``."""
+"""Settings of the runs with MuJoCo's integrator ``discrete``."""
+SOLVERS = {
+    "mujoco": "MuJoCo Warp",
+    "xpbd": "XPBD",
+    "kamino": "Kamino",
+    "featherstone": "Featherstone",
+    "semi-implicit": "semi-implicit",
+    "vbd": "VBD",
+}
+"""Newton's solvers."""
 NEWTONS = {"kamino": ("Newton, Kamino", "step"), "xpbd": ("Newton, XPBD", "")}
-"""Those of Newton's solvers that keep the box, and their laws."""
+"""Those that keep the box, and their laws."""
+WALK_LAW, SINK_LAW = "predicted_growth_per_s", "predicted_creep_mm_s"
 KDS = (100, 50, 20, 10, 5, 2)
 SHAKES = {"stiff-pads": "stiff pads", **{f"pad-kd-{kd}": f"kd {kd}" for kd in KDS}}
-"""Of the test, the pads as shipped have a kd of 100."""
+"""Pads of the test; as shipped they have a kd of 100."""
+Growths = Mapping[tuple[str, str], Value]
+"""Growths by Newton's solver and step, of those that keep the box where it belongs."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +76,7 @@ class Line:
     walk: Value
     walk_law: Value
     short_walk: Value
-    """With half the step."""
+    """Walk with half the step."""
     sink: Value
     sink_law: Value
 
@@ -79,7 +89,8 @@ def derive(results: Results) -> Section:
         unit="%/s",
     )
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, unit="µm/s")
-    lines = _lines(results)
+    lines = [*_mujoco_lines(results), *_model_lines(results), *_newton_lines(results)]
+    mine = next(line for line in lines if line.name == "MJX")
     columns: dict[str, Column] = {
         "release": [line.release for line in lines],
         "walk by law": _shown([line.walk_law for line in lines], walk_bound),
@@ -92,33 +103,224 @@ def derive(results: Results) -> Section:
     }
     said = {"walk_bound": walk_bound, "sink_bound": sink_bound, "long": results.derived["step"]}
     engines = replace(table_of("engine", [line.name for line in lines], columns), numbers=said)
-    rows = [results.row[f"fet028-{shake}"] for shake in SHAKES]
-    test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
-    claims = [_as_their_laws_say(results, lines, walk_bound, sink_bound), _walks_most_in_mujoco(results, lines)]
-    claims += [_anchors_hold(results, lines, walk_bound, sink_bound), _test_lets_through(results)]
-    walks = _discrete_walks(results)
-    mine = next(line.walk for line in lines if line.name == "MJX")
-    claims.append(_discrete_adds_the_step(results, walks, mine))
+    solved = {(solver, step): results.row[f"{solver}-{step}"] for solver, step in product(SOLVERS, (LONG, SHORT))}
+    growths = {
+        key: _percent(results, "_".join(key), row.growth_per_s) for key, row in solved.items() if row and row.stays
+    }
     columns = {
-        f"{timeconst.replace('ms', ' ms')}{said}": [walks[timeconst, step][which] for step in STEPS]
+        f"step of {_spaced(step)}": [_shown_solver(solved, growths, (solver, step)) for solver in SOLVERS]
+        for step in (LONG, SHORT)
+    }
+    solvers = table_of("solver", SOLVERS.values(), columns)
+    walks = _discrete_walks(results)
+    columns = {
+        f"{_spaced(timeconst)}{said}": [walks[timeconst, step][which] for step in STEPS]
         for timeconst in TIMECONSTS
         for which, said in enumerate((" by law", ""))
     }
-    discrete = table_of("step", [step.replace("ms", " ms") for step in STEPS], columns)
-    return Section(tables={"engines": engines, "discrete": discrete, "test": test}, claims=claims)
+    discrete = table_of("step", map(_spaced, STEPS), columns)
+    rows = [results.row[f"fet028-{shake}"] for shake in SHAKES]
+    test = table_of("pads", SHAKES.values(), {"slip": "slip_mm", "drift": "drift_mm_s", "dropped": "dropped"}, rows)
+    return Section(
+        tables={"engines": engines, "solvers": solvers, "discrete": discrete, "test": test},
+        claims=[
+            _as_their_laws_say(results, lines, walk_bound, sink_bound),
+            _walks_most_in_mujoco(results, mine, lines),
+            _anchors_hold(results, lines, walk_bound, sink_bound),
+            _only_here_it_stays(results, solved, growths),
+            _test_lets_through(results),
+            _discrete_adds_the_step(results, walks, mine.walk),
+        ],
+    )
+
+
+def _percent(results: Results, name: str, cell: Quantity) -> Value:
+    return results.value(name, "in percent of the distance from the axis", lambda rate: 100 * rate, cell, unit="%/s")
+
+
+def _spaced(length: str) -> str:
+    return length.replace("ms", " ms")
+
+
+def _mujoco_lines(results: Results) -> list[Line]:
+    """Lines of what other sections measured."""
+    lines = []
+    for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
+        walks = [_of_turntable(results, f"plain-{engine}", column) for column in ("growth_per_s", WALK_LAW)]
+        walks.append(_of_turntable(results, f"half-step-{engine}", "growth_per_s"))
+        sinks = [_of_capsule(results, engine, column) for column in ("steady_creep_mm_s", SINK_LAW)]
+        lines.append(_line(results, engine, (name, name, _newton(results)), "mujoco", walks, sinks))
+    return lines
+
+
+def _of_turntable(results: Results, case: str, column: str) -> Quantity:
+    return other_cell(results, "cure", case, column, unit="1/s")
+
+
+def _of_capsule(results: Results, engine: str, column: str) -> Quantity:
+    return other_cell(results, "scenes", f"within-pads-{engine}", column, unit="mm/s")
+
+
+def _newton(results: Results) -> str:
+    return f"Newton {results.record.identity.packages['newton']}"
+
+
+def _model_lines(results: Results) -> list[Line]:
+    """Lines of the other engines' models."""
+    lines = []
+    for model, (name, law) in MODELS.items():
+        step = "0ms" if law == "stribeck" else LONG
+        long, short, pinch = (
+            results.row[f"{model}-{run}"] for run in (f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}")
+        )
+        laws = [long[WALK_LAW], pinch[SINK_LAW]]
+        if law == "mujoco":  # the equations are MuJoCo's
+            laws = [_of_turntable(results, "plain-c", WALK_LAW), _of_capsule(results, "c", SINK_LAW)]
+        halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
+        walks, sinks = (long.growth_per_s, laws[0], halved), (pinch.creep_mm_s, laws[1])
+        lines.append(_line(results, model.replace("-", "_"), (name, long.engine, long.release), law, walks, sinks))
+    return lines
+
+
+def _newton_lines(results: Results) -> list[Line]:
+    """Lines of those of Newton's solvers that keep the box."""
+    turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
+    long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
+    tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
+    unmeasured, lines = absent("mm/s", "the capsule was not run with this solver"), []
+    for solver, (name, law) in NEWTONS.items():
+        long, short = (results.row[f"{solver}-{step}"].growth_per_s for step in (LONG, SHORT))
+        walks = long, tangent if law else absent("1/s", "no law was derived"), short
+        named = name, "Newton", _newton(results)
+        lines.append(_line(results, solver, named, law, walks, (unmeasured, unmeasured)))
+    return lines
+
+
+def _line(
+    results: Results, key: str, named: Sequence[str], law: str, walks: Sequence[Quantity], sinks: Sequence[Quantity]
+) -> Line:
+    """Derive a line from walks [1/s], measured, by law and with half the step, and sinkings [mm/s]."""
+    names = ("walk", "walk_law", "short_walk")
+    found = {name: _percent(results, f"{key}_{name}", cell) for name, cell in zip(names, walks, strict=True)}
+    for name, cell in zip(("sink", "sink_law"), sinks, strict=True):
+        formula = "how fast the capsule sinks"
+        found[name] = results.value(f"{key}_{name}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s")
+    return Line(*named, law, **found)
+
+
+def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
+    """Return what the table shows: nothing is seen of what is below the bound."""
+    return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
+
+
+def _helps(line: Line, bound: Value) -> str:
+    """Say what takes away from the walk: a shorter step where that was seen, and what its law names."""
+    walk, short = line.walk.value, line.short_walk.value
+    if walk is not None and abs(walk) <= bound.value:
+        return "nothing to help"
+    is_shorter = None not in (walk, short) and abs(short) <= GOES_WITH_STEP * abs(walk)
+    return ", ".join(filter(None, ["shorter step" if is_shorter else "", HELPS.get(line.law, "")])) or "not known"
+
+
+def _shown_solver(rows: Mapping[tuple[str, str], Row], growths: Growths, key: tuple[str, str]) -> Quantity | str:
+    """Return what the table shows of a run: its growth, or how the box was lost."""
+    row = rows[key]
+    if row and not row.stays:
+        return "sinks in or lost" if row.end_radius_mm.value is not None else row.end_radius_mm
+    return growths.get(key) or absent("%/s", "it was not run")
+
+
+def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
+    pairs = [(line.walk, line.walk_law, walk_bound) for line in lines]
+    pairs += [(line.sink, line.sink_law, sink_bound) for line in lines]
+    there = [pair for pair in pairs if None not in (pair[0].value, pair[1].value)]
+    seen = [cell for *both, bound in there if abs(both[1].value) > bound.value for cell in both]
+    rest = [cell for *both, bound in there if abs(both[1].value) <= bound.value for cell in (*both, bound)]
+    formula = "largest departure from the law, of it, where the law gives what can be seen"
+    largest = results.value("law_off", formula, _largest_departure, *seen, unit="%", across=True)
+    formula = "largest difference from the law where it gives less, of what can be seen"
+    part = results.value("rest_share", formula, _largest_part, *rest, unit="%", across=True)
+    engines = len({line.engine for line in lines if line.law})
+    counted = results.value("engine_count", "engines", lambda *found: engines, *seen, across=True)
+    count = results.value("law_count", "numbers that a law gives", lambda *found: len(found) // 2, *seen, across=True)
+    outcome = all_of(at_most(largest, 5.0, why="as the law says"), at_most(part, 100.0, why="nothing is seen"))
+    return Claim("as_their_laws_say", outcome, {"largest": largest, "engines": counted, "count": count})
+
+
+def _largest_departure(*cells: float) -> float:
+    """Return the largest in percent, of numbers and their laws in turn."""
+    return max(100 * abs(a / b - 1) for a, b in zip(cells[::2], cells[1::2], strict=True))
+
+
+def _largest_part(*cells: float) -> float:
+    """Return the largest in percent, of numbers, their laws and bounds in turn."""
+    return max(100 * abs(a - b) / bound for a, b, bound in zip(cells[::3], cells[1::3], cells[2::3], strict=True))
+
+
+def _walks_most_in_mujoco(results: Results, mine: Line, lines: Sequence[Line]) -> Claim:
+    """Nowhere else it walks as fast, and there half the step does not help; by MJX, which ran where the others did."""
+    others = [line.walk for line in lines if line.law != "mujoco" and line.walk.value is not None]
+    worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
+    times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
+    formula = "walk in MuJoCo's MJX with half the step, of that with the whole"
+    kept = share(results, "kept", formula, mine.short_walk, mine.walk)
+    outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
+    numbers = {"mine": mine.walk, "worst": worst, "kept": kept, "short": mine.short_walk}
+    return Claim("walks_most_in_mujoco", outcome, numbers)
+
+
+def _anchors_hold(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
+    line = next(line for line in lines if line.law == "anchored")
+    sizes = [
+        results.value(f"anchored_{name}", f"size of how fast it {name}s", abs, cell, unit=cell.unit)
+        for name, cell in (("walk", line.walk), ("sink", line.sink))
+    ]
+    outcome = all_of(*(at_most(size, bound) for size, bound in zip(sizes, (walk_bound, sink_bound), strict=True)))
+    return Claim("anchors_hold", outcome, {"walk_bound": walk_bound, "sink_bound": sink_bound})
+
+
+def _only_here_it_stays(results: Results, rows: Mapping[tuple[str, str], Row], growths: Growths) -> Claim:
+    """Tell whether half the step halves the walk in Newton's other solvers, and not in MuJoCo Warp."""
+    formula = "growth with half the step over that with the whole"
+    kept = {
+        solver: ratio(results, f"{solver}_kept", formula, growths[solver, SHORT], growths[solver, LONG])
+        for solver in SOLVERS
+        if {(solver, SHORT), (solver, LONG)} <= set(growths)
+    }
+    mine = kept.pop("mujoco", None) or absent("1", "MuJoCo Warp was not run")
+    others = list(kept.values())
+    largest = extreme(results, "others_kept", "largest of the others", max, others)
+    count = cell_count(results, "other_count", "others", others)
+    lost = absent("%/s", "MuJoCo Warp does not hold the box, or was not run")
+    numbers: dict[str, Quantity] = {"largest": largest, "count": count}
+    for name, step in (("long", LONG), ("short", SHORT)):
+        numbers |= {name: rows["mujoco", step].step_ms, f"growth_{name}": growths.get(("mujoco", step)) or lost}
+    outcome = all_of(at_least(mine, 0.9, why="about as much"), at_most(largest, 0.6, why="about half"))
+    return Claim("only_here_it_stays", outcome, numbers)
+
+
+def _test_lets_through(results: Results) -> Claim:
+    """Tell whether the shake as shipped passes the test, and so do pads with which the cube creeps far faster."""
+    bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, unit="mm")
+    shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
+    part = share(results, "shipped_share", "slip as shipped, of the bound", shipped.slip_mm, bound)
+    formula = "slip with the softest that pass, of that as shipped"
+    times = ratio(results, "soft_times", formula, soft.slip_mm, shipped.slip_mm)
+    outcome = all_of(
+        at_most(soft.slip_mm, bound), at_most(shipped.slip_mm, bound), at_least(times, 10.0, why="far more")
+    )
+    numbers = {"slip": shipped.slip_mm, "share": part, "soft": soft.slip_mm, "times": times, "bound": bound}
+    numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}
+    return Claim("test_lets_through", outcome, numbers | {"seconds": shipped.shake_duration_s})
 
 
 def _discrete_walks(results: Results) -> dict[tuple[str, str], tuple[Value, Value]]:
-    """By law and as measured, by time constant and step."""
-
-    def percent(name: str, cell: Quantity) -> Value:
-        return results.value(name, "in percent of the distance", lambda rate: 100 * rate, cell, unit="%/s")
-
+    """Derive the walks by law and as measured, by time constant and step."""
     walks = {}
     for timeconst, step in product(TIMECONSTS, STEPS):
         row, name = results.row[f"discrete-{timeconst}-turntable-{step}"], f"discrete_{timeconst}_{step}"
-        law, measured = percent(f"{name}_law", row.predicted_growth_per_s), percent(name, row.growth_per_s)
-        walks[timeconst, step] = law, measured
+        law = _percent(results, f"{name}_law", row[WALK_LAW])
+        walks[timeconst, step] = law, _percent(results, name, row.growth_per_s)
     return walks
 
 
@@ -140,135 +342,3 @@ def _discrete_adds_the_step(
     )
     numbers = {"largest": largest, "count": count, "before": before, "short": short, "long": long}
     return Claim("discrete_adds_the_step", outcome, numbers | {"step": rows[0].step_ms, "longest": rows[1].step_ms})
-
-
-def _lines(results: Results) -> list[Line]:
-    """Those that other sections have, which are not measured again, and those of this one."""
-    newton, lines = f"Newton {results.record.identity.packages['newton']}", []
-
-    def of_turntable(case: str, column: str, section: str = "turntable") -> Quantity:
-        return other_cell(results, section, case, column, unit="1/s")
-
-    def of_capsule(engine: str, column: str) -> Quantity:
-        return other_cell(results, "capsule", f"within-pads-{engine}", column, unit="mm/s")
-
-    def add(key: str, names: Sequence[str], law: str, walks: Sequence[Quantity], sinks: Sequence[Quantity]) -> None:
-        name, engine, release = names
-        percent = ("walk", "walk_law", "short_walk")
-        found = {
-            what: results.value(
-                f"{key}_{what}", "in percent of the distance", lambda rate: 100 * rate, cell, unit="%/s"
-            )
-            for what, cell in zip(percent, walks, strict=True)
-        }
-        for what, cell in zip(("sink", "sink_law"), sinks, strict=True):
-            formula = "how fast the capsule sinks"
-            found[what] = results.value(f"{key}_{what}", formula, lambda rate: 1e3 * rate, cell, unit="µm/s")
-        lines.append(Line(name, engine, release, law, **found))
-
-    for engine, name in (("c", "MuJoCo C"), ("warp", "MuJoCo Warp")):
-        plain = [of_turntable(f"plain-{engine}", column) for column in ("growth_per_s", "predicted_growth_per_s")]
-        walks = [*plain, of_turntable(f"half-step-{engine}", "growth_per_s")]
-        sinks = [of_capsule(engine, column) for column in ("steady_creep_mm_s", "predicted_creep_mm_s")]
-        add(engine, (name, name, newton), "mujoco", walks, sinks)
-    for model, (name, law) in MODELS.items():
-        step = "0ms" if law == "stribeck" else LONG
-        long, short, pinch = (
-            results.row[f"{model}-{run}"] for run in (f"turntable-{step}", f"turntable-{SHORT}", f"pinch-{step}")
-        )
-        laws = [long.predicted_growth_per_s, pinch.predicted_creep_mm_s]
-        if law == "mujoco":  # the equations are MuJoCo's
-            laws = [of_turntable("plain-c", "predicted_growth_per_s"), of_capsule("c", "predicted_creep_mm_s")]
-        halved = absent("1/s", "continuous time has no step") if law == "stribeck" else short.growth_per_s
-        walks = [long.growth_per_s, laws[0], halved]
-        add(model.replace("-", "_"), (name, long.engine, long.release), law, walks, (pinch.creep_mm_s, laws[1]))
-    turn = results.chosen("turn", "given: how fast the table turns", 2.0, unit="rad/s")
-    long_ms = results.chosen("step", "given: the time step", 2.0, unit="ms")
-    tangent = results.value("tangent", "ω²h/2", lambda turn, ms: 1e-3 * turn**2 * ms / 2, turn, long_ms, unit="1/s")
-    unmeasured = absent("mm/s", "the capsule was not run with this solver")
-    for solver, (name, law) in NEWTONS.items():
-        measured = [of_turntable(f"{solver}-{each}", "growth_per_s", "turntable_solvers") for each in (LONG, SHORT)]
-        walks = [measured[0], tangent if law else absent("1/s", "no law was derived"), measured[1]]
-        add(solver, (name, "Newton", newton), law, walks, (unmeasured, unmeasured))
-    return lines
-
-
-def _shown(cells: Sequence[Value], bound: Value) -> list[Quantity | str]:
-    """What the table shows: nothing is seen of what is below the bound."""
-    return ["not seen" if cell.value is not None and abs(cell.value) <= bound.value else cell for cell in cells]
-
-
-def _helps(line: Line, bound: Value) -> str:
-    """What takes away from the walk: a shorter step where that was seen, and what its law names."""
-    walk, short = line.walk.value, line.short_walk.value
-    if walk is not None and abs(walk) <= bound.value:
-        return "nothing to help"
-    is_shorter = None not in (walk, short) and abs(short) <= GOES_WITH_STEP * abs(walk)
-    return ", ".join(filter(None, ["shorter step" if is_shorter else "", HELPS.get(line.law, "")])) or "not known"
-
-
-def _as_their_laws_say(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
-    pairs = [(line.walk, line.walk_law, walk_bound) for line in lines]
-    pairs += [(line.sink, line.sink_law, sink_bound) for line in lines]
-    there = [pair for pair in pairs if None not in (pair[0].value, pair[1].value)]
-    seen = [cell for *both, bound in there if abs(both[1].value) > bound.value for cell in both]
-    rest = [cell for *both, bound in there if abs(both[1].value) <= bound.value for cell in (*both, bound)]
-    formula = "largest departure from the law, of it, where the law gives what can be seen"
-    largest = results.value("law_off", formula, _largest_departure, *seen, unit="%", across=True)
-    formula = "largest difference from the law where it gives less, of what can be seen"
-    part = results.value("rest_share", formula, _largest_part, *rest, unit="%", across=True)
-    engines = len({line.engine for line in lines if line.law})
-    counted = results.value("engine_count", "engines", lambda *found: engines, *seen, across=True)
-    count = results.value("law_count", "numbers that a law gives", lambda *found: len(found) // 2, *seen, across=True)
-    outcome = all_of(at_most(largest, 5.0, why="as the law says"), at_most(part, 100.0, why="nothing is seen"))
-    return Claim("as_their_laws_say", outcome, {"largest": largest, "engines": counted, "count": count})
-
-
-def _largest_departure(*cells: float) -> float:
-    """In percent, of numbers and their laws in turn."""
-    return max(100 * abs(a / b - 1) for a, b in zip(cells[::2], cells[1::2], strict=True))
-
-
-def _largest_part(*cells: float) -> float:
-    """In percent, of numbers, their laws and bounds in turn."""
-    return max(100 * abs(a - b) / bound for a, b, bound in zip(cells[::3], cells[1::3], cells[2::3], strict=True))
-
-
-def _walks_most_in_mujoco(results: Results, lines: Sequence[Line]) -> Claim:
-    """Nowhere else it walks as fast, and there half the step does not help; by MJX, which ran where the others did."""
-    mine = next(line for line in lines if line.name == "MJX")
-    others = [line.walk for line in lines if line.law != "mujoco" and line.walk.value is not None]
-    worst = results.value("worst_other", "fastest walk in another engine", max, *others, unit="%/s")
-    times = ratio(results, "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk, worst)
-    formula = "walk in MuJoCo's MJX with half the step, of that with the whole"
-    kept = share(results, "kept", formula, mine.short_walk, mine.walk)
-    outcome = all_of(at_least(times, 1.5, why="much faster"), at_least(kept, 90.0, why="about as much"))
-    numbers = {"mine": mine.walk, "worst": worst, "kept": kept, "short": mine.short_walk}
-    return Claim("walks_most_in_mujoco", outcome, numbers)
-
-
-def _anchors_hold(results: Results, lines: Sequence[Line], walk_bound: Value, sink_bound: Value) -> Claim:
-    line = next(line for line in lines if line.law == "anchored")
-    sizes = [
-        results.value(f"anchored_{name}", f"size of how fast it {name}s", abs, cell, unit=cell.unit)
-        for name, cell in (("walk", line.walk), ("sink", line.sink))
-    ]
-    outcome = all_of(*(at_most(size, bound) for size, bound in zip(sizes, (walk_bound, sink_bound), strict=True)))
-    return Claim("anchors_hold", outcome, {"walk_bound": walk_bound, "sink_bound": sink_bound})
-
-
-def _test_lets_through(results: Results) -> Claim:
-    """Tell whether the shake as shipped passes the test, and so do pads with which the cube creeps far faster."""
-    bound = results.chosen("test_bound", "the test passes below 3 cm", 30.0, unit="mm")
-    shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
-    part = share(results, "shipped_share", "slip as shipped, of the bound", shipped.slip_mm, bound)
-    times = ratio(
-        results, "soft_times", "slip with the softest that pass, of that as shipped", soft.slip_mm, shipped.slip_mm
-    )
-    numbers = {"slip": shipped.slip_mm, "share": part, "soft": soft.slip_mm, "times": times}
-    outcome = all_of(
-        at_most(soft.slip_mm, bound), at_most(shipped.slip_mm, bound), at_least(times, 10.0, why="far more")
-    )
-    numbers |= {"amplitude": shipped.shake_amplitude_m, "frequency": shipped.shake_frequency_hz}
-    numbers |= {"seconds": shipped.shake_duration_s, "bound": bound}
-    return Claim("test_lets_through", outcome, numbers)

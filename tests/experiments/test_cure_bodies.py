@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from experiments import cure_bodies, cure_envelope, cure_limits, drift_law, stiffness, turntable_solvers
+from experiments import cure_bodies, cure_envelope, cure_limits, drift_law, stiffness
 from experiments.cure import BEST
 from experiments.envelope import MAP_SIZE, map_cells
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
@@ -78,9 +78,3 @@ def test_how_bodies_roll_spin_and_slide(paths):
     far = cure_bodies.SPEED_M_S**2 / (2.0 * cure_bodies.FRICTION * cure_bodies.GRAVITY)
     for way in ("plain", "term"):
         assert paths["slide", "mesh", way][-1][0] == pytest.approx(far, rel=0.08)
-
-
-def test_in_other_solvers_the_box_starts_in_rest_on_the_table():
-    model = turntable_solvers.build("cpu")
-    assert model.joint_qd.numpy()[[0, 2]] == pytest.approx([2.0, 0.4])
-    assert model.body_q.numpy().shape == (2, 7)

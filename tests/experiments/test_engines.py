@@ -1,4 +1,4 @@
-"""Other engines: their laws, how rows are made of what an engine answers, and an engine that is not there."""
+"""Other engines: their laws, rows of what an engine answers, an engine that is not there, and Newton's solvers."""
 
 import json
 import math
@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from experiments import engines
-from experiments.engines import laws
+from experiments.engines import laws, newton_solvers, scenes
 from experiments.scenes import capsule
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
@@ -20,13 +20,10 @@ LOAD = laws.Load(0.16, (1.0, 0.0, 0.0), 1.0, 2.0, 0.002, 1e-3, FEET, 0.2, (3e-4,
 
 
 def test_regularized_friction_carries_the_load_at_the_speed_that_its_law_gives():
-    x, s = LOAD.share, {name: laws.LAWS[name](LOAD) / LOAD.stiction_m_s for name in ("tamsi", "lagged", "stribeck")}
-    carried = {
-        "tamsi": s["tamsi"] * (2.0 - s["tamsi"]),
-        "lagged": s["lagged"] / math.hypot(1.0, s["lagged"]),
-        "stribeck": s["stribeck"] ** 3 * (10.0 - 15.0 * s["stribeck"] + 6.0 * s["stribeck"] ** 2),
-    }
-    assert carried == pytest.approx(dict.fromkeys(carried, x))
+    tamsi, lagged, stribeck = (law(LOAD) / LOAD.stiction_m_s for law in (laws.tamsi, laws.lagged, laws.stribeck))
+    assert tamsi * (2.0 - tamsi) == pytest.approx(LOAD.share)
+    assert lagged / math.hypot(1.0, lagged) == pytest.approx(LOAD.share)
+    assert stribeck**3 * (10.0 - 15.0 * stribeck + 6.0 * stribeck**2) == pytest.approx(LOAD.share)
 
 
 def test_an_impulse_moves_the_place_where_it_acts_as_the_bodys_masses_say():
@@ -47,25 +44,25 @@ def test_with_sap_contacts_share_the_load_until_one_of_them_slides():
 
 
 def test_a_box_goes_along_the_tangent_unless_friction_pulls_it_back():
-    assert laws.walk_per_s("rigid", LOAD, 2.0, 0.2) == pytest.approx(0.004)
-    assert laws.walk_per_s("anchored", LOAD, 2.0, 0.2) == 0.0
+    assert laws.walk_per_s(laws.rigid, LOAD, 2.0, 0.2) == pytest.approx(0.004)
+    assert laws.walk_per_s(laws.anchored, LOAD, 2.0, 0.2) == 0.0
     slid = laws.tamsi(LOAD)
-    assert laws.walk_per_s("tamsi", replace(LOAD, step_s=0.0), 2.0, 0.2) == pytest.approx(slid / 0.2)
+    assert laws.walk_per_s(laws.tamsi, replace(LOAD, step_s=0.0), 2.0, 0.2) == pytest.approx(slid / 0.2)
 
 
 def test_with_discrete_half_the_step_adds_to_the_walk():
     """By hand: ω² (1/b + h/2), 1/b = 0.95 · 0.02 s / 2; that a row yields adds its share of 1/b + h."""
     stiff = replace(LOAD, timeconst_s=0.02, yields_1_kg=0.0)
-    assert laws.walk_per_s("discrete", stiff, 2.0, 0.2) == pytest.approx(4.0 * (0.0095 + 0.001))
+    assert laws.walk_per_s(laws.discrete, stiff, 2.0, 0.2) == pytest.approx(4.0 * (0.0095 + 0.001))
     yielding = replace(stiff, yields_1_kg=0.4)
-    assert laws.walk_per_s("discrete", yielding, 2.0, 0.2) == pytest.approx(0.042 + 4.0 * 0.02 * (0.0095 + 0.002))
+    assert laws.walk_per_s(laws.discrete, yielding, 2.0, 0.2) == pytest.approx(0.042 + 4.0 * 0.02 * (0.0095 + 0.002))
 
 
 def test_rows_of_what_an_engine_answers():
     """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
     time_s = np.arange(41) * engines.SAMPLE_S
-    [model] = [model for model in engines.MODELS if model.law == "rigid"]
-    table, pinch = engines.turntable(4.0), engines.pinch(4.0)
+    [model] = [model for model in engines.MODELS if model.law is laws.rigid]
+    table, pinch = scenes.turntable(4.0), scenes.pinch(4.0)
     walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
     row = engines.growth_columns(model, table, 0.002, {"path": walking.tolist()})
     assert (row["growth_per_s"], row["predicted_growth_per_s"]) == pytest.approx((0.01, 0.004))
@@ -92,22 +89,20 @@ def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(tmp
 
 
 def test_what_goes_wrong_in_one_run_leaves_the_others(tmp_path):
-    code = (
-        "import sys; sys.path.insert(0, sys.argv.pop(1)); import apart; apart.answer(lambda scene, step_s: 1 / scene)"
-    )
     asked = [{"scene": scene, "step_s": 0, "options": {}} for scene in (0, 2)]
     (tmp_path / "asked").write_text(json.dumps(asked))
-    call = [sys.executable, "-c", code, ROOT / "assets/engines", tmp_path / "asked", tmp_path / "answer"]
-    subprocess.run(call, check=True)
+    (tmp_path / "run.py").write_text("from apart import sampled\nrun = lambda scene, step_s: 1 / scene")
+    places = [tmp_path / name for name in ("run.py", "asked", "answer")]
+    subprocess.run([sys.executable, ROOT / engines.APART, *places], check=True)
     assert json.loads((tmp_path / "answer").read_text()) == [{"reason": "division by zero"}, 0.5]
 
 
 def test_scenes_say_what_the_engines_are_told():
-    pads = engines.pinch(1.0)["supports"]
-    assert [pad["force_n"] for pad in pads] == [engines.PRESS_N, -engines.PRESS_N]
+    pads = scenes.pinch(1.0)["supports"]
+    assert [pad["force_n"] for pad in pads] == [scenes.PRESS_N, -scenes.PRESS_N]
     reach = [abs(pad["place"][0]) - pad["half_size"][0] for pad in pads]
     assert reach == pytest.approx([capsule.RADIUS_M] * 2)
-    foot = engines.turntable(1.0)["body"]
+    foot = scenes.turntable(1.0)["body"]
     assert foot["place"][2] + foot["feet"][0][2] - foot["foot_m"] == pytest.approx(0.05)  # where the table ends
 
 
@@ -116,3 +111,15 @@ def test_each_engine_is_locked_and_its_script_is_there(engine):
     assert (ROOT / engine.script).is_file()
     assert all("==" in requirement for requirement in engine.requirements)
     assert engine.release.split()[-1] in engine.requirements[0]
+
+
+def test_in_newton_the_box_starts_in_rest_on_the_table_and_stays_or_is_lost():
+    model = newton_solvers.build("cpu")
+    assert model.joint_qd.numpy()[[0, 2]] == pytest.approx([2.0, 0.4])
+    assert model.body_q.numpy().shape == (2, 7)
+    time_s = np.arange(41) * engines.SAMPLE_S
+    walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
+    row = newton_solvers.columns(walking, 2.0)
+    assert row["stays"] and (row["growth_per_s"], row["end_turn_mrad_s"]) == pytest.approx((0.01, 2000.0))
+    assert newton_solvers.columns(walking - [[0.0, 0.0, 0.1 * (each > 3.0)] for each in time_s], 2.0)["stays"] is False
+    assert newton_solvers.columns(np.nan * walking, 2.0)["growth_per_s"] is None

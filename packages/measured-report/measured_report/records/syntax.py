@@ -8,7 +8,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-ASSETS = "assets/"
+ASSETS = ("assets/", "experiments/")
+"""Where files lie that a program reads or starts by their path."""
 GAP = "·"
 EFFECTS = ""
 """The name under which is kept what a module does besides defining names."""

@@ -1,12 +1,14 @@
 """A body on balls between supports, in PhysX on the CPU, as SAPIEN brings it: TGS, patch friction."""
 
 import sapien
-from apart import answer, sampled
+from apart import sampled
 from sapien import physx
 
 
 def run(scene, step_s):
-    physx.set_body_config(body_config())
+    config = physx.PhysxBodyConfig()
+    config.sleep_threshold = 0.0
+    physx.set_body_config(config)
     stage = sapien.Scene([physx.PhysxCpuSystem()])
     stage.set_timestep(step_s)
     material = physx.PhysxMaterial(scene["friction"], scene["friction"], 0.0)
@@ -37,15 +39,8 @@ def run(scene, step_s):
     return {"path": sampled(scene, step_s, lambda: entity.pose.p, step)}
 
 
-def body_config():
-    """Bodies that never sleep."""
-    config = physx.PhysxBodyConfig()
-    config.sleep_threshold = 0.0
-    return config
-
-
 def add(stage, shapes, mass_kg, inertia, place):
-    """A body without damping, in its place."""
+    """Add a body without damping, in its place."""
     body, entity = physx.PhysxRigidDynamicComponent(), sapien.Entity()
     for shape in shapes:
         body.attach(shape)
@@ -55,6 +50,3 @@ def add(stage, shapes, mass_kg, inertia, place):
     entity.pose = sapien.Pose(place)
     stage.add_entity(entity)
     return body, entity
-
-
-answer(run)

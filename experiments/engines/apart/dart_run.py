@@ -2,7 +2,7 @@
 
 import dartpy
 import numpy as np
-from apart import answer, sampled
+from apart import sampled
 
 dynamics = dartpy.dynamics
 
@@ -42,22 +42,17 @@ def run(scene, step_s):
 
     path = sampled(scene, step_s, lambda: body.getWorldTransform().translation(), step)
     to_body = body.getWorldTransform().inverse()
-    touched = [[*to_body.multiply(each.point), each.force @ each.normal] for each in contacts(world)]
+    touched = [
+        [*to_body.multiply(each.point), each.force @ each.normal]
+        for each in world.getLastCollisionResult().getContacts()
+    ]
     return {"path": path, "contacts": [list(map(float, each)) for each in touched]}
 
 
 def shape(body, kind, friction):
-    """A shape on a body."""
+    """Add a shape to a body."""
     node = body.createShapeNode(kind)
     node.createCollisionAspect()
     node.createDynamicsAspect()
     node.getDynamicsAspect().setFrictionCoeff(friction)
     return node
-
-
-def contacts(world):
-    """What was touched in the last step."""
-    return world.getLastCollisionResult().getContacts()
-
-
-answer(run)

@@ -2,11 +2,11 @@
 
 import mujoco
 import numpy as np
-from apart import answer, sampled, samples
+from apart import sampled, samples
 
 
 def run(scene, step_s, discrete=False, timeconst_s=0.02):
-    """The last body is what is looked at."""
+    """Run it and look at the last body."""
     model = mujoco.MjModel.from_xml_string(scene["mjcf"])
     model.opt.timestep, model.geom_solref[:, 0] = step_s, timeconst_s
     data = mujoco.MjData(model)
@@ -17,7 +17,7 @@ def run(scene, step_s, discrete=False, timeconst_s=0.02):
 
 
 def in_c(model, data, scene, place):
-    """With the regularization of the first contact's first friction row [1/kg]."""
+    """Step in MuJoCo C, and tell the regularization of the first contact's first friction row [1/kg]."""
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_DISCRETE
     path = sampled(scene, model.opt.timestep, lambda: data.qpos[place], lambda: mujoco.mj_step(model, data))
     return {"path": path, "regularization_1_kg": float(data.efc_R[1]), "contacts": [[0.0] * 4] * data.ncon}
@@ -39,6 +39,3 @@ def in_mjx(model, data, scene, place):
         state = sample(state)
         path.append(state.qpos)
     return {"path": [np.asarray(qpos, dtype=float)[place].tolist() for qpos in path]}
-
-
-answer(run)

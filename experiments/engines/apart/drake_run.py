@@ -1,7 +1,7 @@
 """A body on balls between supports, in Drake: discrete with SAP, TAMSI or a lagged cone, or continuous."""
 
 import numpy as np
-from apart import answer, samples
+from apart import samples
 from pydrake.geometry import (
     AddCompliantHydroelasticProperties,
     AddContactMaterial,
@@ -26,7 +26,7 @@ ACCURACY = 1e-6
 
 
 def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
-    """``contact`` is point or hydroelastic; a step of 0 is continuous time."""
+    """Run it with ``contact`` point or hydroelastic; a step of 0 is continuous time."""
     builder = DiagramBuilder()
     config = MultibodyPlantConfig(time_step=step_s, contact_model=contact, stiction_tolerance=stiction_m_s)
     if step_s:
@@ -77,7 +77,7 @@ def run(scene, step_s, contact, stiction_m_s, approximation="sap"):
 
 
 def properties(scene, contact, rigid):
-    """Material of a shape."""
+    """Make the material of a shape."""
     found = ProximityProperties()
     if contact == "hydroelastic" and rigid:
         AddRigidHydroelasticProperties(0.1, found)
@@ -90,7 +90,7 @@ def properties(scene, contact, rigid):
 
 
 def contacts(found):
-    """Where contacts are, and their normal forces [N]: points, or the middles of the faces of contact surfaces."""
+    """Yield the contacts, places and normal forces [N]: points, or the middles of the faces of contact surfaces."""
     for number in range(found.num_point_pair_contacts()):
         info = found.point_pair_contact_info(number)
         yield info.contact_point(), abs(info.contact_force() @ info.point_pair().nhat_BA_W)
@@ -100,6 +100,3 @@ def contacts(found):
         for face in range(surface.num_faces()):
             place = surface.centroid(face)
             yield place, surface.area(face) * pressure.EvaluateCartesian(face, place)
-
-
-answer(run)

@@ -1,14 +1,14 @@
 """A body on balls between supports, in PyBullet."""
 
 import pybullet
-from apart import answer, sampled
+from apart import sampled
 
 JOINTS = {"hinge": pybullet.JOINT_REVOLUTE, "slide": pybullet.JOINT_PRISMATIC}
 FREE = {"linearDamping": 0.0, "angularDamping": 0.0, "activationState": pybullet.ACTIVATION_STATE_DISABLE_SLEEPING}
 
 
 def run(scene, step_s):
-    """With the engine's own number of iterations, all of them used."""
+    """Run it with the engine's own number of iterations, all of them used."""
     pybullet.resetSimulation()
     pybullet.setGravity(0.0, 0.0, -scene["gravity_m_s2"])
     pybullet.setPhysicsEngineParameter(fixedTimeStep=step_s, solverResidualThreshold=0.0)
@@ -54,4 +54,3 @@ def run(scene, step_s):
 
 
 pybullet.connect(pybullet.DIRECT)
-answer(run)
