@@ -22,15 +22,12 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
 from report.media.replay import REPLAY, replay_page, script
-from report.names import name_of
-from report.story.found import Found
+from report.story.found import CASES, Found
 
-__all__ = ["Extras", "card", "name_of", "scripts"]
+__all__ = ["Extras", "card", "scripts"]
 MEDIA = Path(__file__).with_name("media")
 LAB = ROOT / "assets/lab"
 """The engine that a page runs, and the scripts that do."""
-CARD_CASES = {"shipped pads": "as-shipped", "stiff pads": "stiff-pads"}
-"""What the picture of links shows of each release, by its name there."""
 
 
 class Extras(extras.Extras):
@@ -118,7 +115,7 @@ def _slips(edition: Edition) -> dict[str, Quantity | None]:
     rows = [chapter.results.row for chapter in edition.chapters.values()]
     return {
         label: next((row[case].slip_mm for row in rows if case in row and "slip_mm" in row[case]), None)
-        for label, case in CARD_CASES.items()
+        for case, label in CASES.items()
     }
 
 

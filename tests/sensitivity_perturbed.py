@@ -126,9 +126,7 @@ class Perturbation:
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{NOISE}.json")
         floors = noise_floors([noise]) if noise else tracked.floors
-        return PerturbedResults(
-            record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.name_of, traces
-        )
+        return PerturbedResults(record, tracked.path, tracked.others, {}, floors, tracked.label, tracked.labels, traces)
 
 
 def of_editions(editions: Mapping[str, Edition], templates: Templates) -> Perturbation:

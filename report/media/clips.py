@@ -10,7 +10,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
-from report.names import name_of
+from report.story.found import CASES
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Clips:
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
         """The runs of a clip, and how far the cube has moved at its end."""
-        return {name_of(name): row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
+        return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
 
     def _sources(self, row: Row) -> Markup:
         there = [slip.source for slip in self._moved(row).values() if slip.value is not None]

@@ -6,6 +6,12 @@ from report.shared.variants import variant_section, variants_of
 
 order = 30
 label = "contact points"
+labels = {
+    "contacts-#hz": "contacts at {} Hz",
+    "contacts-mujoco": "contacts found by MuJoCo",
+    "engine-mujoco-c": "MuJoCo's C engine",
+    "pads-convex-mesh": "pads as convex meshes",
+}
 
 
 def derive(results: Results) -> Section:

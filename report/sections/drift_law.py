@@ -33,6 +33,13 @@ from report.shared.drawing import mark_points
 order = 91
 page = "cause"
 label = "law of the drift"
+labels = {
+    "pad-ke-2.5e3": "shipped pads",
+    "pad-ke-2.5e5": "stiff pads",
+    "pad-ke-#": "pads' ke {}, kd with it",
+    "sweep-ke-#": "pads' ke {}, kd with it",
+    "solimp-dmax-#": "dmax {}",
+}
 
 PARTS = {"left_out": "the term", "step": "step"}
 """Columns of the large parts, and what they are called."""

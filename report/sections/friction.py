@@ -8,6 +8,7 @@ from report.shared.variants import Variants, variant_section, variants_of
 
 order = 40
 label = "friction coefficient"
+labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}
 
 
 def derive(results: Results) -> Section:

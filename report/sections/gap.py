@@ -7,13 +7,13 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, decreases, equal_w
 from measured_report.parts.figures import FAINT, INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import noise_floor, share, spread
 from report.shared.drawing import SHIPPED
 from report.shared.variants import is_small
 
 order = 110
 label = "contact gap"
+labels = {"cube-gap-default": "default gap", "cube-gap-#": "cube's gap {} m", "all-gaps-zero": "no contact gap"}
 
 CASES = ("cube-gap-default", "cube-gap-0.005", "all-gaps-zero")
 
@@ -26,7 +26,7 @@ def derive(results: Results) -> Section:
         draw=lambda: _draw_contacts(there),
         sources=[column for row in rows for column in (row.mean_row_count, row.mean_loaded_row_count)],
         numbers={
-            "cases": [(name_of(row.case), row.mean_loaded_row_count, row.mean_row_count) for row in there],
+            "cases": [(row.label, row.mean_loaded_row_count, row.mean_row_count) for row in there],
             "is_so": all_of(listed.outcome, carry.outcome) == HOLDS,
         },
     )
@@ -58,7 +58,7 @@ def _contact_claims(rows: list[Row]) -> tuple[Claim, Claim]:
 
 def _draw_contacts(rows: list[Row]) -> Drawing:
     drawing, axes = new_figure(7.2, 2.2)
-    names, loaded = [name_of(row.case) for row in rows], np.array([row.mean_loaded_row_count.value for row in rows])
+    names, loaded = [row.label for row in rows], np.array([row.mean_loaded_row_count.value for row in rows])
     idle = np.array([row.mean_row_count.value for row in rows]) - loaded
     axes.barh(names, loaded, height=0.6, color=SHIPPED, edgecolor=INK, linewidth=0.6, label="carry force")
     axes.barh(names, idle, left=loaded, height=0.6, color=FAINT, edgecolor=INK, linewidth=0.6, label="carry none")

@@ -9,6 +9,15 @@ from report.shared.arithmetic import by_case, cell_or_absent
 order = 26
 page = "lab"
 label = "measure it"
+labels = {
+    "as-shipped": "shipped pads",
+    "as-shipped-10cm": "shipped pads, 10 cm",
+    "stiff-pads-10cm": "stiff pads, 10 cm",
+    "term": "term put back",
+    "whole-cure": "the whole cure",
+    "cone-pyramidal": "pyramidal cone",
+    "hold": "arm held still",
+}
 
 COLUMNS = {"slip": "slip_mm", "drift": "drift_mm_s", "friction used": "cone_use", "class": "class"}
 MIDPHASE = "impratio-1-midphase"

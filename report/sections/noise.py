@@ -12,16 +12,17 @@ from measured_report.parts.claim import HOLDS, NEAR_NOISE, Claim, all_of, at_lea
 from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.records.columns import column_of
+from measured_report.values.labels import label_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import cell_count, extreme, share, size_difference, spread, table_of
 from report.shared.drawing import SHIPPED, STIFF, mark_points
 
 order = 20
 page = "method"
 label = "the same again"
+labels = {"as-shipped": "shipped pads"}
 
 METRICS, UNITS = {"slip": "slip_mm", "drift": "drift_mm_s"}, {"slip": "mm", "drift": "mm/s"}
 SMALL = "far less than what is looked for"
@@ -50,7 +51,7 @@ class Group:
 
     @property
     def label(self) -> str:
-        return f"{name_of(self.case)}, {'in a batch' if self.kind == 'batch' else 'alone'}"
+        return f"{label_of(self.case, labels)}, {'in a batch' if self.kind == 'batch' else 'alone'}"
 
     def cells(self, metric: str) -> list[Quantity]:
         return [row[METRICS[metric]] for row in self.rows]

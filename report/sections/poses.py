@@ -7,6 +7,12 @@ from report.shared.arithmetic import noise_floor, table_of
 
 order = 25
 label = "see it move"
+labels = {
+    "as-shipped": "shipped pads",
+    "as-shipped-10cm": "shipped pads, 10 cm",
+    "stiff-pads-10cm": "stiff pads, 10 cm",
+    "hold-#s": "arm held still, {} s",
+}
 
 NAMES = {
     "as-shipped": "shipped pads",

@@ -7,13 +7,18 @@ from measured_report.parts.claim import HOLDS, Claim, all_of, at_most, greater, 
 from measured_report.parts.figures import SERIES, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.results import Results, Row
-from report.names import name_of
 from report.shared.arithmetic import noise_floor, settles, share, spread
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 100
 page = "fix"
 label = "whose material counts"
+labels = {
+    "cube-ke-#": "cube's ke {}",
+    "pad-ke-2.5e5": "stiff pads",
+    "priority-0": "equal priorities",
+    "priority-0-cube-ke-8e5": "equal priorities, stiffer cube",
+}
 
 CUBE = ("cube-ke-8e3", "cube-ke-8e4", "cube-ke-8e5")
 RESOLVED = ("timeconst_s", "dampratio", "friction", "dmin", "dmax")
@@ -23,7 +28,7 @@ EXACT = "what a material gives is exact"
 
 def derive(results: Results) -> Section:
     rows, shipped = results.rows, results.row["cube-ke-8e4"]
-    said = Markup("; ").join(Markup("{}: {}").format(name_of(row.case), row.slip_mm) for row in rows)
+    said = Markup("; ").join(Markup("{}: {}").format(row.label, row.slip_mm) for row in rows)
     moves = _cube_does_not_move_slip(results)
     pads_alone = all_of(moves.outcome, settles(shipped.slip_mm, results.row["pad-ke-2.5e5"].slip_mm)) == HOLDS
     numbers = {"slips": said, "pads_alone": pads_alone}
@@ -75,7 +80,7 @@ def _draw_slips(rows: list[Row]) -> Drawing:
         colour = STIFF if "pad_ke" in row else SHIPPED if row.case in CUBE else SERIES[5]
         axes.barh(place, row.slip_mm.value, color=colour, height=0.65)
         say_value(axes, row.slip_mm.value, place, write(row.slip_mm))
-    axes.set_yticks(range(len(there)), [name_of(row.case) for row in there])
+    axes.set_yticks(range(len(there)), [row.label for row in there])
     axes.margins(x=0.12)
     axes.set_xlim(left=0.0)
     axes.grid(visible=False, axis="y")

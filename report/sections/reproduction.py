@@ -14,16 +14,23 @@ from measured_report.parts.figures import INK, new_figure
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row, Series
-from report.names import name_of
 from report.shared import arithmetic
 from report.shared.arithmetic import DEVICES, departure, needs_shaking, ratio
 from report.shared.drawing import SHIPPED, STIFF
 
 order = 10
 label = "the shake test"
+labels = {
+    "as-shipped": "shipped pads",
+    "hold": "arm held still",
+    "as-shipped-mujoco-c": "shipped pads, MuJoCo C",
+    "stiff-pads-mujoco-c": "stiff pads, MuJoCo C",
+    "as-shipped-warp-cpu": "shipped pads, Warp on the CPU",
+    "stiff-pads-warp-cpu": "stiff pads, Warp on the CPU",
+}
 
-CALIBRATED = ("as-shipped", "stiff-pads")
-"""Cases that are run on every engine and device."""
+CALIBRATED = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
+"""Cases that are run on every engine and device, and what figures call them."""
 OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
 """Where the cases were measured besides, by how their names end."""
 SCENE: tuple[tuple[str, int, str], ...] = (("cube_edge", 40, "mm"), ("cube_mass", 32, "g"), ("frame_rate", 60, "1/s"))
@@ -161,7 +168,7 @@ def _draw_increments(traces: dict[str, Series], frequency_hz: float) -> Drawing:
     for (name, trace), colour in zip(traces.items(), (SHIPPED, STIFF), strict=True):
         if trace.value is not None:
             increments = _cycle_increments(trace.value, frequency_hz)
-            axes.plot(range(1, len(increments) + 1), increments, color=colour, label=name_of(name), markevery=1)
+            axes.plot(range(1, len(increments) + 1), increments, color=colour, label=CALIBRATED[name], markevery=1)
     axes.axhline(0.0, color=INK, linewidth=0.8)
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlabel("shake cycle")

@@ -11,6 +11,14 @@ from report.shared.variants import Variants, variant_section, variants_of
 
 order = 50
 label = "solver and time step"
+labels = {
+    "iterations-15": "shipped settings",
+    "iterations-#": "{} iterations",
+    "tolerance-#": "tolerance {}",
+    "cone-pyramidal": "pyramidal cone",
+    "as-shipped-warp-noslip": "shipped pads, MuJoCo Warp, noslip",
+    "stiff-pads-warp-noslip": "stiff pads, MuJoCo Warp, noslip",
+}
 
 ENGINES = {"mujoco-c": "MuJoCo's C engine", "warp": "MuJoCo Warp"}
 PADS = ("as-shipped", "stiff-pads")

@@ -5,14 +5,17 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from markupsafe import Markup
+
 from measured_report.parts.claim import FAILS, Bound, Claim, Outcome, at_most
 from measured_report.parts.section import Table
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.names import case_html
 
 Column = str | Callable[[Row], Any] | Sequence
 """A column of a table: a column of the record, what makes a cell of a row, or the cells."""
+NAMED_COUNT = 6
+"""Cases that a sentence names at most."""
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 SETTLES = ("a change that settles the matter", 10.0)
@@ -140,7 +143,22 @@ def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quant
 
 def by_case(rows: Sequence[Row], columns: Mapping[str, Column], **numbers: Quantity | str | bool) -> Table:
     """Make a table with a line for each row, under the name of its case."""
-    return table_of("case", [case_html(row.case) for row in rows], columns, rows, **numbers)
+    return table_of("case", [case_html(row) for row in rows], columns, rows, **numbers)
+
+
+def case_html(row: Row) -> Markup:
+    """Return the label of a row's case, its code name in the title."""
+    return Markup('<span class="case" title="{}">{}</span>').format(row["case"], row.label)
+
+
+def cases_html(rows: Iterable[Row]) -> Markup:
+    """Name cases in a sentence; ``none`` where there are none."""
+    return Markup("; ").join(map(case_html, rows)) or Markup("none")
+
+
+def some_html(names: Sequence[Markup]) -> Markup:
+    """Name as many as a sentence can hold, and that there are others."""
+    return Markup("; ").join(names[:NAMED_COUNT]) + (" and others" if len(names) > NAMED_COUNT else "")
 
 
 def table_of(

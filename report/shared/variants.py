@@ -10,8 +10,7 @@ from measured_report.parts.figures import INK, new_figure, say_value, write
 from measured_report.parts.section import Figure, Section
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.names import case_html, name_of
-from report.shared.arithmetic import difference, largest_size, noise_floor, other_value, share
+from report.shared.arithmetic import cases_html, difference, largest_size, noise_floor, other_value, share
 from report.shared.drawing import SHIPPED, name_lines
 
 
@@ -68,13 +67,13 @@ def variants_of(results: Results, baseline: str, apart: Collection[str] = ()) ->
     largest = largest_size(results, "largest_difference", formula, found.values(), unit="mm")
     formula = "largest difference in slip from the baseline, of the baseline's slip"
     of_slip = share(results, "largest_share", formula, largest, reference.slip_mm)
-    most = case_html(max(found, key=lambda case: abs(found[case].value or 0.0), default="none"))
+    farthest = sorted(rows, key=lambda row: -abs(found[row.case].value or 0.0))[:1]
     floor = noise_floor(results, "slip_floor")
     slips = at_least(reference.slip_mm, other_value(results, "reproduction", "slip_bound", unit="mm"))
     numbers: dict[str, Quantity | str] = {
         "largest": largest,
         "share": of_slip,
-        "most": most,
+        "most": cases_html(farthest),
         "baseline": reference.slip_mm,
         "floor": floor,
     }
@@ -99,6 +98,6 @@ def _draw_variants(variants: Variants) -> Drawing:
     if variants.baseline.slip_mm.value is not None:
         axes.axvline(variants.baseline.slip_mm.value, color=INK, linewidth=1, linestyle="--", marker="")
     axes.set(xlim=(0.0, 1.15 * max(row.slip_mm.value for row in rows)), xlabel="slip [mm]")
-    name_lines(axes, [name_of(row.case) for row in rows])
+    name_lines(axes, [row.label for row in rows])
     axes.grid(axis="y", visible=False)
     return drawing

@@ -11,8 +11,8 @@ from matplotlib.patches import Arc, Polygon, Rectangle
 from measured_report.parts.figures import FAINT, INK, SERIES, new_figure, write
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Series
-from report.names import name_of
 from report.shared.drawing import SHIPPED, STIFF
+from report.story.found import CASES
 
 EDGE_MM = 40.0  # of the cube, for drawings to scale
 PAD_MM = (17.5, 18.5)  # width and height of the part of a finger that touches the cube, about the tool's point
@@ -26,7 +26,7 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
     for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
         end = frame["x_mm"].iloc[-1], -frame["z_mm"].iloc[-1]
         _draw_grasp(axes, end, (SHIPPED, STIFF)[number])
-        axes.set_title(f"{name_of(case)}: slips {write(slips[case])} mm")
+        axes.set_title(f"{CASES[case]}: slips {write(slips[case])} mm")
         axes.plot(frame["x_mm"], -frame["z_mm"], color=INK, linewidth=1.0, linestyle="-", marker="")
     return drawing
 

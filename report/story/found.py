@@ -6,7 +6,8 @@ from measured_report.deriving.chapters import Chapters
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Series
 
-CASES = ("as-shipped", "stiff-pads")
+CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
+"""The cases that the first page shows, and what it calls them."""
 
 
 @dataclass(frozen=True)

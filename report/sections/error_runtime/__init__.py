@@ -26,6 +26,13 @@ from report.shared.arithmetic import Column, table_of
 order = 155
 page = "error"
 label = "error and run time"
+labels = {
+    "as-shipped/newton/iterations-1": "shipped pads, Newton's contacts, 1 iteration",
+    "as-shipped/newton/iterations-#": "shipped pads, Newton's contacts, {} iterations",
+    "stiff/newton/iterations-#": "stiff pads, Newton's contacts, {} iterations",
+    "as-shipped/newton/solver-cg": "shipped pads, Newton's contacts, conjugate gradients",
+    "stiff/newton/solver-cg": "stiff pads, Newton's contacts, conjugate gradients",
+}
 
 PARAMETERS = ("iterations", "ls_iterations", "solver", "cone", "impratio", "integrator", "contacts", "collide_count")
 """Parameters that a setting may change beside its pads and substeps, as they are called in the scene."""

@@ -18,6 +18,19 @@ from report.shared.timing import resolutions as largest_resolution
 order = 150
 page = "cost"
 label = "what to leave out"
+labels = {
+    "untrimmed": "exactly as shipped",
+    "as-shipped": "shipped pads",
+    "without-all": "without all of it",
+    "without-buffers": "without room in the buffers",
+    "without-ik-in-turn": "without waiting for IK",
+    "without-ik-iterations": "without most IK iterations",
+    "without-state-sync": "without writing the state",
+    "without-cube-gap": "without the cube's wide gap",
+    "without-hand-box": "without the hand's box",
+    "without-visuals": "without visual shapes",
+    "without-broad-phase": "without the broad phase",
+}
 
 MANY_COUNT = 16384
 """The most worlds, for which there is a target."""

@@ -18,10 +18,9 @@ from measured_report.parts.claim import (
 )
 from measured_report.values.quantities import Quantity, Value, absent
 from measured_report.values.results import Results, Row
-from report.names import cases_html
 from report.sections.stability.families import count, family, family_claim, least, most
 from report.sections.stability.passing import CLASSES, ENERGY_LARGEST, GROWTH_LARGEST, is_stable, passed
-from report.shared.arithmetic import cell_or_absent, extreme, share, size_difference
+from report.shared.arithmetic import cases_html, cell_or_absent, extreme, share, size_difference
 
 MU = {"shake": 0.0187, "grip": 0.1}
 """Friction coefficient of the pads in runs that are shaken harder, and gripped less, until the cube is lost."""
@@ -116,7 +115,7 @@ def gravity(results: Results) -> Iterator[Claim]:
     freed = [row for row in rows if row.freed]
     cells = [cell_or_absent(row, "energy_growth", "1") for row in freed]
     growth = extreme(results, "energy_growth_most", "largest ratio of the energies", max, cells)
-    at_rest = [row.case for row in passed(freed) if row.energy_growth.value is None]
+    at_rest = [row for row in passed(freed) if row.energy_growth.value is None]
     also = at_most(growth, ENERGY_LARGEST, why="no energy gained")
     yield family_claim(results, "freed_cube", freed, also, growth=growth, at_rest=at_rest and cases_html(at_rest))
 

@@ -8,9 +8,8 @@ from markupsafe import Markup
 from measured_report.parts.claim import HOLDS, Claim, Outcome, all_of, at_most, decided
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.names import case_html, some_html
 from report.sections.stability.passing import judged_by, passing
-from report.shared.arithmetic import cell_count, extreme
+from report.shared.arithmetic import case_html, cell_count, extreme, some_html
 
 
 def family(results: Results, name: str) -> list[Row]:
@@ -44,7 +43,7 @@ def family_claim(results: Results, name: str, rows: Sequence[Row], also: Outcome
     own = {
         "count": count(results, f"{name}_count", f"runs of {name} of which something is asked", asked),
         "failed_count": failed_count,
-        "failed": some_html([Markup("{} {}").format(case_html(row.case), row["class"]) for row in failed]),
+        "failed": some_html([Markup("{} {}").format(case_html(row), row["class"]) for row in failed]),
     }
     cells = [cell for row in rows for cell in judged_by(row)]
     outcome = all_of(at_most(failed_count, 0, why="all of them pass"), decided(True, *cells), also)

@@ -24,7 +24,6 @@ from measured_report.parts.figures import (
     write,
 )
 from measured_report.values.results import Row, Series
-from report.names import name_of
 from report.sections.stability.passing import CLASSES, is_stable, near_limit
 from report.shared.drawing import SHIPPED, STIFF, mark_points
 
@@ -102,13 +101,16 @@ def _edges(centres: Sequence[float]) -> np.ndarray:
 def draw_steps(rows: Sequence[Row]) -> Drawing:
     """Size of the drift over the step, one line for each kind of pads; marks are open where it goes the other way."""
     drawing, axes = new_figure(7.2, 3.0)
-    for pads, colour, marker in (("as-shipped", SHIPPED, "o"), ("stiff", STIFF, "s")):
+    for pads, label, colour, marker in (
+        ("as-shipped", "shipped pads", SHIPPED, "o"),
+        ("stiff", "stiff pads", STIFF, "s"),
+    ):
         mine = [row for row in rows if row.pads == pads and row.drift_mm_s.value is not None]
         axes.plot(
             [row.step_ms.value for row in mine],
             [abs(row.drift_mm_s.value) for row in mine],
             color=colour,
-            label=name_of(pads),
+            label=label,
             marker=marker,
             markevery=[i for i, row in enumerate(mine) if row.drift_mm_s.value >= 0.0],
         )

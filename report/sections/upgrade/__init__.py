@@ -18,6 +18,13 @@ from report.sections.upgrade.ends import Ends, change, floor, machines_differ, r
 order = 200
 page = "releases"
 label = "other releases"
+labels = {
+    "as-shipped": "shipped pads",
+    "as-shipped-kf-off": "shipped pads, kf below zero",
+    "as-shipped-kf-#": "shipped pads, kf {}",
+    "stiff-pads-kf-off": "stiff pads, kf below zero",
+    "hold-kf-off": "arm held still, kf below zero",
+}
 
 
 def derive(results: Results, releases: Releases) -> Section:

@@ -90,8 +90,8 @@ def test_a_slip_many_times_less_settles_the_matter_however_little_is_left():
 
 def test_a_number_that_is_not_there_says_of_which_run(toy):
     rows = [{"case": "soft-pads", "slip_mm": None, "slip_mm_reason": "not finite"}, {"case": "stiff", "slip_mm": 1.0}]
-    results = Results(toy.record(rows), toy.record_path, name_of=lambda case: case.replace("-", " "))
-    assert results.row["soft-pads"].slip_mm.reason == "soft pads: not finite"
+    results = Results(toy.record(rows), toy.record_path, labels={"soft-pads": "shipped pads"})
+    assert results.row["soft-pads"].slip_mm.reason == "shipped pads: not finite"
     assert results.row["stiff"].slip_mm.reason == ""
 
 

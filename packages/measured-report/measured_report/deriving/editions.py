@@ -273,7 +273,7 @@ def _chapter(
     project, name, outline = edition.project, state.section, outline_of(state.section)
     before = dict(takewhile(lambda item: item[0] != name, told.items()))
     others = {other: chapter.results for other, chapter in before.items()}
-    results = replace(results, others=others, label=outline.label, name_of=extras().name_of)
+    results = replace(results, others=others, label=outline.label, labels=outline.labels)
     digest = results_digest(results)
     if outline.compares and not releases:
         return Chapter(state, results, Section(), {}, None, outline.page, compares=True, digest=digest)

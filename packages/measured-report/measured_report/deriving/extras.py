@@ -53,11 +53,6 @@ def card(editions: Mapping[str, Any], cache: "DerivedCache") -> bytes | None:
     return None
 
 
-def name_of(case: str) -> str:
-    """Return what a case is called in words."""
-    return case.replace("-", " ").replace("_", " ")
-
-
 def scripts() -> Sequence[str]:
     """Return the texts of the scripts that a page may have in it; ``page.js`` lies beside the pages."""
     return ()

@@ -1,5 +1,6 @@
 """Section modules: one is found, asked what it is, and given the results that it makes a section of."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -31,6 +32,8 @@ class Outline:
     """Whether its page begins with it, wherever its order has it: it says what the others there come to."""
     label: str
     """What figures and tables call the section; the name of its file where it does not say."""
+    labels: Mapping[str, str]
+    """What they call its cases; ``label_of`` reads it."""
 
     @property
     def source(self) -> str:
@@ -51,7 +54,13 @@ def outline_of(section: str) -> Outline:
     if "derive" not in says:
         raise ReportError(f"{name} has no function derive(results)")
     page, label = page_of(name, says.get("page")), str(says.get("label", section.replace("_", " ")))
-    return Outline(file, root, says["order"], page, says["derive"] > 1, says.get("leads", False), label)
+    leads, labels = says.get("leads", False), says.get("labels", {})
+    return Outline(file, root, says["order"], page, says["derive"] > 1, leads, label, labels)
+
+
+def labels_of(section: str) -> Mapping[str, str]:
+    """Return what people call the cases of a record; nothing where it is of no section."""
+    return outline_of(section).labels if file_of("report.sections", section) else {}
 
 
 def file_of(package: str, name: str) -> Path | None:

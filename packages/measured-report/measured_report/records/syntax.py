@@ -5,6 +5,7 @@ import copy
 import hashlib
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -99,8 +100,10 @@ class Reader:
 
     def _top(self) -> Iterator[tuple[str, Any]]:
         for node in self._tree.body:
-            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
-                yield from ((target.id, node.value.value) for target in node.targets if isinstance(target, ast.Name))
+            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant | ast.Dict):
+                with suppress(ValueError):  # a dict that is worked out is no constant
+                    value = ast.literal_eval(node.value)
+                    yield from ((target.id, value) for target in node.targets if isinstance(target, ast.Name))
             elif isinstance(node, ast.FunctionDef):
                 yield node.name, len(node.args.args)
 

@@ -7,10 +7,11 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
-from measured_report.deriving.extras import extras
+from measured_report.deriving.sections import labels_of
 from measured_report.files.config import config
 from measured_report.site.page_reader import PageReader
 from measured_report.values.format import format_code, format_least, format_most, format_number, spellings, whole
+from measured_report.values.labels import label_of
 from measured_report.values.noise import NOISE, Floor, cell_noise, floors_of
 from measured_report.values.quantities import LEAST, MOST, SAME, VALUES_FILE
 
@@ -50,19 +51,16 @@ class Data:
         return floors_of(self.file(noise)["rows"], self.file(noise)["units"])
 
     @cached_property
-    def rows(self) -> list[Mapping[str, Any]]:
-        """Those of all records."""
-        files = [path for path in self.folder.glob("*/*.json") if path.name != VALUES_FILE]
-        return [row for path in files for row in self.file(str(path.relative_to(self.folder)))["rows"]]
-
-    @cached_property
     def names(self) -> re.Pattern:
-        """What has a number in it and is none: names of cases, in whole and in parts, and what records say in words."""
-        whole = {extras().name_of(row["case"]) for row in self.rows if "case" in row}
-        texts = {" ".join(cell.split()) for row in self.rows for cell in row.values() if isinstance(cell, str)}
-        parts = (part for name in whole for part in (name, *name.split(", ")))
-        names = {name for name in (*parts, *texts) if re.search(r"\d", name)}
-        longest_first = sorted(names, key=len, reverse=True)
+        """Match what has a number in it and is none: labels of cases, whole and in parts, and the texts of records."""
+        names: set[str] = set()
+        for path in self.folder.glob("*/*.json"):
+            if path.name != VALUES_FILE:
+                rows, labels = self.file(str(path.relative_to(self.folder)))["rows"], labels_of(path.stem)
+                names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
+                for label in (label_of(row["case"], labels) for row in rows if "case" in row):
+                    names |= {label, *label.split(", ")}
+        longest_first = sorted((name for name in names if re.search(r"\d", name)), key=len, reverse=True)
         return re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)")
 
 

@@ -16,6 +16,7 @@ from measured_report.files.errors import ReportError
 from measured_report.records.columns import REASON, column_of
 from measured_report.records.record import Origin, Record, Seal
 from measured_report.records.traces import load_trace, trace_path
+from measured_report.values.labels import label_of
 from measured_report.values.noise import Floor, cell_noise, derived_noise
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value, absent, mixed
 
@@ -56,7 +57,7 @@ class Row:
         source: str,
         case: str = "",
         floors: Mapping[str, Floor] = MappingProxyType({}),
-        name_of: Callable[[str], str] = str,
+        labels: Mapping[str, str] = MappingProxyType({}),
     ):
         self._cells: Mapping[str, Any] = {"case": case} if index is None else record.rows[index]
         self._lack = f"there is no single row of case {case}" if index is None else ""
@@ -64,7 +65,7 @@ class Row:
         self._source = f"{source}#/rows/{index}"
         self._origins = frozenset({record.origin})
         self._floors = floors
-        self._name_of = name_of
+        self._labels = labels
         self._read: dict[str, Any] = {}  # a section asks for the same again and again
 
     def __getitem__(self, column: str) -> Any:
@@ -83,7 +84,7 @@ class Row:
         value = self._cells[column]
         if column not in units or isinstance(value, bool | str):
             return value
-        said = (self._name_of(case), self._cells.get(f"{column}_reason")) if value is None else ()
+        said = (self.label, self._cells.get(f"{column}_reason")) if value is None else ()
         reason = ": ".join(filter(None, said))
         noise = cell_noise(column, self._cells, self._floors)
         return Quantity(value, units[column], f"{self._source}/{column}", reason, self._origins, noise)
@@ -99,6 +100,11 @@ class Row:
     def __bool__(self) -> bool:
         """Whether the record has it."""
         return not self._lack
+
+    @property
+    def label(self) -> str:
+        """What people call its case."""
+        return label_of(self._cells["case"], self._labels)
 
     @property
     def plain(self) -> Mapping[str, Any]:
@@ -135,8 +141,8 @@ class Results:
     """By column: how far apart runs of one case come out with this release."""
     label: str = ""
     """What figures and tables call the section."""
-    name_of: Callable[[str], str] = str
-    """What people call a case; a number that is not there says of which run it is."""
+    labels: Mapping[str, str] = field(default_factory=dict, repr=False)
+    """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
 
     @property
     def edition(self) -> str:
@@ -152,7 +158,7 @@ class Results:
     def rows(self) -> list[Row]:
         """All rows but those that are damaged in what tells them apart."""
         return [
-            Row(self.record, index, self.source, floors=self.floors, name_of=self.name_of)
+            Row(self.record, index, self.source, floors=self.floors, labels=self.labels)
             for index, is_whole in enumerate(_whole(self.record))
             if is_whole
         ]
