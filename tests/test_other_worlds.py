@@ -13,8 +13,8 @@ from measured_report.editions.project import own_release
 from measured_report.pages.prose import Templates
 from measured_report.records.columns import REASON
 from measured_report.site.pages import undrawn
-from report.extras import CARD_CASES
 from report.media.card import TITLE
+from report.story.found import CASES
 
 pytestmark = pytest.mark.words
 
@@ -63,7 +63,7 @@ def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing(
     """Titles, headings, alternative texts, cells of tables and the picture of links."""
     scenarios = (AS_MEASURED, *(scenario for scenario in SCENARIOS if scenario.name in TURNED))
     standing = frozenset.intersection(*(said(scenario).words for scenario in scenarios))
-    assert [words for words in sorted({*standing, TITLE, *CARD_CASES}) if asserts(words)] == []
+    assert [words for words in sorted({*standing, TITLE, *CASES.values()}) if asserts(words)] == []
 
 
 @pytest.mark.parametrize(
