@@ -7,8 +7,8 @@ from measured_report.deriving.editions import editions_of
 from measured_report.files.errors import ReportError
 from measured_report.pages.prose import Templates
 from measured_report.site.check import check_site
-from tests.sensitivity_inert import inert_passages
-from tests.sensitivity_perturbed import of_editions
+from tests.inert import inert_passages
+from tests.perturbed import of_editions
 
 pytestmark = pytest.mark.words
 FALLEN = (("soft", 0.5), ("stiff", 0.3124))

@@ -14,7 +14,7 @@ from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.columns import is_setting
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
-from tests.sensitivity_perturbed import FACTORS, Perturbation
+from tests.perturbed import FACTORS, Perturbation
 
 SOURCE = re.compile('data-src="([^"]*)"')
 NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")

@@ -1,12 +1,7 @@
-"""Scenarios: the report as it would be if something else had been measured.
-
-The claims that have another outcome in a scenario are kept in ``tests/worlds/``: a person reads them once, and a test
-compares. ``python -m tests.worlds`` builds the whole site of each, checks it and writes anew what is kept.
-"""
+"""Altered results: the report as it would be if something else had been measured."""
 
 import re
 import shutil
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -27,16 +22,17 @@ from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
+from measured_report.parts.drawing import Drawing
+from measured_report.parts.section import Figure, Pictures
 from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import contents_of
-from tests.sensitivity_inert import NUMBER
-from tests.sensitivity_perturbed import load_trace_once
+from tests.inert import NUMBER
+from tests.perturbed import load_trace_once
 
-SNAPSHOTS = Path(__file__).parent / "worlds"
 MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
 """Columns of how the cube moves in the grasp."""
 SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
@@ -249,15 +245,12 @@ AS_MEASURED = Scenario("as-measured")
 SCENARIOS = (
     Scenario("reversed", reversed_rows, reversed_frame),
     moving("moving-x-0.05", 0.05),
-    moving("moving-x-half", 0.5),
-    moving("moving-x-2", 2.0),
     moving("moving-x-20", 20.0),
     moving("moving-x-minus-1", -1.0),
     Scenario("all-equal", equal_rows, equal_frame),
-    noisier("noise-x-50", 50.0),
     noisier("noise-x-60", 60.0),
-    *(losing("failing", seed, failed) for seed in range(3)),
-    *(losing("missing", seed, lambda row: None) for seed in range(3)),
+    losing("failing", 0, failed),
+    losing("missing", 0, lambda row: None),
     Scenario("releases-swapped", swapped_rows, swapped_frame),
 )
 
@@ -331,47 +324,18 @@ def said(scenario: Scenario) -> Said:
         return said_of(project)
 
 
-def otherwise(scenario: Scenario) -> dict[str, str]:
-    """The claims of the own release that have another outcome in a scenario than in the tracked results."""
-    before, found = said(AS_MEASURED).outcomes, said(scenario).outcomes
-    outcomes = {claim: found.get(claim, "unsaid") for claim in sorted(before.keys() | found.keys())}
-    return {claim: outcome for claim, outcome in outcomes.items() if before.get(claim) != outcome}
-
-
-def kept(scenario: str) -> dict[str, str]:
-    """What is kept of it."""
-    path = SNAPSHOTS / f"{scenario}.txt"
-    lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
-    return {claim: outcome for outcome, claim in map(str.split, lines)}
-
-
-def keep(scenario: str, outcomes: Mapping[str, str]) -> None:
-    lines = (f"{outcome:8}  {claim}\n" for claim, outcome in outcomes.items())
-    (SNAPSHOTS / f"{scenario}.txt").write_text("".join(lines), encoding="utf-8")
-
-
 def problems_of(scenario: Scenario) -> list[str]:
-    """What is wrong with the whole site of a scenario, of all releases."""
+    """Build and check the whole site of a scenario, of all releases but without drawings; what is wrong with it."""
     with project_of(scenario, Project(own_release()).releases) as project:
-        editions = build(project)
+        with mock.patch.multiple(Drawing, begin=lambda *_: None, all=_undrawn):  # most of the time goes into them
+            editions = build(project)
         lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
         return [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
 
 
-def main(names: Sequence[str]) -> int:
-    failed = False
-    for scenario in SCENARIOS:
-        if names and scenario.name not in names:
-            continue
-        found, known = otherwise(scenario), kept(scenario.name)
-        keep(scenario.name, found)
-        problems = problems_of(scenario)
-        failed |= bool(problems)
-        news = len(found.items() - known.items())
-        print(f"{scenario.name}: {news} claims to read, {len(problems)} problems", flush=True)
-        print("".join(f"  {problem}\n" for problem in problems), end="")
-    return int(failed)
+UNDRAWN = Markup('<svg class="broad" viewBox="0 0 1 1" role="img"></svg>')
 
 
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+def _undrawn(_: Drawing, figures: Sequence[Figure], meanwhile: Callable[[], None]) -> list[Pictures]:
+    meanwhile()
+    return [(UNDRAWN, UNDRAWN)] * len(figures)

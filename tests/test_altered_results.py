@@ -1,0 +1,224 @@
+"""Properties of the report over altered results: of one number, of a record, of all editions.
+
+Whatever is measured, nothing ends in a traceback, no claims contradict each other (``templates/pairs.toml`` stops the
+build), no bound stands on the wrong side, and no number in words could be anything.
+"""
+
+import json
+import random
+import re
+from argparse import Namespace
+from dataclasses import replace
+
+import pytest
+from altered import AS_MEASURED, SCENARIOS, Scenario, as_measured, problems_of, project_of, said
+from altered_record import altered
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from measured_report.commands import building
+from measured_report.deriving.editions import editions_of
+from measured_report.editions.project import own_release
+from measured_report.editions.stack import stack_of
+from measured_report.files.root import ROOT
+from measured_report.pages.prose import Templates
+from measured_report.parts.claim import HOLDS
+from measured_report.records.columns import REASON
+from measured_report.records.record import Record
+from measured_report.site.check import check_site
+from measured_report.site.pages import undrawn
+from measured_report.values.format import ABSENT
+from measured_report.values.results import Results
+from report.extras import CARD_CASES
+from report.media.card import TITLE
+from tests.inert import inert_passages, surveys
+from tests.perturbed import CHANGES, Perturbation, of_editions, perturbed
+
+pytestmark = pytest.mark.words
+WORK = ROOT / "tests" / "sentences"
+"""What is still to be mended; these lists may only get shorter."""
+NO_NUMBER = re.compile(r"\b(nan|inf)\b")
+UNNAMED = re.compile(rf'<(?:data|span)(?![^>]* title="[^"])[^>]*>{ABSENT}<')
+"""A number that is not there, without a reason."""
+
+
+BY_NAME = {scenario.name: scenario for scenario in (AS_MEASURED, *SCENARIOS)}
+RECOMMENDING = ("front.title", "front.remedy", "front.is_mistuned", "front.way_", "story.remedy", "story.files")
+RECOMMENDING += ("fix.recommended", "stiffness.together_they_hold", "reproduction.stiff_pads_hold")
+CAUSES = ("stiffness.cause", "contacts.missing_term", "contacts.term_restored", "story.restored", "story.missing")
+CAUSES += ("hold.creep_is_rounding", "front.remedy", "story.remedy", "fix.recommended")
+BELOW_THE_NOISE = ("hold.longer_steps", "contacts.rest_goes_with_step", "speed.fixed_is_faster", "envelope.map_gain")
+BELOW_THE_NOISE += ("hold.creep_goes_on", "gap.not_the_cause")
+TURNED = ("reversed", "all-equal", "moving-x-0.05", "moving-x-20", "noise-x-60", "releases-swapped")
+"""Scenarios in which everything is there, and is otherwise."""
+PART = re.compile(r"[.;:]\s")
+QUESTION = re.compile("(?:what|how|which|where|whose) ", re.IGNORECASE)
+OF_ALL = re.compile(r"\b(?:not (?!seen|known|measured)|never|all (?!of )|every|always|why)\b", re.IGNORECASE)
+VERB = re.compile(
+    r"(?<!that )(?<!what )\b(?:is|are|was|were|has|have|acts|breaks|changes|costs|creeps|decides|drifts|ends|falls|"
+    r"fits|follows|forgets|gains|helps|holds|keeps|leaves|lets|loses|matters|moves|needs|pays|slips|stays|takes|turns|works)\b"
+)
+
+
+def asserts(words: str) -> bool:
+    """Whether words that are no sentence say something: of all or of none, why, or by a verb without a number."""
+    parts = [part for part in PART.split(words) if not part.endswith("?")]
+    told = [part for part in parts if "#" not in part and not QUESTION.match(part)]
+    return any(map(OF_ALL.search, parts)) or any(map(VERB.search, told))
+
+
+@pytest.fixture(scope="module")
+def perturbation(editions) -> Perturbation:
+    return of_editions(editions, Templates(ROOT / "templates"))
+
+
+def listed(name: str) -> set[str]:
+    """The lines of a list, reasons left out."""
+    lines = (WORK / name).read_text(encoding="utf-8").splitlines()
+    return {line.partition("#")[0].strip() for line in lines} - {""}
+
+
+def test_no_words_name_what_their_test_has_not_read(perturbation):
+    """Each line of the list is a number that is named unread; mended, it is to be taken out."""
+    assert set().union(*(survey.unread() for survey in surveys(perturbation))) == listed("unread.txt")
+
+
+def test_captions_name_what_a_test_of_their_section_has_read(perturbation):
+    """Each line of the list is a plain value of what is drawn, of which nothing else is said."""
+    found = set().union(*(survey.unread_captions() for survey in surveys(perturbation)))
+    assert found == listed("captions.txt")
+
+
+@pytest.mark.slow
+def test_titles_of_figures_change_with_what_they_draw(perturbation):
+    own = [survey for survey in surveys(perturbation) if survey.release == "1.4.0"]
+    assert set().union(*(survey.fixed_titles() for survey in own)) == listed("fixed.txt")
+
+
+@pytest.mark.slow
+def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
+    """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
+    found = [survey.inert() for survey in surveys(perturbation)]
+    found += [inert_passages(perturbation, release) for release in perturbation.releases]
+    assert set().union(*found) == listed("inert.txt")
+
+
+@pytest.mark.parametrize("name", [scenario.name for scenario in SCENARIOS])
+def test_whatever_is_measured_no_section_is_lost_and_other_claims_hold(name):
+    """A contradiction between claims stops the build of the pages."""
+    assert said(BY_NAME[name]).outcomes != said(AS_MEASURED).outcomes
+
+
+@pytest.mark.parametrize(
+    ("name", "claims"), [("reversed", RECOMMENDING), ("all-equal", CAUSES), ("noise-x-60", BELOW_THE_NOISE)]
+)
+def test_what_a_scenario_does_not_show_does_not_hold(name, claims):
+    before = {claim for claim, outcome in said(AS_MEASURED).outcomes.items() if claim.startswith(claims)}
+    outcomes = said(BY_NAME[name]).outcomes
+    assert before and {claim for claim in before if outcomes.get(claim) == "holds"} == set()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["reversed", "moving-x-minus-1", "failing-0"])
+def test_the_site_of_a_scenario_passes_its_check(name):
+    """Every bound stands on its side, and every number is the record's."""
+    assert problems_of(BY_NAME[name]) == []
+
+
+def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing():
+    """Titles, headings, alternative texts, cells of tables and the picture of links."""
+    standing = frozenset.intersection(*(said(BY_NAME[name]).words for name in ("as-measured", *TURNED)))
+    assert asserts("One law for all scenes") and not asserts("How far it slips")
+    assert [words for words in sorted({*standing, TITLE, *CARD_CASES}) if asserts(words)] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("column", ["integrator", "shake_amplitude_m", "shake_duration_s"])
+def test_a_parameter_that_every_record_lacks_stops_no_build(column):
+    """It has a reason in its place; sections that are about it may be left out."""
+
+    def rows(records, place):
+        lost = {column: None, column + REASON: "as a test"}
+        return [{**row, **(lost if column in row else {})} for row in as_measured(records, place)]
+
+    with project_of(Scenario("lacking", rows), [own_release()]) as project:
+        editions = editions_of(project, templates := Templates(project.templates))
+        assert len(undrawn(editions, templates, project.release)) > 10
+
+
+def damaged(record: Record, chance: random.Random) -> Record:
+    """A record that lost a row or a cell, or holds something else in its place."""
+    rows = list(record.rows)
+    index = chance.randrange(len(rows))
+    if chance.random() < 0.2 and len(rows) > 1:
+        return replace(record, rows=[*rows[:index], *rows[index + 1 :]])
+    row = rows[index]
+    # Not a reason: without it nobody can say why its number is not there.
+    column = chance.choice([column for column in row if column != "case" and not column.endswith(REASON)])
+    change, value = chance.choice(CHANGES), row[column]
+    if change == "missing" and chance.random() < 0.3:
+        rows[index] = {name: cell for name, cell in row.items() if name != column}
+    elif change == "missing":
+        rows[index] = row | {column: None, column + REASON: "as a test"}
+    else:
+        other = not value if isinstance(value, bool) else "" if isinstance(value, str) else perturbed(value, change)
+        rows[index] = row | {column: other}
+    return replace(record, rows=rows)
+
+
+def lost_pointers(results: Results, record: Record) -> set[str]:
+    """To the numbers that a damaged record has lost, where it has all rows."""
+    before, after = results.record.rows, record.rows
+    return {
+        f"{results.source}#/rows/{index}/{column}"
+        for index in (range(len(before)) if len(before) == len(after) else ())
+        for column, value in before[index].items()
+        if value is not None and after[index].get(column) is None
+    }
+
+
+@pytest.mark.slow
+def test_a_damaged_record_takes_nothing_down(perturbation):
+    chance = random.Random(0)
+    pairs = [(release, name) for release, chapters in perturbation.releases.items() for name in chapters]
+    for _ in range(500):
+        release, name = chance.choice(pairs)
+        chapter = perturbation.releases[release][name]
+        results, held = chapter.results, {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS}
+        record = damaged(results.record, chance)
+        section = perturbation.section(release, name, {results.source: record})
+        lost = lost_pointers(results, record)
+        said = [claim.sentence for claim in section.claims] + [table.__html__() for table in section.tables.values()]
+        said += [figure.wording("alt", figure.numbers) for figure in section.figures.values()]
+        for text in said:
+            assert not NO_NUMBER.search(text.striptags()), (release, name, text)
+            assert not UNNAMED.search(text), (release, name, text)
+        for claim in section.claims:
+            place = release, name, claim.name
+            assert claim.outcome.name == "unknown" or claim.says_missing or ABSENT not in claim.text, place
+            # What did not hold before may fail by another number still.
+            answers = {"unknown"} if claim.name in held else {"unknown", "fails"}
+            assert claim.outcome.name in answers or not lost & claim.outcome.reads, place
+
+
+ROWS = [
+    {"case": "soft", "slip_mm": 6.3617, "dropped": False, "run_count": 3, "note": "as 1 of 2"},
+    {"case": "stiff", "slip_mm": 0.3124, "dropped": False, "run_count": 3, "note": "as 2 of 2"},
+    {"case": "off", "slip_mm": None, "slip_mm_reason": "it fell", "dropped": True, "run_count": 2, "note": None},
+]
+
+
+@settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(chance=st.randoms(use_true_random=False))
+def test_an_altered_record_is_shown_as_it_is_or_named_in_one_line(toy, capsys, chance):
+    toy.measure(ROWS)
+    words, record = altered(json.loads(toy.record_path.read_text()), chance)
+    toy.record_path.write_text(json.dumps(record))
+    capsys.readouterr()
+    status = building.page(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))
+    lines = capsys.readouterr().err.splitlines()
+    shown = toy.project.site / "data/newton-1.4.0/toy.json"
+    assert shown.is_file() != bool(lines), words
+    assert not shown.is_file() or shown.read_bytes() == toy.record_path.read_bytes(), words
+    assert status == len(lines) and all("newton-1.4.0/toy.json" in line for line in lines), words
+    assert [each for each in check_site(toy.project.site) if "no claim" not in each] == [], words
