@@ -1,4 +1,4 @@
-"""What goes wrong outside: damage, kills, hostile text; the slow ones are in tests/torture.py."""
+"""What goes wrong outside: damage, kills, hostile text."""
 
 import json
 import os
