@@ -29,8 +29,8 @@ from measured_report.site.check import check_site
 from measured_report.site.pages import undrawn
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results
-from report.extras import CARD_CASES
 from report.media.card import TITLE
+from report.story.found import CASES
 from tests.inert import inert_passages, surveys
 from tests.perturbed import CHANGES, Perturbation, of_editions, perturbed
 
@@ -129,7 +129,7 @@ def test_words_outside_sentences_that_stand_whatever_is_measured_assert_nothing(
     """Titles, headings, alternative texts, cells of tables and the picture of links."""
     standing = frozenset.intersection(*(said(BY_NAME[name]).words for name in ("as-measured", *TURNED)))
     assert asserts("One law for all scenes") and not asserts("How far it slips")
-    assert [words for words in sorted({*standing, TITLE, *CARD_CASES}) if asserts(words)] == []
+    assert [words for words in sorted({*standing, TITLE, *CASES.values()}) if asserts(words)] == []
 
 
 @pytest.mark.slow
