@@ -18,8 +18,8 @@ import pandas as pd
 from markupsafe import Markup
 
 from measured_report.deriving.editions import editions_of
-from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
+from measured_report.editions.release import read_label
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.drawing import Drawing

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from measured_report.commands import page
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.project import own_release
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS
@@ -215,7 +215,7 @@ def test_an_altered_record_is_shown_as_it_is_or_named_in_one_line(toy, capsys, c
     words, record = altered(json.loads(toy.record_path.read_text()), chance)
     toy.record_path.write_text(json.dumps(record))
     capsys.readouterr()
-    status = page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address=""))
+    status = page.run(toy.project, Namespace(release=release_of("1.4.0"), address=""))
     lines = capsys.readouterr().err.splitlines()
     shown = toy.project.site / "data/newton-1.4.0/toy.json"
     assert shown.is_file() != bool(lines), words

@@ -22,7 +22,7 @@ from conftest import SOURCES, link, made_once, program
 
 from measured_report.editions.environment import READY, environment_of
 from measured_report.editions.project import own_release
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
 
 pytestmark = pytest.mark.slow
@@ -112,7 +112,7 @@ def wheel_with(edits: Sequence[tuple[str, str, str]], folder: Path) -> Path:
 
 def install(wheel: Path, root: Path) -> None:
     """Make its environment of the one that runs the tests, with the wheel's package in the place of its own."""
-    folder = environment_of(stack_of(str(wheel)), root)
+    folder = environment_of(release_of(str(wheel)), root)
     venv.create(folder, symlinks=True)
     packages = next(folder.glob("lib/python*/site-packages"))
     zipfile.ZipFile(wheel).extractall(packages)

@@ -20,9 +20,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree within the noise; 1 when they differ."""
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     device = measuring_device(arguments.device or ("cuda" if has_cuda() else "cpu"), project.profile)
-    found = measure_headline(project, arguments.stack, device, PROGRAM)
+    found = measure_headline(project, arguments.release, device, PROGRAM)
     edition = derive_edition(project, Templates(project.templates))
     checks = [verify(edition, found)] + ([verify_lab(edition)] if arguments.lab else [])
     print("\n\n".join(text for text, _ in checks))

@@ -20,7 +20,7 @@ from measured_report.commands import check as check_command
 from measured_report.commands import diff
 from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.files.root import ROOT
 from measured_report.records.reading import load_record
 from measured_report.records.record import Record, write_record
@@ -129,7 +129,7 @@ def test_a_broken_edition_alarms_by_itself_and_on_both_sides(measured):
 
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
     newer = toy.of("1.8.0")
-    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="sums")
+    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="sums")
     for change, kind in ((partial(damage, name="field: unit 'm'"), "damaged"), (Path.unlink, "missing")):
         newer.measure()
         newer.write("report/sections/other.py", MODULE)
@@ -241,11 +241,11 @@ def test_the_documentation_names_what_the_json_has(measured):
 
 def test_diff_and_check_say_it_in_every_format_and_markdown_is_not_made_of_what_a_record_says(toy, capsys, tmp_path):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
-    sides = {"a": stack_of("1.4.0"), "b": stack_of("1.8.0")}
+    sides = {"a": release_of("1.4.0"), "b": release_of("1.8.0")}
     for form in FORMATS:
         assert diff.run(toy.project, Namespace(**sides, format=form, values="sums")) == 1
         assert "toy" in capsys.readouterr().out
-        assert check_command.run(toy.project, Namespace(stack=sides["a"], format=form, strict=True)) == 0
+        assert check_command.run(toy.project, Namespace(release=sides["a"], format=form, strict=True)) == 0
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) @all"}, STIFF])

@@ -18,8 +18,8 @@ from measured_report.commands import bisect as command
 from measured_report.commands import history as history_command
 from measured_report.commands import retire
 from measured_report.deriving.editions import editions_of
-from measured_report.editions.manifest import Manifest, write_manifest
-from measured_report.editions.stack import stack_of
+from measured_report.editions.project import Manifest, write_manifest
+from measured_report.editions.release import release_of
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.pages.prose import Templates
 from measured_report.records.record import write_record
@@ -49,10 +49,13 @@ def keep(toy: Toy, release: str, rows, packages: dict[str, str]) -> None:
     write_record(side.record_path, replace(record, identity=identity))
 
 
+MIDDLE = ("1.5.9", "1.6.9", "1.7.9")
+
+
 @pytest.fixture
 def search(toy, monkeypatch) -> Bisection:
     """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
-    monkeypatch.setattr(bisect, "releases_between", lambda first, last: ["1.5.9", "1.6.9", "1.7.9"])
+    monkeypatch.setattr(bisect, "releases_between", lambda first, last: [*map(release_of, MIDDLE)])
     keep(toy, "1.5.9", ROWS, OLD)
     for release in ("1.6.9", "1.7.9", "1.8.9"):
         keep(toy, release, WORSE, NEW)
@@ -61,19 +64,19 @@ def search(toy, monkeypatch) -> Bisection:
 
 def test_the_release_and_then_newton_itself(toy, search, capsys):
     keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()
+    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()
     assert said[0] == "toy.helps changes between 1.5.9 and 1.6.9"
     assert said[1].startswith("newton 1.6.9 did it: it is so with warp-lang 1.15.0, mujoco-warp 3.10.0")
     assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
     search = replace(search, query=Query("toy.soft.slip_mm", False))
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
     assert said.startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
 def test_a_claim_of_a_section_that_compares_editions_is_found_where_it_is_about_each(toy, search):
     toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
     keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
     assert said.startswith("toy.helps changes between 1.5.9 and 1.6.9")
 
 
@@ -82,16 +85,16 @@ def test_the_package_is_named_where_the_search_itself_measured_and_kept_its_reco
         own = toy.project.of(release)
         shutil.move(own.results, replace(own, aside=bisect.ASIDE).results)
     keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", WORSE, OLD)
-    assert "newton 1.6.9 did it" in bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9"))
+    assert "newton 1.6.9 did it" in bisect_releases(search, release_of("1.4.0"), release_of("1.8.9"))
 
 
 def test_newton_is_found_where_it_does_not_run_with_older_packages(toy, search, monkeypatch):
-    def refuse(project, stack, *others):
+    def refuse(project, release, *others):
         raise ReportError("it does not compile")
 
     monkeypatch.setattr(bisect, "measure", refuse)
     keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()[1]
     assert said == "newton 1.6.9 did it: 1.5.9 stays as it is with all others of 1.6.9"
 
 
@@ -99,22 +102,22 @@ def test_or_another_package_of_it(toy, search):
     keep(toy, "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0+warp-1.15.0", ROWS, OLD)
     keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
     keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0", WORSE, {**NEW, "warp-lang": "1.15.0"})
-    said = bisect_releases(search, stack_of("1.4.0"), stack_of("1.8.9")).splitlines()[1]
+    said = bisect_releases(search, release_of("1.4.0"), release_of("1.8.9")).splitlines()[1]
     assert said.startswith("mujoco-warp and mujoco did it: newton 1.5.9 does so too")
 
 
 def test_an_end_that_cannot_be_measured_ends_the_search_and_so_do_ends_that_agree(search, monkeypatch):
     """And does not begin one with full runs, which take hours."""
 
-    def fail(project, stack, *others):
+    def fail(project, release, *others):
         raise ReportError("measuring ended")
 
     monkeypatch.setattr(bisect, "measure", fail)
     with pytest.raises(ReportError, match="measuring ended") as error:
-        search.ends(stack_of("1.4.0"), stack_of("1.9.0"))
+        search.ends(release_of("1.4.0"), release_of("1.9.0"))
     assert not isinstance(error.value, UsageError)
     with pytest.raises(UsageError, match="holds at A and holds at B"):
-        bisect_releases(search, stack_of("1.4.0"), stack_of("1.5.9"))
+        bisect_releases(search, release_of("1.4.0"), release_of("1.5.9"))
 
 
 def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
@@ -136,9 +139,9 @@ def test_a_commit_is_found_by_git_bisect(checkout, tmp_path):
 
 
 def test_commits_of_one_repository_are_seen_as_such_and_one_that_cannot_be_judged_is_no_answer(checkout, tmp_path):
-    first, last = (stack_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
+    first, last = (release_of(f"{checkout}@{reference}") for reference in ("HEAD", "main"))
     assert common_repository(first, last) == (checkout, "HEAD", "main")
-    assert common_repository(first, stack_of("1.8.9")) is None
+    assert common_repository(first, release_of("1.8.9")) is None
     for value in range(2, 5):
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
@@ -215,25 +218,25 @@ def test_the_answer_of_a_claim_that_asks_the_contrary_is_what_its_sentence_says(
 
 def test_a_retired_edition_leaves_nothing(toy, search, capsys):
     toy.build()
-    stack = stack_of("1.6.9")
+    release = release_of("1.6.9")
     side = toy.project.of("1.6.9")
     write_manifest(side.results, Manifest("1.6.9"))
     replace(side, profile="quick", aside=bisect.ASIDE).results.mkdir(parents=True)
     (toy.project.root / ".venv-newton-1.6.9").mkdir()
-    assert retire.run(side, Namespace(stack=stack, address="", list=True)) == 0
+    assert retire.run(side, Namespace(release=release, address="", list=True)) == 0
     listed = capsys.readouterr().out
     assert ".venv-newton-1.6.9/" in listed and "results/newton-1.6.9/" in listed and side.results.exists()
-    assert retire.run(side, Namespace(stack=stack, address="", list=False)) == 0
+    assert retire.run(side, Namespace(release=release, address="", list=False)) == 0
     assert not side.results.exists() and not list(toy.project.root.glob(".venv*"))
     assert not list(toy.project.root.glob("results/*/*/newton-1.6.9"))
     site = toy.project.site
     assert not (site / "newton-1.6.9").exists() and "1.6.9" not in toy.front and check_site(site) == []
     with pytest.raises(UsageError, match="neither results"):
-        retire.run(side, Namespace(stack=stack, address="", list=False))
+        retire.run(side, Namespace(release=release, address="", list=False))
 
 
 def test_what_searches_left_goes_without_a_name_and_checkouts_and_editions_stay(toy, search):
-    root, own = toy.project.root, Namespace(stack=stack_of("1.4.0"), address="", list=False)
+    root, own = toy.project.root, Namespace(release=release_of("1.4.0"), address="", list=False)
     left = (
         ".venv-bisect",
         ".venv-newton-.venv-bisect-1234567",
@@ -255,18 +258,19 @@ def test_what_searches_left_goes_without_a_name_and_checkouts_and_editions_stay(
 def test_a_search_writes_nothing_beside_the_tracked_results_and_asks_before_hours(toy, search, monkeypatch, capsys):
     measured = []
 
-    def note(project, stack, sections, device):
+    def note(project, release, sections, device):
         measured.append(project)
         return toy.project.of("1.5.9")
 
     monkeypatch.setattr(bisect, "measure", note)
-    monkeypatch.setattr(command, "releases_between", lambda first, last: ["1.5.9"])
+    monkeypatch.setattr(command, "releases_between", lambda first, last: [release_of("1.5.9")])
     monkeypatch.setattr(command, "sections", lambda: ["toy"])
-    search.is_first(("holds", "fails"), stack_of("1.4.9"))
+    search.is_first(("holds", "fails"), release_of("1.4.9"))
     assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
         "results/bisect/full/newton-1.4.9"
     ]
     assert capsys.readouterr().out == "step 1: 1.4.9: toy.helps holds\n"
-    asked = Namespace(claim="toy.helps", value="", a=stack_of("1.4.0"), b=stack_of("1.5.9"), device="cpu", yes=False)
+    ends = {"a": release_of("1.4.0"), "b": release_of("1.5.9")}
+    asked = Namespace(claim="toy.helps", value="", device="cpu", yes=False, **ends)
     with pytest.raises(UsageError, match=r"full ones: about 3 steps.*YES=1 begins"):
         command.run(toy.project, asked)

@@ -9,7 +9,7 @@ from conftest import MODULE, ROWS, Toy, compared, derived
 
 from measured_report.changes.flips import flips_between
 from measured_report.commands import diff, page
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.editions.status import status_matrix
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
@@ -88,7 +88,7 @@ def test_the_check_follows_links_to_other_pages(toy, newer):
 
 def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy):
     toy.write("report/sections/toy.py", MODULE.replace("rows = results.rows", "rows = results.rows[5:]; rows[0]"))
-    assert page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     assert "newton-1.4.0/toy.json: its record lacks what the section is about (IndexError: list index" in toy.page
     toy.write("experiments/scene.py", "def slip():\n    return 2\n")
     toy.build()
@@ -96,7 +96,7 @@ def test_a_record_that_derive_breaks_on_is_left_out_with_the_line_that_does(toy)
 
 
 def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, newer, capsys):
-    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="all")
+    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="all")
     assert diff.run(toy.project, arguments) == 1
     said = capsys.readouterr().out
     flips, _, moves = said.partition("toy: 1 values moved (1 better)")
@@ -111,7 +111,7 @@ def test_a_diff_names_what_moved_and_flipped_and_a_dropped_cube_as_dropped(toy, 
 
 def test_a_diff_names_what_flipped_in_a_section_that_compares_editions(toy, newer, capsys):
     toy.write("report/sections/toy.py", MODULE.replace("def derive(results):", "def derive(results, releases):"))
-    arguments = Namespace(a=stack_of("1.4.0"), b=stack_of("1.8.0"), format="text", values="")
+    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="")
     assert diff.run(toy.project, arguments) == 1
     assert "toy.helps: holds → not shown\n  It helps 20 times.\n  It does not." in capsys.readouterr().out
 

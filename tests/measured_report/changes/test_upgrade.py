@@ -10,9 +10,8 @@ from measured_report.changes.upgrade import base_of, unmeasured
 from measured_report.commands import upgrade
 from measured_report.commands.upgrade import printing_to_stderr
 from measured_report.editions import environment
-from measured_report.editions.manifest import Manifest, write_manifest
-from measured_report.editions.project import Project
-from measured_report.editions.stack import stack_of
+from measured_report.editions.project import Manifest, Project, write_manifest
+from measured_report.editions.release import release_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.measuring.error_text import is_expected, reason_of
@@ -59,12 +58,12 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
 
 
 def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monkeypatch):
-    def refuse(project, stack, *others):
-        raise UsageError(f"{stack.label} cannot run the scene")
+    def refuse(project, release, *others):
+        raise UsageError(f"{release} cannot run the scene")
 
     monkeypatch.setattr(upgrade, "prepare", refuse)
     monkeypatch.setattr(upgrade, "measure", lambda *arguments: pytest.fail("the base was measured"))
-    asked = Namespace(device="cpu", since=stack_of("1.8.0"), stack=stack_of("1.9.0"), format="text")
+    asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
     with pytest.raises(UsageError, match="cannot run the scene"):
         upgrade.run(toy.project.of("1.9.0"), asked)
 

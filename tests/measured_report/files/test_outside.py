@@ -13,8 +13,8 @@ from conftest import EXPERIMENT, MODULE, ROWS, derived
 from measured_report.changes.faults import faults_of
 from measured_report.commands import page
 from measured_report.deriving.editions import derive_edition
-from measured_report.editions.manifest import Manifest, read_manifest, write_manifest
-from measured_report.editions.stack import stack_of
+from measured_report.editions.project import Manifest, read_manifest, write_manifest
+from measured_report.editions.release import release_of
 from measured_report.files.atomic import RecordError, recover
 from measured_report.files.errors import ReportError
 from measured_report.pages.prose import Templates
@@ -87,7 +87,7 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     manifest = toy.record_path.with_name("edition.toml")
     write_manifest(manifest.parent, Manifest("1.4.0", "", ("toy", "lost")))
     manifest.write_bytes(manifest.read_bytes() + text)
-    assert page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     edition = derive_edition(toy.project, Templates(toy.project.templates))
     assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [("damaged", "edition.toml")]
     assert 'id="toy"' in toy.page
@@ -116,7 +116,7 @@ def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_t
     toy.record_path.write_text(data)
     manifest = toy.record_path.with_name("edition.toml")
     write_manifest(manifest.parent, Manifest(f"1.4.0{text}", "", ("toy",)))
-    assert page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     said = capsys.readouterr().err
     assert len(said.splitlines()) == 2 and not any(text in line for line in said.splitlines())
     assert "newton-1.4.0/toy.json: command ha" in said and "newton-1.4.0/edition.toml is no whole manifest" in said
@@ -140,7 +140,7 @@ def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_
         "report/sections/toy.py", f"import math\n{MODULE}".replace("    return Sec", f"    {breaks}\n    return Sec")
     )
     toy.measure(rows)
-    assert page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     [line] = capsys.readouterr().err.splitlines()
     assert line.startswith("damaged: newton-1.4.0/toy.json: its record lacks what the section is about")
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
@@ -151,7 +151,7 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
         "templates/front.md.j2", '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n'
     )
     toy.measure([{**row, "note": "as text"} for row in ROWS])
-    assert page.run(toy.project, Namespace(stack=stack_of("1.4.0"), address="")) == 1
+    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
     [line] = capsys.readouterr().err.splitlines()
     assert line.startswith("damaged: front: nothing can be said (templates/front.md.j2: 'str object' has no attribute")
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page

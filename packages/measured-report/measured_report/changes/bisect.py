@@ -11,7 +11,7 @@ from typing import TypeVar
 from measured_report.changes.query import Answer, Query
 from measured_report.deriving.editions import Edition, editions_of
 from measured_report.editions.project import Project
-from measured_report.editions.stack import Stack, releases_between, stack_of
+from measured_report.editions.release import Release, release_of, releases_between
 from measured_report.editions.status import state_of
 from measured_report.files.atomic import locked
 from measured_report.files.config import config
@@ -47,45 +47,45 @@ class Bisection:
     answers: dict[tuple[str, ...], Answer | None] = field(default_factory=dict)
     """What was found before, by what was asked of which edition."""
 
-    def _answer(self, stack: Stack) -> Answer | None:
-        """Return what a stack answers, measured unless that was done before."""
-        label = str(stack.label)
+    def _answer(self, release: Release) -> Answer | None:
+        """Return what a release answers, measured unless that was done before."""
+        label = str(release)
         asked = (self.query.text, self.project.profile, label)
         if asked not in self.answers:
-            edition = self._edition(stack, [self.query.section])
+            edition = self._edition(release, [self.query.section])
             answer = self.query.answer(edition.chapters)
             # Without its noise most differences can't be told.
             if answer is None and NOISE not in edition.chapters and NOISE in all_sections(self.project.root):
-                answer = self.query.answer(self._edition(stack, [self.query.section, NOISE]).chapters)
+                answer = self.query.answer(self._edition(release, [self.query.section, NOISE]).chapters)
             self.answers[asked] = answer
             print(f"step {len(self.answers)}: {label}: {self.query.text} {said(answer)}", flush=True)
         return self.answers[asked]
 
-    def _edition(self, stack: Stack, sections: Sequence[str]) -> Edition:
+    def _edition(self, release: Release, sections: Sequence[str]) -> Edition:
         """Derive these sections; what has no record is measured, and kept apart from those of the editions.
 
         A section that compares editions has this one alone, which is all that its claims about each of them take.
         """
-        side = self.side(stack, sections)
+        side = self.side(release, sections)
         lacking = _lacking(side, sections)
-        side = measure(side, stack, lacking, self.device) if lacking else side
+        side = measure(side, release, lacking, self.device) if lacking else side
         return editions_of(side, self.templates, among=[side.release])[side.release]
 
-    def side(self, stack: Stack, sections: Sequence[str] = ()) -> Project:
-        """Where a stack's records of these sections, by default the one that is asked for, are or will be."""
-        own = self.project.of(str(stack.label))
+    def side(self, release: Release, sections: Sequence[str] = ()) -> Project:
+        """Where a release's records of these sections, by default the one that is asked for, are or will be."""
+        own = self.project.of(str(release))
         return replace(own, aside=ASIDE) if _lacking(own, sections or [self.query.section]) else own
 
-    def is_first(self, ends: tuple[Answer, Answer], stack: Stack) -> bool | None:
-        """Whether a stack answers as the first end does; None, and say why, where it can't tell."""
+    def is_first(self, ends: tuple[Answer, Answer], release: Release) -> bool | None:
+        """Whether a release answers as the first end does; None, and say why, where it can't tell."""
         try:
-            answer = self._answer(stack)
+            answer = self._answer(release)
         except ReportError as error:
-            print(f"{stack.label}: cannot be measured: {error}".rstrip(": "), flush=True)
+            print(f"{release}: cannot be measured: {error}".rstrip(": "), flush=True)
             return None
         return None if answer is None else self.query.is_first(answer, *ends)
 
-    def ends(self, first: Stack, last: Stack) -> tuple[Answer, Answer]:
+    def ends(self, first: Release, last: Release) -> tuple[Answer, Answer]:
         """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
         answers = self._answer(first), self._answer(last)
         if None in answers or answers[0] == answers[1]:
@@ -123,49 +123,51 @@ def first_change(points: Sequence[Point], is_first: Callable[[Point], bool | Non
     return points[low], points[high], [points[place] for place in sorted(skipped) if low < place < high]
 
 
-def bisect_releases(search: Bisection, first: Stack, last: Stack) -> str:
+def bisect_releases(search: Bisection, first: Release, last: Release) -> str:
     """Say which release is the first that answers otherwise, and which of its packages does it."""
     is_first = partial(search.is_first, search.ends(first, last))
-    between = [stack_of(release) for release in releases_between(first.label, last.label)]
+    between = releases_between(first, last)
     before, after, skipped = first_change([first, *between, last], is_first)
-    said = f"{search.query.text} changes between {before.label} and {after.label}\n"
+    said = f"{search.query.text} changes between {before} and {after}\n"
     if skipped:
-        said += f"between them cannot tell: {', '.join(str(stack.label) for stack in skipped)}\n"
+        said += f"between them cannot tell: {', '.join(str(release) for release in skipped)}\n"
     return said + _which_package(search, before, after, is_first)
 
 
-def _which_package(search: Bisection, before: Stack, after: Stack, is_first: Callable[[Stack], bool | None]) -> str:
+def _which_package(
+    search: Bisection, before: Release, after: Release, is_first: Callable[[Release], bool | None]
+) -> str:
     """Say which package did it: the first alone, with the others as they were, or one of those, with the first so."""
     package, together = config().package, config().changes.together
     others = [name for names in together for name in names]
-    states = (state_of(search.side(stack), search.query.section) for stack in (before, after))
+    states = (state_of(search.side(release), search.query.section) for release in (before, after))
     old, new = (state.record.identity.packages for state in states)
     if not others:
-        return f"{package} {after.label.version} did it: it is the only package"
+        return f"{package} {after.version} did it: it is the only package"
     if any(old[name] == MISSING for name in others):
         return "which package did it cannot be told: one of them is not there in all"
     if all(old[name] == new[name] for name in others):
-        return f"{package} {after.label} did it: the other packages are the same"
+        return f"{package} {after} did it: the other packages are the same"
     alone = is_first(_pinned(after, old, others))
     if alone is False:
         kept = ", ".join(f"{name} {old[name]}" for name in others)
-        return f"{package} {after.label.version} did it: it is so with {kept} as well, which {before.label} has"
+        return f"{package} {after.version} did it: it is so with {kept} as well, which {before} has"
     # A newer edition may not run with older packages, but an older one with newer.
     if alone is None and is_first(_pinned(before, new, others)):
-        return f"{package} {after.label.version} did it: {before.label} stays as it is with all others of {after.label}"
+        return f"{package} {after.version} did it: {before} stays as it is with all others of {after}"
     found = [
         " and ".join(names)
         for names in together
         if any(old[name] != new[name] for name in names) and is_first(_pinned(before, new, names)) is False
     ]
     if found:
-        so = f"{package} {before.label.version} does so too with that of {after.label}"
+        so = f"{package} {before.version} does so too with that of {after}"
         return f"{' or '.join(found)} did it: {so}"
     return "which package did it cannot be told: no one of them does it alone"
 
 
-def _pinned(stack: Stack, versions: Mapping[str, str], packages: Sequence[str]) -> Stack:
-    return stack_of(str(stack.label), " ".join(f"{package}=={versions[package]}" for package in packages))
+def _pinned(release: Release, versions: Mapping[str, str], packages: Sequence[str]) -> Release:
+    return release_of(str(release), " ".join(f"{package}=={versions[package]}" for package in packages))
 
 
 def bisect_commits(repository: Path, first: str, last: str, clone: Path, is_first: Callable[[], bool | None]) -> str:
@@ -201,7 +203,7 @@ def commit_count(repository: Path, first: str, last: str) -> int:
     return int(_git(repository, "rev-list", "--count", f"{first}..{last}"))
 
 
-def common_repository(first: Stack, last: Stack) -> tuple[Path, str, str] | None:
+def common_repository(first: Release, last: Release) -> tuple[Path, str, str] | None:
     """Return the local repository that both are commits of, and their references; None where they are not."""
-    (path, _, old), (other, _, new) = (stack.asked.rpartition("@") for stack in (first, last))
+    (path, _, old), (other, _, new) = (release.asked.rpartition("@") for release in (first, last))
     return (Path(path), old, new) if path and path == other and Path(path).is_dir() else None

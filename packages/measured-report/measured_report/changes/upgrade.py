@@ -37,11 +37,11 @@ def base_of(project: Project) -> str | None:
     It has the deciding sections, in this profile or in full runs.
     """
     sides = [side.of(name) for side in (project, replace(project, profile="full")) for name in side.releases]
-    plain = [side for side in sides if side.release == side.label.version and not _lacking(side)]
-    found = {side.release: side.label.order for side in plain if side.release != project.release}
-    if project.label.version in found:
-        return project.label.version
-    return max((name for name in found if found[name] < project.label.order), key=found.__getitem__, default=None)
+    plain = [side for side in sides if side.release == side.named.version and not _lacking(side)]
+    found = {side.release: side.named.order for side in plain if side.release != project.release}
+    if project.named.version in found:
+        return project.named.version
+    return max((name for name in found if found[name] < project.named.order), key=found.__getitem__, default=None)
 
 
 def _lacking(project: Project) -> list[str]:
@@ -119,8 +119,8 @@ def _advice(found: Comparison, before: Edition, after: Edition) -> str:
 
 def _bisect_ends(before: Project, after: Project) -> tuple[str, str]:
     """Name both editions to bisect: those of a repository as its commits, with the tag of the release that is older."""
-    source, asked = after.label.source, after.asked
+    source, asked = after.named.source, after.asked
     folder = asked.rpartition("@")[0] or asked
-    if source.startswith("g") and Path(folder).is_dir() and not before.label.source:
-        return f"A={folder}@v{before.label.version}", f"B={folder}@{source[1:8]}"
+    if source.startswith("g") and Path(folder).is_dir() and not before.named.source:
+        return f"A={folder}@v{before.named.version}", f"B={folder}@{source[1:8]}"
     return f"A={before.asked}", f"B={asked}"

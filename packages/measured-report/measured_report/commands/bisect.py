@@ -20,7 +20,7 @@ from measured_report.commands.options import add_options, refuse_lacking_ends
 from measured_report.commands.page import build_site
 from measured_report.editions.devices import measuring_device
 from measured_report.editions.project import Project
-from measured_report.editions.stack import releases_between, stack_of
+from measured_report.editions.release import release_of, releases_between
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
 from measured_report.files.suggestion import suggestion
@@ -44,7 +44,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         raise UsageError(f"{query.given} is in no section{hint}; {query.example} is")
     search = Bisection(replace(project, profile="quick"), query, device, Templates(project.templates))
     repository = common_repository(arguments.a, arguments.b)
-    count = commit_count(*repository) if repository else len(releases_between(arguments.a.label, arguments.b.label)) + 1
+    count = commit_count(*repository) if repository else len(releases_between(arguments.a, arguments.b)) + 1
     print(_cost(search, count), flush=True)
     try:
         search.ends(arguments.a, arguments.b)
@@ -59,8 +59,8 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         clone = project.root / CLONE
 
         def is_first() -> bool | None:
-            stack_of.cache_clear()  # there is another commit in the clone now
-            return search.is_first(ends, stack_of(str(clone)))
+            release_of.cache_clear()  # there is another commit in the clone now
+            return search.is_first(ends, release_of(str(clone)))
 
         found = bisect_commits(*repository, clone, is_first)
     else:

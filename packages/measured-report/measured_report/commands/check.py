@@ -18,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the claims; 1 where a record is damaged."""
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     edition = editions_of(project, Templates(project.templates))[project.release]
     found = alarm.check(edition)
     print(alarm.check_text(found, arguments.format))

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import ModuleType
 
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.files.atomic import recover
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.root import ROOT
@@ -73,8 +73,8 @@ def _run(name: str, *given: str) -> int:
     parser = parser_of(module)
     arguments = parser.parse_args([*_typed(parser), *given])
     own = own_release()
-    arguments.stack = stack_of(arguments.edition or own, arguments.pins)
-    project = Project(str(arguments.stack.label), arguments.profile, own_release=own)
+    arguments.release = release_of(arguments.edition or own, arguments.pins)
+    project = Project(str(arguments.release), arguments.profile, own_release=own)
     damaged = recover(project.results.parent, load_record)
     for line in damaged:
         _say(line)

@@ -20,9 +20,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
     refuse_lacking_ends(arguments, "make diff A=1.4.0 B=1.8.0")
-    sides = [project.of(str(stack.label)) for stack in (arguments.a, arguments.b)]
-    for side, stack in zip(sides, (arguments.a, arguments.b), strict=True):
-        refuse_unmeasured(side, stack.asked)
+    sides = [project.of(str(release)) for release in (arguments.a, arguments.b)]
+    for side, release in zip(sides, (arguments.a, arguments.b), strict=True):
+        refuse_unmeasured(side, release.asked)
     editions = editions_of(project, Templates(project.templates), among=[side.release for side in sides])
     comparison = compare(*(editions[side.release] for side in sides))
     print(diff_text(comparison, arguments.format, all_values=arguments.values == "all"))

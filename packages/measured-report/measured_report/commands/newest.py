@@ -3,9 +3,8 @@
 import argparse
 from dataclasses import replace
 
-from measured_report.editions.label import read_label
 from measured_report.editions.project import PROFILES, Project
-from measured_report.editions.stack import releases_of
+from measured_report.editions.release import releases_of
 from measured_report.editions.status import records_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
@@ -20,18 +19,18 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     package = config().package
     sides = (replace(project, profile=profile) for profile in PROFILES)
     known = [side.of(release) for side in sides for release in side.releases]
-    newest = max((each.label for each in known), key=lambda label: label.order)
+    newest = max((each.named for each in known), key=lambda release: release.order)
     releases = releases_of(package)
     if not releases:
         raise ReportError(f"the index says of no release of {package}; this takes the network")
-    latest = read_label(releases[-1])
+    latest = releases[-1]
     if latest.order > newest.order:
         print(f"{package}={latest}\nwith=")
         return 0
     for other, *_ in config().changes.together:
         used = {record.identity.packages[other] for each in known for record in records_of(each)}
         for newer in releases_of(other)[-1:]:
-            if newer not in used:
+            if str(newer) not in used:
                 print(f"{package}={newest.version}\nwith={other}=={newer}")
                 return 0
     return 0

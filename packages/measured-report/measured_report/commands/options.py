@@ -7,7 +7,7 @@ from typing import Any
 
 from measured_report.editions.devices import DEVICES
 from measured_report.editions.project import PROFILES, Project
-from measured_report.editions.stack import stack_of
+from measured_report.editions.release import release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
@@ -50,8 +50,8 @@ SHARED: dict[str, dict[str, Any]] = {
     "device": {"type": one_of("DEVICE", DEVICES), "help": "cuda or cpu: where to measure; a CPU only when asked"},
     "cluster": {"type": read_cluster, "help": "who measures: local (all GPUs of this host) or tcp://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},
-    "a": {"type": partial(stack_of, option="A"), "help": "edition to compare from"},
-    "b": {"type": partial(stack_of, option="B"), "help": "edition to compare with it"},
+    "a": {"type": partial(release_of, option="A"), "help": "edition to compare from"},
+    "b": {"type": partial(release_of, option="B"), "help": "edition to compare with it"},
     "claim": {"default": "", "help": "claim to follow, as SECTION.NAME"},
     "value": {"default": "", "help": "value, as SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row"},
     "format": {"type": one_of("FORMAT", FORMATS), "default": "text", "help": "text, markdown or json (docs/alarm.md)"},

@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Build the site; 1 where a record is damaged."""
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     return int(build_site(project, arguments.address)[0])
 
 
@@ -56,5 +56,5 @@ def _hint(project: Project, section: str) -> str:
         return f"{project.rerun(section)} measures one of them"
     if not needs_gpu(section, project.root) or not any(machines_besides(project, "cpu")):
         return f"{project.rerun(section, 'cpu')} measures one of them"
-    own = f"; with DEVICE=cpu it becomes an edition of its own, {replace(project.label, machine='cpu')}"
-    return f"{project.rerun(section)} measures one of them on a GPU{'' if project.label.machine else own}"
+    own = f"; with DEVICE=cpu it becomes an edition of its own, {replace(project.named, machine='cpu')}"
+    return f"{project.rerun(section)} measures one of them on a GPU{'' if project.named.machine else own}"

@@ -21,12 +21,12 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Measure what is not fresh, where that may be done unasked, and build the site."""
     device = device_of(project, arguments)
     if not device:
-        refuse_unmeasured(project, arguments.stack.asked)
+        refuse_unmeasured(project, arguments.release.asked)
     stale = [state.section for state in states_of(project) if state.kind != "fresh"]
     failed = False
     if stale and device:
         try:
-            project = measure(project, arguments.stack, stale, device, arguments.cluster)
+            project = measure(project, arguments.release, stale, device, arguments.cluster)
         except UsageError:
             raise
         except ReportError as error:

@@ -27,7 +27,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     device = device_of(project, arguments) if needs_gpu(section, project.root) else "cpu"
     if not device:
         raise UsageError(NO_CUDA)
-    project = measure(project, arguments.stack, [section], device, arguments.cluster)
+    project = measure(project, arguments.release, [section], device, arguments.cluster)
     return int(build_site(project, arguments.address)[0])
 
 

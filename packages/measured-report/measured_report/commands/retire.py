@@ -9,8 +9,8 @@ from measured_report.changes.bisect import ASIDE, CLONE
 from measured_report.commands.options import add_options
 from measured_report.commands.page import build_site
 from measured_report.editions.environment import environment_of
-from measured_report.editions.label import read_label
 from measured_report.editions.project import PROFILES, Project
+from measured_report.editions.release import read_label
 from measured_report.files.atomic import locked
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
@@ -37,9 +37,9 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         lacks += f"; {config().option}=1.5.0 names another"
     else:
         sides = [replace(project, profile=profile, aside=aside) for aside in ("", ASIDE) for profile in PROFILES]
-        folders = [*(side.results for side in sides), environment_of(arguments.stack, root)]
+        folders = [*(side.results for side in sides), environment_of(arguments.release, root)]
         gone = [folder for folder in folders if folder.is_dir()]
-        lacks = f"{config().option}={arguments.stack.asked} has neither results nor an environment"
+        lacks = f"{config().option}={arguments.release.asked} has neither results nor an environment"
     if not gone:
         raise UsageError(lacks)
     for folder in gone:

@@ -19,10 +19,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Serve the site until Ctrl-C, and build it again whenever something changes."""
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)
     print(f"serving {project.site} at http://127.0.0.1:{arguments.port}", flush=True)
-    options = [f"--{EDITION}", arguments.stack.asked, "--profile", project.profile]
+    options = [f"--{EDITION}", arguments.release.asked, "--profile", project.profile]
     command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
     server.follow(project.inputs, partial(subprocess.run, command, cwd=project.root, check=False))
     return 0

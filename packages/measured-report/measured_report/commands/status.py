@@ -19,7 +19,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
     A command of the report that makes something says by its ``state(project)`` whether that is fresh.
     """
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     print(status_matrix(project))
     print(f"\n{config().package} {project.release}")
     made = [module.state(project) for module in commands(OWN) if hasattr(module, "state")]

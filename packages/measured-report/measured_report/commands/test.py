@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Run pytest with one edition; return its exit status."""
-    python = python_of(arguments.stack, expected_packages(project), project.root)
+    python = python_of(arguments.release, expected_packages(project), project.root)
     if python.is_relative_to(project.root):  # a Python that is not the project's is left as it is
         add_cluster(python, project.root)
     command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]

@@ -38,7 +38,7 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         rules = config().changes
         forms = f"{rules.example_value}, or a number of a row, VALUE={rules.headline}"
         raise UsageError(f"VALUE is missing: make trace VALUE={forms}")
-    refuse_unmeasured(project, arguments.stack.asked)
+    refuse_unmeasured(project, arguments.release.asked)
     templates = Templates(project.templates)
     print(Provenance(project, editions_of(project, templates), templates).text(arguments.value))
     return 0

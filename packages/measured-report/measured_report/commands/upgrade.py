@@ -16,7 +16,7 @@ from measured_report.commands.page import build_site
 from measured_report.deriving.editions import editions_of
 from measured_report.editions.devices import NO_CUDA, machine_name, measuring_device
 from measured_report.editions.project import Project
-from measured_report.editions.stack import Stack, stack_of
+from measured_report.editions.release import Release, release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
@@ -29,20 +29,20 @@ STDOUT, STDERR = 1, 2  # as programs that are started from here know them
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add which edition is measured, and which it is compared with."""
     since = "edition to compare an upgrade with; otherwise the same one unpinned, or the one before"
-    parser.add_argument("--since", type=partial(stack_of, option="SINCE"), help=since)
+    parser.add_argument("--since", type=partial(release_of, option="SINCE"), help=since)
     add_options(parser, "edition", "device", "profile", "format")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Measure the few sections that decide, say what changed, largest first, and build the site; 1 for an alarm."""
     device = measuring_device(arguments.device, project.profile)
-    base = arguments.since or stack_of(base_of(project) or project.own_release)
+    base = arguments.since or release_of(base_of(project) or project.own_release)
     with nullcontext() if arguments.format == "text" else printing_to_stderr():
-        stacks = base, arguments.stack
-        lacking = [_lacking(project.of(str(stack.label)), device, renews=stack is not base) for stack in stacks]
+        asked = base, arguments.release
+        lacking = [_lacking(project.of(str(release)), device, renews=release is not base) for release in asked]
         if device and all(lacking):
-            prepare(project, arguments.stack, lacking[1], device)  # before a base is measured for nothing
-        sides = [_with_deciding(project, stack, device, renews=stack is not base) for stack in stacks]
+            prepare(project, arguments.release, lacking[1], device)  # before a base is measured for nothing
+        sides = [_with_deciding(project, release, device, renews=release is not base) for release in asked]
     names = [side.release for side in sides]
     editions = editions_of(project, Templates(project.templates), among=names)
     compared = [editions[name] for name in names]
@@ -54,9 +54,9 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     return int(found.is_alarm)
 
 
-def _with_deciding(project: Project, stack: Stack, device: str | None, *, renews: bool) -> Project:
-    """Measure the deciding sections of a stack that are missing or, if ``renews``, stale; return its report."""
-    side = project.of(str(stack.label))
+def _with_deciding(project: Project, release: Release, device: str | None, *, renews: bool) -> Project:
+    """Measure the deciding sections of a release that are missing or, if ``renews``, stale; return its report."""
+    side = project.of(str(release))
     lacking = _lacking(side, device, renews=renews)
     if lacking and not device:
         quick = replace(project, profile="quick")
@@ -68,7 +68,7 @@ def _with_deciding(project: Project, stack: Stack, device: str | None, *, renews
         print(f"{what}, about {minutes:.0f} min", flush=True)
         side = kept_by(side, machine_name(device), lacking)
         try:
-            measure(side, stack, lacking, device)
+            measure(side, release, lacking, device)
         except UsageError:
             raise
         except ReportError as error:  # what could be measured may say enough

@@ -16,9 +16,7 @@ from measured_report.deriving.dependencies import Dependencies, Tracked
 from measured_report.deriving.extras import Extras, extras
 from measured_report.deriving.quick import marks_of
 from measured_report.deriving.sections import LostError, derive_section, file_of, outline_of
-from measured_report.editions.manifest import NAME as MANIFEST
-from measured_report.editions.manifest import read_manifest
-from measured_report.editions.project import Project
+from measured_report.editions.project import MANIFEST, Project, read_manifest
 from measured_report.editions.status import State, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import config

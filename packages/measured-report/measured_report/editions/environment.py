@@ -19,7 +19,7 @@ from functools import partial
 from pathlib import Path
 
 import measured_report
-from measured_report.editions.stack import Stack, release_date
+from measured_report.editions.release import Release, release_date
 from measured_report.files.atomic import locked, remove
 from measured_report.files.config import config, read_toml
 from measured_report.files.errors import ReportError, UsageError
@@ -70,27 +70,27 @@ def add_cluster(python: Path, root: Path = ROOT) -> None:
         _run(own if folder.name == ".venv" else [uv, "pip", "install", "--python", str(python), *takes], "cluster")
 
 
-def python_of(stack: Stack, packages: Mapping[str, str], root: Path = ROOT) -> Path:
-    """The Python that has a stack; its environment is made when it is not there.
+def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) -> Path:
+    """The Python that has a release; its environment is made when it is not there.
 
     ``packages`` are the versions that its earlier measurements were made with, to be installed again; one that is
     ``missing`` there is as ``requirements`` says.
     """
     package, option = config().package, config().option
-    if stack.label.is_installed_with(package_versions()):
+    if release.is_installed_with(package_versions()):
         return Path(sys.executable)
-    if not stack.requirement:
+    if not release.requirement:
         place = f"a path or git+https://HOST/{package}.git@COMMIT"
-        raise UsageError(f"{option}={stack.label} does not say where its code is; {place} does")
-    folder = environment_of(stack, root)
+        raise UsageError(f"{option}={release} does not say where its code is; {place} does")
+    folder = environment_of(release, root)
     others = {name: version for name, version in packages.items() if name != package}
-    rest = requirements(root, {package: MISSING, **others, **dict(stack.label.pins)})
-    source = "\n".join([stack.requirement, *rest]).encode()
-    if stack.checkout:
-        source += (stack.checkout / "pyproject.toml").read_bytes()
-    if stack.checkout or not (folder / READY).exists():
-        _make(folder, f"{option}={stack.asked}", source, partial(_from_requirements, root, stack, rest), root)
-    _refuse_other(folder / "bin" / "python", stack, root)
+    rest = requirements(root, {package: MISSING, **others, **dict(release.pins)})
+    source = "\n".join([release.requirement, *rest]).encode()
+    if release.checkout:
+        source += (release.checkout / "pyproject.toml").read_bytes()
+    if release.checkout or not (folder / READY).exists():
+        _make(folder, f"{option}={release.asked}", source, partial(_from_requirements, root, release, rest), root)
+    _refuse_other(folder / "bin" / "python", release, root)
     return folder / "bin" / "python"
 
 
@@ -108,16 +108,16 @@ def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Pa
     return folder / "bin" / "python"
 
 
-def environment_of(stack: Stack, root: Path = ROOT) -> Path:
-    """Where the environment of a stack lies; that of a checkout serves all that is edited in it."""
-    name = str(replace(stack.label, machine=""))
-    if stack.checkout:
+def environment_of(release: Release, root: Path = ROOT) -> Path:
+    """Where the environment of a release lies; that of a checkout serves all that is edited in it."""
+    name = str(replace(release, machine=""))
+    if release.checkout:
         pins = "".join(f"+{part}" for part in name.split("+")[2:])
-        name = f"{stack.checkout.name}-{hashlib.sha256(str(stack.checkout).encode()).hexdigest()[:7]}{pins}"
+        name = f"{release.checkout.name}-{hashlib.sha256(str(release.checkout).encode()).hexdigest()[:7]}{pins}"
     return root / f".venv-{config().edition_folder(name)}"
 
 
-def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
+def _refuse_other(python: Path, release: Release, root: Path) -> None:
     """UsageError unless what is installed is what was asked for."""
     code = (
         f"import json, sys; sys.path.append({str(Path(measured_report.__file__).parents[1])!r});"
@@ -125,10 +125,10 @@ def _refuse_other(python: Path, stack: Stack, root: Path) -> None:
     )
     done = subprocess.run([python, "-c", code], cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
-        asked = f"{config().option}={stack.asked}"
+        asked = f"{config().option}={release.asked}"
         raise UsageError(f"{asked}: {python} does not run; remove its folder and it is made anew")
     installed = json.loads(done.stdout)
-    wanted = {**dict(stack.label.pins), config().package: stack.label.package_version}
+    wanted = {**dict(release.pins), config().package: release.package_version}
     for package, version in wanted.items():
         found = installed[package]
         if found.partition(f"{EDITED}.")[0] != version.removesuffix(EDITED):
@@ -210,21 +210,21 @@ def _from_lock(root: Path, uv: str, new: Path) -> list[list[str]]:
     return [[uv, "sync", "--frozen", "--project", str(root)]]
 
 
-def _from_requirements(root: Path, stack: Stack, rest: Sequence[str], uv: str, new: Path) -> list[list[str]]:
+def _from_requirements(root: Path, release: Release, rest: Sequence[str], uv: str, new: Path) -> list[list[str]]:
     """Install what was asked for and the rest: packages that nobody named are those of the day on which it came out."""
-    pins = dict(stack.label.pins)
+    pins = dict(release.pins)
     overrides = new / "overrides.txt"
     overrides.write_text("".join(f"{name}=={version}\n" for name, version in pins.items()), encoding="utf-8")
     options = ["--python", str(new / "bin" / "python"), "--group", f"{root / 'pyproject.toml'}:dev"]
     options += ["--overrides", str(overrides)] if pins else []
-    if not os.environ.get(FILTER) and (day := release_date(stack)):
-        print(f"{config().option}={stack.asked}: came out on {day}; its packages are those of that day", flush=True)
+    if not os.environ.get(FILTER) and (day := release_date(release)):
+        print(f"{config().option}={release.asked}: came out on {day}; its packages are those of that day", flush=True)
         after = (date.fromisoformat(day) + timedelta(days=1)).isoformat()
         options += ["--exclude-newer", after]
         named = [requirement.partition("==")[0] for requirement in rest if "==" in requirement]
         options += [word for name in named for word in ("--exclude-newer-package", f"{name}=2100-01-01")]
     extras = config().requirement.removeprefix(config().package)
-    asked = ["--editable", f"{stack.checkout}{extras}"] if stack.checkout else [stack.requirement]
+    asked = ["--editable", f"{release.checkout}{extras}"] if release.checkout else [release.requirement]
     return [[uv, "pip", "install", *options, *rest, *asked]]
 
 

@@ -1,21 +1,67 @@
-"""Which report is meant: the project's folder, an edition and a profile."""
+"""The project: one report of one checkout, of an edition and in a profile, and what is known of the edition.
 
+``edition.toml`` beside an edition's records says what it was asked for as, and which sections were measured, so that
+none goes unnoticed; an edition without one, as of an older checkout, says nothing of itself.
+"""
+
+import json
+import os
 import re
 import shlex
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from measured_report.editions.label import Label, read_label
-from measured_report.editions.manifest import Manifest, read_manifest
-from measured_report.files.atomic import RecordError
-from measured_report.files.config import config
+import msgspec
+from msgspec import Struct
+
+from measured_report.editions.release import Release, read_label
+from measured_report.files.atomic import RecordError, atomic_file, read_own_file, short_path
+from measured_report.files.config import config, parse_toml
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
+from measured_report.records.columns import UNPRINTABLE, name_problem
 
 PROFILES = ("full", "quick")
 INPUTS = ("packages", "experiments", "report", "templates", "assets", "results")
 """Folders that the site is made from."""
+MANIFEST = "edition.toml"
+BYTE_LIMIT = 1 << 20
+
+
+class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
+    """Knowledge of an edition besides its records."""
+
+    asked: str
+    """As the command that measured it named its package: a release, a path or an address."""
+    date: str = ""
+    """Of the release or the commit, as 2026-11-11; empty where it is not known."""
+    sections: tuple[str, ...] = ()
+    """Sections that have been measured."""
+
+
+def read_manifest(results: Path) -> Manifest | None:
+    """Read the manifest in a folder of results; None where there is none, RecordError for one that is damaged."""
+    path = results / MANIFEST
+    if not os.path.lexists(path):
+        return None
+    content = read_own_file(path, BYTE_LIMIT)
+    try:
+        found = parse_toml(content.decode("utf-8"))
+        for text in (value for value in [*found.values(), *found.get("sections", ())] if isinstance(value, str)):
+            if problem := name_problem(text):
+                raise ValueError(f"{UNPRINTABLE.sub('?', text)!r:.80} {problem}")
+        told = {"asked": found.pop(config().package), "date": found.pop("date"), "sections": found.pop("sections")}
+        return msgspec.convert({**told, **found}, Manifest)
+    except (KeyError, ValueError, RecursionError) as error:
+        raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
+
+
+def write_manifest(results: Path, manifest: Manifest) -> None:
+    fields = {config().package: manifest.asked, "date": manifest.date, "sections": manifest.sections}
+    lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
+    with atomic_file(results / MANIFEST) as path:
+        path.write_text("".join(lines), encoding="utf-8")
 
 
 @dataclass(frozen=True)
@@ -23,7 +69,7 @@ class Project:
     """One report of one checkout."""
 
     release: str
-    """Label of the edition whose results are shown: mostly a release."""
+    """Label of the edition whose results are shown."""
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
     root: Path = ROOT
@@ -42,12 +88,12 @@ class Project:
 
     @property
     def inputs(self) -> list[Path]:
-        """Folders that the site is made from."""
+        """List the folders that the site is made from."""
         return [self.root / name for name in INPUTS]
 
     @property
     def results(self) -> Path:
-        """The folder of the edition's records; only those of the full profile are tracked."""
+        """Name the folder of the edition's records; only those of the full profile are tracked."""
         parts = [self.aside] if self.aside else []
         parts += [self.profile] if self.aside or self.profile != "full" else []
         return self.root.joinpath("results", *parts, config().edition_folder(self.release))
@@ -57,42 +103,43 @@ class Project:
         return self.root / "templates"
 
     @property
-    def label(self) -> Label:
+    def named(self) -> Release:
+        """Return the release that its label names."""
         return read_label(self.release)
 
     @property
     def manifest(self) -> Manifest | None:
-        """What is known of the edition besides its records; None where nothing says, or nothing that can be read."""
+        """Read the edition's manifest; None where there is none, or none that can be read."""
         with suppress(RecordError):
             return read_manifest(self.results)
 
     @property
     def releases(self) -> list[str]:
-        """The editions that have results, and this one, by version and date."""
+        """List the editions that have results, and this one, by version and date."""
         there = {path.parent.name for path in self.results.parent.glob(config().edition_folder("*/*.json"))}
         found = filter(read_label, map(config().edition_in, there))
         return sorted({self.release, *found}, key=lambda release: self.of(release).order)
 
     @property
     def order(self) -> tuple:
-        """Sorts editions by version, those of one version by date, and what is pinned after the same without."""
-        label, manifest = self.label, self.manifest
+        """Sort editions by version, those of one version by date, and what is pinned after the same without."""
+        named, manifest = self.named, self.manifest
         # A release has its place by its version; a commit that was not measured yet is taken for the newest.
-        date = ((manifest and manifest.date) or "9999") if label.source else ""
-        return label.order, date, label.source, label.pins, label.machine
+        date = ((manifest and manifest.date) or "9999") if named.source else ""
+        return named.order, date, named.source, named.pins, named.machine
 
     def of(self, release: str) -> "Project":
-        """The report of another edition."""
+        """Return the report of another edition."""
         return replace(self, release=release, own_release=self.own_release or self.release)
 
     def record_path(self, section: str) -> Path:
         return self.results / f"{section}.json"
 
     def rerun(self, section: str, device: str | None = None) -> str:
-        """The command that measures a section, on ``device`` where one is named, or on a CPU where these are of one."""
+        """Say the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
         options = {
             "SECTION": section,
-            "DEVICE": device or ("cpu" if self.label.machine == "cpu" else None),
+            "DEVICE": device or ("cpu" if self.named.machine == "cpu" else None),
             config().option: None if self.is_own else self.asked,
             "PROFILE": None if self.profile == "full" else self.profile,
         }
@@ -101,13 +148,13 @@ class Project:
 
     @property
     def asked(self) -> str:
-        """What names this edition to make: its label, unless that does not say where its code is."""
-        manifest = self.manifest if self.label.source else None
+        """Name this edition to make: by its label, unless that does not say where its code is."""
+        manifest = self.manifest if self.named.source else None
         return manifest.asked if manifest else self.release
 
 
 def own_release(root: Path = ROOT) -> str:
-    """The project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
+    """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
     requirement = config().requirement_of(config().package)
     text = (root / "pyproject.toml").read_text(encoding="utf-8")
     found = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)

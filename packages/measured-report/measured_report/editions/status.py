@@ -76,13 +76,13 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
     its newest record says which versions of the other packages belong to it, so that a section measured with others
     before is stale. A checkout counts as it lies there now.
     """
-    label, installed = project.label, package_versions()
-    if label.is_installed_with(installed):
+    release, installed = project.named, package_versions()
+    if release.is_installed_with(installed):
         return installed
-    kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(label, machine=""))))]
+    kept = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
     newest = max(kept, key=lambda record: record.measured["date"], default=None)
     others = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**others, **dict(label.pins), config().package: package_version(project)}
+    return {**others, **dict(release.pins), config().package: package_version(project)}
 
 
 def package_version(project: Project) -> str:
@@ -90,10 +90,10 @@ def package_version(project: Project) -> str:
 
     Git is not asked: in a repository that a manifest names it would run what that one's settings say.
     """
-    label, manifest = project.label, project.manifest
-    if label.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
-        return f"{label.version}+{label.source}.{code_in(folder)}"
-    return label.package_version
+    release, manifest = project.named, project.manifest
+    if release.source.endswith(EDITED) and manifest and (folder := Path(manifest.asked)).is_dir():
+        return f"{release.package_version}.{code_in(folder)}"
+    return release.package_version
 
 
 def records_of(project: Project) -> Iterator[Record]:

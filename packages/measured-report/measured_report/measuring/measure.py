@@ -15,9 +15,8 @@ from typing import Any
 
 from measured_report.editions.devices import machine_name, machine_of, needs_gpu, slug
 from measured_report.editions.environment import add_cluster, python_of
-from measured_report.editions.manifest import Manifest, read_manifest, write_manifest
-from measured_report.editions.project import Project
-from measured_report.editions.stack import Stack, release_date
+from measured_report.editions.project import Manifest, Project, read_manifest, write_manifest
+from measured_report.editions.release import Release, release_date
 from measured_report.editions.status import expected_packages, records_of
 from measured_report.files.atomic import locked, refuse_unwritable
 from measured_report.files.config import config
@@ -32,7 +31,7 @@ BATCH = re.compile(r"(?:batch|alone)_(.+)_s")  # under what a record has the tim
 
 
 def measure(
-    project: Project, stack: Stack, sections: Sequence[str], device: str, cluster: ClusterAddress | None = None
+    project: Project, release: Release, sections: Sequence[str], device: str, cluster: ClusterAddress | None = None
 ) -> Project:
     """Measure the sections, in one process or on a cluster; ReportError if any failed.
 
@@ -40,7 +39,7 @@ def measure(
     """
     machine, options = "cpu", ["--profile", project.profile, "--aside", project.aside]
     if cluster:
-        python = python_of(stack, expected_packages(project), project.root)
+        python = python_of(release, expected_packages(project), project.root)
         add_cluster(python, project.root)
         options += ["--cluster", cluster.asked]
     if device == "cuda":
@@ -52,25 +51,25 @@ def measure(
     try:
         options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
         options += [] if cluster else ["--processes", str(_batches_at_once(project, device))]
-        _run(kept, stack, "measured_report.measuring.run", device, *sections, *options)
+        _run(kept, release, "measured_report.measuring.run", device, *sections, *options)
     finally:
-        _note_measured(kept, stack)
+        _note_measured(kept, release)
         with suppress(OSError):
             kept.results.rmdir()  # which is empty where nothing came of it
     return kept
 
 
-def prepare(project: Project, stack: Stack, sections: Sequence[str], device: str) -> None:
-    """Install a stack and make it ready to measure these sections; UsageError where that can't be."""
-    options = ["--profile", project.profile, "--edition", str(stack.label), "--only-prepare"]
-    _run(project, stack, "measured_report.measuring.run", device, *sections, *options)
+def prepare(project: Project, release: Release, sections: Sequence[str], device: str) -> None:
+    """Install a release and make it ready to measure these sections; UsageError where that can't be."""
+    options = ["--profile", project.profile, "--edition", str(release), "--only-prepare"]
+    _run(project, release, "measured_report.measuring.run", device, *sections, *options)
 
 
-def measure_headline(project: Project, stack: Stack, device: str, program: str) -> Mapping[str, Any]:
+def measure_headline(project: Project, release: Release, device: str, program: str) -> Mapping[str, Any]:
     """Measure the headline and keep nothing of it; return what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        _run(project, stack, program, device, "--json", str(path))
+        _run(project, release, program, device, "--json", str(path))
         return json.loads(path.read_text(encoding="utf-8"))
 
 
@@ -102,9 +101,9 @@ def _batches_at_once(project: Project, device: str) -> int:
     return (os.cpu_count() or 1) if device == "cpu" and is_light else 1
 
 
-def _run(project: Project, stack: Stack, module: str, device: str, *options: str) -> None:
-    """Run a module that measures with a stack, by the Python of its environment; ReportError when it fails."""
-    python = python_of(stack, expected_packages(project), project.root)
+def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
+    """Run a module that measures with a release, by the Python of its environment; ReportError when it fails."""
+    python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
     settings = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
     if device == "cpu":
@@ -142,15 +141,15 @@ def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     """The report that results of ``machine`` belong to: its own where others' are there that needed a GPU, as these."""
-    label, asked = project.label, f"{config().option}={project.release}"
+    named, asked = project.named, f"{config().option}={project.release}"
     if not any(needs_gpu(section, project.root) for section in sections):
         return project
-    if label.machine not in ("", machine):
-        raise UsageError(f"{asked} has the results of {label.machine}, and this is {machine}")
+    if named.machine not in ("", machine):
+        raise UsageError(f"{asked} has the results of {named.machine}, and this is {machine}")
     others = dict.fromkeys(machines_besides(project, machine))
-    if not others or label.machine:
+    if not others or named.machine:
         return project
-    found = project.of(str(replace(label, machine=machine)))
+    found = project.of(str(replace(named, machine=machine)))
     print(f"{asked} has results of {', '.join(others)}; those of this machine are {found.release}")
     return found
 
@@ -161,11 +160,11 @@ def machines_besides(project: Project, machine: str) -> Iterator[str]:
     return filter(machine.__ne__, map(machine_of, kept))
 
 
-def _note_measured(project: Project, stack: Stack) -> None:
+def _note_measured(project: Project, release: Release) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
         there = {section for section in all_sections(project.root) if project.record_path(section).exists()}
         manifest = read_manifest(project.results)  # of a damaged one what it said is not lost unseen
-        day = manifest.date if manifest else release_date(stack)
+        day = manifest.date if manifest else release_date(release)
         if known := sorted({*there, *(manifest.sections if manifest else ())}):
-            write_manifest(project.results, Manifest(stack.asked, day, tuple(known)))
+            write_manifest(project.results, Manifest(release.asked, day, tuple(known)))

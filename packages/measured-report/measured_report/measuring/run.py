@@ -20,8 +20,8 @@ from types import ModuleType
 from tqdm import tqdm
 
 from measured_report.editions.devices import is_about
-from measured_report.editions.label import read_label
 from measured_report.editions.project import Project, own_release
+from measured_report.editions.release import read_label
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.measuring.cluster_address import read_cluster

@@ -1,4 +1,4 @@
-"""Stacks: what NEWTON and WITH mean, what it is called, and that what is installed is what was asked for.
+"""Releases: what NEWTON and WITH mean, what it is called, and that what is installed is what was asked for.
 
 Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
 """
@@ -12,10 +12,8 @@ from conftest import Toy, git
 from measured_report.commands import page
 from measured_report.editions import devices, environment
 from measured_report.editions.environment import environment_of, python_of
-from measured_report.editions.label import read_label
-from measured_report.editions.manifest import Manifest, write_manifest
-from measured_report.editions.project import Project
-from measured_report.editions.stack import Stack, stack_of
+from measured_report.editions.project import Manifest, Project, write_manifest
+from measured_report.editions.release import Release, read_label, release_of
 from measured_report.editions.status import expected_packages, states_of, status_matrix
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
@@ -39,7 +37,7 @@ from measured_report.records.record import write_record
     ],
 )
 def test_a_label_is_read(text, label):
-    assert str(read_label(text)) == label and read_label(label) == read_label(text)
+    assert str(read_label(text)) == label
     for wrong in ("new", "", "1", "1.8.0+", "1.8.0@", "1.8.0+warp", "../1.8.0", "1.8.0+g1", "1.8.0@A/B"):
         assert read_label(wrong) is None
 
@@ -60,12 +58,12 @@ def test_editions_stand_in_the_order_of_their_versions_and_dates(tmp_path):
 
 def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     commit = git(checkout, "rev-parse", "--short=7", "HEAD")
-    clean = stack_of(str(checkout))
-    assert str(clean.label) == f"1.9.0.dev0+g{commit}" and clean.date
+    clean = release_of(str(checkout))
+    assert str(clean) == f"1.9.0.dev0+g{commit}" and clean.date
     (checkout / "newton/__init__.py").write_text("x = 2\n")
-    stack_of.cache_clear()
-    edited, source = stack_of(str(checkout)), provenance.checkout_source(checkout)
-    assert str(edited.label) == f"1.9.0.dev0+g{commit}.edited"
+    release_of.cache_clear()
+    edited, source = release_of(str(checkout)), provenance.checkout_source(checkout)
+    assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
     assert provenance.checkout_source(checkout) != source and environment_of(edited) == environment_of(clean)
 
@@ -74,40 +72,40 @@ def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
     first = git(checkout, "rev-parse", "HEAD")
     (checkout / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.10.0.dev0"\n')
     git(checkout, "commit", "--quiet", "-a", "-m", "two")
-    named = {stack_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
-    assert {str(stack.label) for stack in named} == {f"1.9.0.dev0+g{first[:7]}"}
-    assert {stack.requirement for stack in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
-    assert str(stack_of(f"{checkout}@main").label).startswith("1.10.0.dev0+g")
+    named = {release_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
+    assert {str(release) for release in named} == {f"1.9.0.dev0+g{first[:7]}"}
+    assert {release.requirement for release in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
+    assert str(release_of(f"{checkout}@main")).startswith("1.10.0.dev0+g")
     with pytest.raises(UsageError, match="cannot be fetched"):
-        stack_of(f"{checkout}@nothing")
+        release_of(f"{checkout}@nothing")
 
 
 def test_a_wheel_is_called_after_its_content(tmp_path):
     wheel = tmp_path / "newton-1.9.0.dev5-py3-none-any.whl"
     wheel.write_bytes(b"one")
-    first = stack_of(str(wheel))
-    assert str(first.label).startswith("1.9.0.dev5+w") and first.requirement == f"newton[sim] @ {wheel.as_uri()}"
+    first = release_of(str(wheel))
+    assert str(first).startswith("1.9.0.dev5+w") and first.requirement == f"newton[sim] @ {wheel.as_uri()}"
     wheel.write_bytes(b"two")
-    stack_of.cache_clear()
-    assert stack_of(str(wheel)).label != first.label
-    nightly = stack_of(f"https://example.org/nightly/{wheel.name}")
-    assert str(nightly.label).startswith("1.9.0.dev5+w") and nightly.requirement.startswith("newton[sim] @ https://")
+    release_of.cache_clear()
+    assert str(release_of(str(wheel))) != str(first)
+    nightly = release_of(f"https://example.org/nightly/{wheel.name}")
+    assert str(nightly).startswith("1.9.0.dev5+w") and nightly.requirement.startswith("newton[sim] @ https://")
 
 
 def test_with_names_packages(tmp_path):
-    stack = stack_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
-    assert str(stack.label) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
-    assert stack_of(str(stack.label)) == replace(stack, asked=str(stack.label))
+    release = release_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
+    assert str(release) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
+    assert release_of(str(release)) == replace(release, asked=str(release))
     for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
         with pytest.raises(UsageError, match="WITH="):
-            stack_of("1.8.0", bad)
+            release_of("1.8.0", bad)
 
 
 def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, capsys):
     (tmp_path / "pyproject.toml").write_text("")
-    monkeypatch.setattr(environment, "release_date", lambda stack: "2026-06-11")
+    monkeypatch.setattr(environment, "release_date", lambda release: "2026-06-11")
     [command] = environment._from_requirements(
-        tmp_path, stack_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"], "uv", tmp_path
+        tmp_path, release_of("1.3.0", "warp-lang==1.19.0"), ["pandas>=2", "warp-lang==1.19.0"], "uv", tmp_path
     )
     assert command[command.index("--exclude-newer") + 1] == "2026-06-12"
     assert command[command.index("--exclude-newer-package") + 1].startswith("warp-lang=")
@@ -116,7 +114,7 @@ def test_packages_that_nobody_named_are_those_of_the_day(tmp_path, monkeypatch, 
 
 
 def test_what_is_installed_must_be_what_was_asked_for_and_its_code_somewhere(tmp_path, monkeypatch):
-    python = environment_of(stack_of("1.7.9"), tmp_path) / "bin/python"
+    python = environment_of(release_of("1.7.9"), tmp_path) / "bin/python"
     python.parent.mkdir(parents=True)
     (python.parent.parent / ".ready").touch()
     (tmp_path / "pyproject.toml").write_text("")
@@ -126,14 +124,14 @@ def test_what_is_installed_must_be_what_was_asked_for_and_its_code_somewhere(tmp
         python.chmod(0o755)
         if fault:
             with pytest.raises(UsageError, match=fault):
-                python_of(stack_of("1.7.9"), missing, tmp_path)
+                python_of(release_of("1.7.9"), missing, tmp_path)
         else:
-            assert python_of(stack_of("1.7.9"), missing, tmp_path) == python
+            assert python_of(release_of("1.7.9"), missing, tmp_path) == python
     (tmp_path / "pyproject.toml").write_text("")
-    stack = stack_of("1.9.0.dev0+g1a2b3c4")
-    assert isinstance(stack, Stack)
+    release = release_of("1.9.0.dev0+g1a2b3c4")
+    assert isinstance(release, Release)
     with pytest.raises(UsageError, match="does not say where its code is"):
-        python_of(stack, {}, tmp_path)
+        python_of(release, {}, tmp_path)
 
 
 def test_a_measurement_refuses_what_is_not_installed():
@@ -162,11 +160,11 @@ def test_an_installed_checkout_says_its_commit(checkout, tmp_path, monkeypatch):
 
 def test_edited_code_is_stale(toy, checkout):
     (checkout / "newton/__init__.py").write_text("x = 2\n")
-    stack_of.cache_clear()
-    stack = stack_of(str(checkout))
-    edited = toy.of(str(stack.label))
+    release_of.cache_clear()
+    release = release_of(str(checkout))
+    edited = toy.of(str(release))
     edited.project.results.mkdir(parents=True)
-    write_manifest(edited.project.results, Manifest(stack.asked))
+    write_manifest(edited.project.results, Manifest(release.asked))
     write_record(edited.record_path, edited.record(identity=replace(edited.record().identity, packages=now(edited))))
     assert edited.state().kind == "fresh"
     # Whoever wrote the manifest may have written the repository's settings as well.

@@ -1,0 +1,205 @@
+"""Releases: which packages are to be installed, as they were asked for, and the label of what is measured with them.
+
+A label names all that was asked for and, where several measured it, the machine: ``1.8.0``, ``1.8.0+numpy-2.1.0``,
+``1.9.0.dev0+g1a2b3c4`` (a commit), ``1.9.0.dev0+g1a2b3c4.edited``, ``1.8.0@cpu``.
+"""
+
+import json
+import os
+import re
+import tempfile
+import urllib.request
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from measured_report.files.config import config
+from measured_report.files.errors import UsageError
+from measured_report.records.provenance import SHORT_COMMIT, address_source, checkout_source, git, wheel_source
+
+VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?")
+WHEEL = re.compile(rf"(?P<package>[A-Za-z0-9_]+)-(?P<version>{VERSION.pattern})-[A-Za-z0-9_.-]+\.whl")
+WEB_ADDRESS = re.compile(r"https?://[^\s@]+")
+REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
+ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
+OWN_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
+INDEX = "https://pypi.org/simple"
+
+
+@dataclass(frozen=True)
+class Release:
+    """A release, or other code, of the package whose releases are editions, and what is to be installed with it."""
+
+    version: str
+    """Version of that package, with three numbers at least."""
+    source: str = ""
+    """Code where the version does not say which: ``g`` and a commit, ``w`` and the digest of a wheel, ``x`` and that
+    of a folder; ``.edited`` behind it for a checkout that differs from its commit."""
+    pins: tuple[tuple[str, str], ...] = ()
+    """Package and version, of those that were asked for besides."""
+    machine: str = ""
+    """Name of the machine that measured it, when the label without it is of another machine."""
+    requirement: str = ""
+    """Told to the installer; empty where only the results are known."""
+    asked: str = ""
+    """As the command named it."""
+    date: str = ""
+    """Of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
+    checkout: Path | None = None
+    """The folder that is installed as it lies there, so that what is edited counts."""
+
+    def __str__(self) -> str:
+        """Write its label."""
+        pins = (f"+{config().short_names.get(package, package)}-{version}" for package, version in self.pins)
+        return self.package_version + "".join(pins) + (f"@{self.machine}" if self.machine else "")
+
+    @property
+    def package_version(self) -> str:
+        """Return the version that is installed, with the code that it is of."""
+        return f"{self.version}+{self.source}" if self.source else self.version
+
+    @property
+    def order(self) -> Any:
+        """Sort by version, as packages do: a development version and a candidate stand before the release."""
+        from packaging.version import Version  # which a Python that makes the environment lacks
+
+        return Version(self.version)
+
+    def is_installed_with(self, versions: Mapping[str, str]) -> bool:
+        """Tell whether these versions of packages are the ones that it names."""
+        return versions[config().package] == self.package_version and dict(self.pins).items() <= versions.items()
+
+
+def read_label(text: str) -> Release | None:
+    """Return the release that a label names; None when it is none. ``1.8`` is 1.8.0."""
+    rules = config()
+    names = {rules.short_names.get(package, package): package for package in rules.packages[1:]}
+    version = VERSION.pattern
+    found = re.fullmatch(
+        rf"({version})(?:\+([a-z][0-9a-f]{{7}}(?:\.edited)?))?"
+        rf"((?:\+(?:{'|'.join(map(re.escape, names)) or '(?!)'})-{version})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
+        text,
+    )
+    if not found:
+        return None
+    version, source, told, machine = found.groups(default="")
+    version, pins = full_version(version), (part.rpartition("-") for part in told.split("+")[1:])
+    requirement = "" if source else f"{rules.requirement_of(rules.package)}=={version}"
+    named = tuple(sorted((names[name], pin) for name, _, pin in pins))
+    return Release(version, source, named, machine, requirement, text)
+
+
+def full_version(version: str) -> str:
+    """Write a version with three numbers at least."""
+    numbers = re.match(r"[0-9]+(?:\.[0-9]+)*", version)[0]
+    return numbers + ".0" * (2 - numbers.count(".")) + version[len(numbers) :]
+
+
+@cache  # a repository or an index is asked once
+def release_of(asked: str, pins: str = "", option: str = "") -> Release:
+    """Find what is asked for, with ``pins`` as WITH= says them; UsageError, one line, when it means nothing."""
+    found = _found(asked, option or config().option)
+    return replace(found, pins=tuple(sorted({**dict(found.pins), **dict(_read_pins(pins))}.items())))
+
+
+def _found(asked: str, option: str) -> Release:
+    requirement, package = config().requirement_of(config().package), config().package
+    if label := read_label(asked):
+        return label
+    if not asked:
+        raise UsageError(f"{option}= names no {config().edition_name}; {option}=1.8.0 does")
+    path, _, reference = asked.rpartition("@")
+    here = Path(asked).expanduser().resolve()
+    wheel = WHEEL.fullmatch(here.name)
+    if wheel and wheel["package"].replace("_", "-").lower() == package:
+        version = full_version(wheel["version"])
+        if WEB_ADDRESS.fullmatch(asked):
+            return Release(version, address_source(asked), requirement=f"{requirement} @ {asked}", asked=asked)
+        if here.is_file():
+            address = f"{requirement} @ {here.as_uri()}"
+            return Release(version, wheel_source(here), requirement=address, asked=str(here))
+    if asked.startswith("git+"):
+        address = path.removeprefix("git+")
+        if ADDRESS.fullmatch(address) and REFERENCE.fullmatch(reference):
+            return _commit(address, reference, asked, option)
+        raise UsageError(f"{option}={asked} names no commit; {option}=git+https://HOST/{package}.git@main does")
+    if (here / "pyproject.toml").is_file():
+        source = checkout_source(here)
+        version = _own_version((here / "pyproject.toml").read_text(encoding="utf-8"), asked, option)
+        date = git(here, "show", "-s", "--format=%cs", "HEAD")
+        return Release(version, ".".join(source.split(".")[:2]), (), "", str(here), str(here), date, here)
+    repository = Path(path).expanduser().resolve()
+    if path and repository.is_dir() and REFERENCE.fullmatch(reference):
+        return _commit(repository.as_uri(), reference, f"{repository}@{reference}", option)
+    kinds = "release number, checkout, wheel or git+https://…@ref"
+    raise UsageError(f"{option}={asked} is no {kinds}; {option}=1.8.0 is one")
+
+
+def _commit(address: str, reference: str, asked: str, option: str) -> Release:
+    """Find a commit of a repository, of which no more is fetched than it takes to say its version and date."""
+    with tempfile.TemporaryDirectory() as folder:
+        there = Path(folder)
+        local = address.removeprefix("file://") if address.startswith("file://") else ""
+        commit = git(Path(local), "rev-parse", f"{reference}^{{commit}}") if local else ""
+        git(there, "init", "--quiet", "--bare")
+        git(there, "fetch", "--quiet", "--depth", "1", "--", address, commit or reference)
+        commit, date = git(there, "show", "-s", "--format=%H %cs", "FETCH_HEAD").partition(" ")[::2]
+        if not commit:
+            raise UsageError(f"{option}={asked} cannot be fetched; git fetch {address} {reference} says why")
+        version = _own_version(git(there, "show", f"{commit}:pyproject.toml"), asked, option)
+    requirement = f"{config().requirement_of(config().package)} @ git+{address}@{commit}"
+    return Release(version, f"g{commit[:SHORT_COMMIT]}", requirement=requirement, asked=asked, date=date)
+
+
+def _own_version(project: str, asked: str, option: str) -> str:
+    """Read the version that the text of a pyproject.toml names."""
+    found, package = OWN_VERSION.search(project), config().package
+    if not found or f'name = "{package}"' not in project or not VERSION.fullmatch(found[1]):
+        lacking = f"its pyproject.toml names no {package} with a version"
+        raise UsageError(f"{option}={asked} is no checkout of {config().edition_name}: {lacking}")
+    return full_version(found[1])
+
+
+def _read_pins(text: str) -> Sequence[tuple[str, str]]:
+    pins = [word.partition("==")[::2] for word in text.split()]
+    if not all(package in config().packages[1:] and VERSION.fullmatch(version) for package, version in pins):
+        example = " ".join(f"{package}==1.19.0" for package in config().packages[1:3])
+        raise UsageError(f'WITH={text} is no list of versions; WITH="{example}" is one')
+    return [(package, full_version(version)) for package, version in pins]
+
+
+@cache
+def release_date(release: Release) -> str:
+    """Find the day, as 2026-11-11, on which it came out; empty where the index does not say."""
+    if release.date or not release.requirement.startswith(f"{config().requirement_of(config().package)}=="):
+        return release.date
+    return _index_dates(config().package).get(release.version, "")
+
+
+def releases_between(older: Release, newer: Release) -> list[Release]:
+    """Return the releases of the index between two, oldest first."""
+    return [each for each in releases_of(config().package) if older.order < each.order < newer.order]
+
+
+def releases_of(package: str) -> list[Release]:
+    """Return the releases of a package in the index, oldest first; candidates and development versions are none."""
+    finals = (version for version in _index_dates(package) if version.replace(".", "").isdigit())
+    return sorted(filter(None, map(read_label, finals)), key=lambda release: release.order)
+
+
+@cache
+def _index_dates(package: str) -> Mapping[str, str]:
+    """Return the day of each version in the index, as PEP 700 has it; none where it can't be reached."""
+    told = filter(None, map(os.environ.get, ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")))
+    address = f"{next(told, INDEX).rstrip('/')}/{package}/"
+    request = urllib.request.Request(address, headers={"Accept": "application/vnd.pypi.simple.v1+json"})
+    try:
+        with urllib.request.urlopen(request, timeout=30) as answer:
+            files = json.load(answer)["files"]
+    except (OSError, ValueError, KeyError):
+        return {}
+    wheels = [file for file in files if file["filename"].endswith(".whl") and not file.get("yanked")]
+    found = [(file["filename"].split("-")[1], file.get("upload-time", "")[:10]) for file in wheels]
+    return {full_version(version): day for version, day in found if VERSION.fullmatch(version)}
