@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import warp as wp
 
-from experiments.cure import BEST, FIRM, TERMS
 from experiments.facts.case import AS_SHIPPED
+from experiments.facts.variants import BEST, FIRM, TERMS
 from experiments.simulation.comparing import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
 from measured_report.measuring.batch import Batch, Plan

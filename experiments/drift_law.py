@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from experiments import stiffness
-from experiments.cure import POSITIONS
 from experiments.cure.budget import friction_timeconst_s, softness, watched
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
+from experiments.facts.variants import POSITIONS
 from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
 from experiments.stability.limits import step_s
 from measured_report.measuring.pool import gather, processes, start

@@ -243,7 +243,7 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     return base / name
 
 
-SIMULATING = ("tests/test_planted.py", "tests/experiments", "tests/assets/fix", "tests/newton_lint/newton_models")
+SIMULATING = ("tests/test_planted.py", "tests/experiments", "tests/newton_lint/newton_models")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

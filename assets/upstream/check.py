@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from experiments.turntable import MJCF, RADIUS_M, TURN_RAD_S
+from experiments.cure.turntable import MJCF, RADIUS_M, TURN_RAD_S
 from measured_report.editions.environment import python_with
 
 HERE = Path(__file__).parent

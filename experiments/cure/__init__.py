@@ -1,166 +1,29 @@
-"""The slip's causes taken out one by one and together, beside what each is predicted to move the cube."""
+"""The cure: causes of the slip taken out one by one and together, and where else that holds.
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from itertools import product
+With the robot: ``combinations`` beside their predicted ``budget``, a minute held still, the limits of the grasp and an
+envelope of harder shakes. Without it: the box on a turntable and other bodies.
+"""
 
-import numpy as np
+from itertools import chain
 
-from experiments.cure.budget import Motion, measure_motion, predicted_mm
-from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
-from experiments.facts.trace import Trace
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent, summarize
+from experiments.cure import bodies, combinations, envelope, hold, limits, turntable
+from experiments.simulation.measurement import Conditions, Measurement
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.pool import gather, processes, start
-from newton_lint.newton_models.compat import kf_is_read
-
-PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
-AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}
-TERMS = {
-    "plain": {},
-    "term": {"contact_bias": True},
-    "centred": {"contact_bias": True, "bias_centred": True},
-    "full": {"contact_bias": True, "bias_centred": True, "bias_normal": True},
-}
-"""What is done about the left-out term; ``full`` also gives it to the normal rows."""
-POSITIONS = {"rounded": {}, "kept": {"compensated": True}}
-CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}
-ALONG = {"x": 0, "z": 2}
-"""Axes of the TCP frame along the pads, by their place."""
-IMPRATIO = 400.0
-SETTINGS = {
-    "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),
-    "mujoco": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
-    "pyramidal": [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)],
-}
-"""Integrators and impratios that each kind of contacts is run with: a simulation each, and a world for all the rest."""
-BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}
-"""All remedies together, at the price of none but the kernels': Euler has no damping in its step, and centred the term
-takes the error of the step along."""
-FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}
-FIRM |= TERMS["centred"] | POSITIONS["kept"]
-"""The remedies on stiff pads, where the normal rows need none."""
-
-
-def cases(quick: bool) -> list[Case]:
-    """Every combination; when ``quick`` Newton's contacts, pads and impratio as shipped, no 10 cm and no RK4."""
-    found = []
-    for kind, integrator, impratio in [(kind, *setting) for kind, settings in SETTINGS.items() for setting in settings]:
-        for pads, amplitude, term, positions in product(PADS, AMPLITUDES_M, TERMS, POSITIONS):
-            usual = (kind, impratio, pads) == ("newton", AS_SHIPPED.impratio, "shipped")
-            if quick and (not usual or amplitude == "10cm" or integrator == "rk4"):
-                continue
-            if integrator == "rk4" and "bias_centred" in TERMS[term]:
-                continue
-            case = replace(
-                PADS[pads],
-                name=f"{kind}-{integrator}-{impratio:g}-{pads}-{amplitude}-{term}-{positions}",
-                shake_amplitude_m=AMPLITUDES_M[amplitude],
-                integrator=integrator,
-                impratio=impratio,
-                **CONTACTS[kind],
-                **TERMS[term],
-                **POSITIONS[positions],
-            )
-            found.append(case)
-    return found + (without_kf(quick) if kf_is_read() else [])
-
-
-def without_kf(quick: bool) -> list[Case]:
-    """The scene as shipped with the pads' ``kf`` switched off: worlds of the batches of the others."""
-    return [
-        replace(
-            AS_SHIPPED,
-            name=f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped-{shake}-kf-off",
-            shake_amplitude_m=amplitude,
-            pad_kf=-1.0,
-        )
-        for shake, amplitude in AMPLITUDES_M.items()
-        if not (quick and shake == "10cm")
-    ]
 
 
 def measure(conditions: Conditions) -> Plan:
-    """A row for each combination, with its parts as predicted, and a row for each run that they are predicted from."""
-    groups: dict[str, list[Case]] = {}
-    for case in cases(conditions.quick):
-        groups.setdefault(contacts_of(case), []).append(case)
-    found = yield [Batch(kind, measure_cases, (conditions, group)) for kind, group in groups.items()]
-    motions = {row["case"]: row for _, rows in found for row in rows}
-    return Measurement([*(row for rows, _ in found for row in rows), *motions.values()])
-
-
-def contacts_of(case: Case) -> str:
-    """The name of a case's kind of contacts."""
-    return "mujoco" if case.contacts == "mujoco" else "newton" if case.cone == AS_SHIPPED.cone else "pyramidal"
-
-
-def measure_cases(conditions: Conditions, variants: Sequence[Case]) -> tuple[list[dict], list[dict]]:
-    """A row for each case, and one for each run that their parts are predicted from."""
-    shakes = dict.fromkeys(shake_of(case) for case in variants)
-    # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
-    frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
-    moved = [
-        replace(PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count) for pads, shake in shakes
+    """Measure the combinations by their kind of contacts, and each other part."""
+    groups = combinations.by_contacts(conditions.quick)
+    *combined, held, (map_rows, cells), tried, turned, moved = yield [
+        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items()),
+        Batch("hold", hold.measure, (conditions,)),
+        Batch("envelope", envelope.measure, (conditions,)),
+        Batch("limits", limits.measure, (conditions,)),
+        Batch("turntable", turntable.measure, (conditions,)),
+        Batch("bodies", bodies.measure, (conditions,)),
     ]
-    with processes(len(moved)) as pool:
-        waiting = start(pool, measure_motion, [(case,) for case in moved])
-        traces = conditions.simulate(variants, title="cure")
-        motions = dict(zip(shakes, gather(waiting, "cure, in C"), strict=True))
-    rows = [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
-    return rows, [motion_row(*item) for item in motions.items()]
-
-
-def shake_of(case: Case) -> tuple[str, str]:
-    """The names of a case's pads and of its amplitude."""
-    pads = next(name for name, of in PADS.items() if of.pad_ke == case.pad_ke)
-    return pads, next(name for name, amplitude in AMPLITUDES_M.items() if amplitude == case.shake_amplitude_m)
-
-
-def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
-    """A run: its slip as a vector in the TCP frame, whose y is across the pads, and the parts along them."""
-    pads, shake = shake_of(case)
-    row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
-    parts = predicted_mm(case, motion)
-    total = sum(parts.values())
-    predicted = {name_of(name): part for name, part in parts.items()} | {"predicted": total}
-    found = in_plane({(name, "mm"): part for name, part in predicted.items()})
-    row |= known(found | {"predicted_slip_mm": float(np.linalg.norm(total))}, motion.failure)
-    reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
-    slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
-    row |= known({f"slip_{axis}_mm": float(part) for axis, part in zip("xyz", slip, strict=True)}, reason)
-    remainder = float(np.linalg.norm((slip - total)[list(ALONG.values())]))
-    return row | known({"remainder_mm": remainder}, reason or motion.failure)
-
-
-def known(columns: dict[str, object], reason: str | None) -> dict[str, object]:
-    """The columns, or each without a value where there is a reason for it."""
-    return absent(columns, reason) if reason else columns
-
-
-def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
-    """What the parts are predicted from: sums over a run through C, along the pads."""
-    pads, amplitude = shake
-    row: dict[str, object] = {"case": f"motion-{pads}-{amplitude}", "kind": "motion", "pads": pads, "shake": amplitude}
-    sums = {
-        ("left_out", "m_s"): motion.bias_m_s,
-        ("damping", "m_s"): motion.damping_m_s,
-        ("load", "m_s"): motion.load_m_s,
-        ("rounding", "mm"): 1e3 * motion.rounding_m,
-    }
-    return row | known(in_plane(sums) | {"depth_mm": 1e3 * motion.depth_m}, motion.failure)
-
-
-def in_plane(vectors: Mapping[tuple[str, str], np.ndarray]) -> dict[str, object]:
-    """Vectors, by name and unit, as columns for their parts along the pads."""
-    return {
-        f"{name}_{axis}_{unit}": float(vector[place])
-        for (name, unit), vector in vectors.items()
-        for axis, place in ALONG.items()
-    }
-
-
-def name_of(part: str) -> str:
-    """A part's column; no number is named after the term, for a run with it is marked by a column that is."""
-    return "left_out" if part == "term" else part
+    runs = chain.from_iterable(rows for rows, _ in combined)
+    motions = {row["case"]: row for _, rows in combined for row in rows}
+    held_rows, displacements = held
+    rows = [*runs, *motions.values(), *held_rows, *map_rows, *tried, *turned, *moved]
+    return Measurement(rows, {**displacements, "map": cells})

@@ -15,13 +15,13 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
+from experiments.cure.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from experiments.engines import laws, newton_solvers
 from experiments.engines.laws import Load, walk_per_s
 from experiments.engines.scenes import FOOT_M, PRESS_N, pinch, turntable
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
 from experiments.scenes import capsule
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
-from experiments.turntable import MASS_KG, SAMPLE_S, SETTLE_S, TURN_RAD_S
 from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT

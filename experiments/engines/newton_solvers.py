@@ -14,9 +14,9 @@ import warp as wp
 from newton import solvers
 from tqdm import tqdm
 
+from experiments.cure.turntable import SAMPLE_S, SETTLE_S
 from experiments.engines.scenes import FOOT_M, turntable
 from experiments.simulation.measurement import Conditions, absent
-from experiments.turntable import SAMPLE_S, SETTLE_S
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
 SECONDS = {"full": 4.0, "quick": 2.0}

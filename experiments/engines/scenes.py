@@ -1,7 +1,7 @@
 """The scenes as data, which every engine can read: a body on balls, the supports that it touches, and MJCF."""
 
+from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 from experiments.scenes import capsule
-from experiments.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 
 TABLE_INERTIA = 1000.0
 """Of the table [kg m²], which keeps turning whatever the box does."""

@@ -1,4 +1,4 @@
-"""What ``assets/fix/contact_bias.py`` puts back, in MuJoCo's C engine and double precision."""
+"""The left-out term of ``contact_bias`` in MuJoCo's C engine and double precision."""
 
 from types import SimpleNamespace
 

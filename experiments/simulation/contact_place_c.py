@@ -1,4 +1,4 @@
-"""What ``assets/fix/contact_place.py`` adds, in MuJoCo's C engine and double precision; all contacts at once."""
+"""The part of the term that ``contact_place`` adds, in MuJoCo's C engine and double precision; all contacts at once."""
 
 from dataclasses import dataclass
 

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 from newton.solvers import SolverMuJoCo
 
-from assets.fix import compensated_positions, contact_bias
 from experiments.facts.case import Case, CaseError
-from experiments.simulation import contact_bias_c
+from experiments.simulation import compensated_positions, contact_bias, contact_bias_c
 
 
 def install_remedies(solver: SolverMuJoCo, cases: Sequence[Case]) -> None:

@@ -67,8 +67,8 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
-    resolution = other_value(results, "turntable", "resolution", unit="%/s")
-    record = results if scene == "forecast" else results.others.get(scene)
+    resolution = other_value(results, "cure", "resolution", unit="%/s")
+    record = results if scene == "forecast" else results.others.get("cure" if scene == "turntable" else scene)
     formula = "the larger of measured and predicted creep, of the smaller"
     for row in record.rows if record else ():
         if found := _creep(results, scene, row, resolution):

@@ -193,6 +193,11 @@ def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, li
     return {above: cells(column) for above, column in columns.items()}
 
 
+def rows_with(results: Results, *columns: str) -> list[Row]:
+    """List the rows that have something in each of these columns, by which the parts of a section tell their rows."""
+    return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
+
+
 def friction_rows_differ(contacts: Results | None) -> bool:
     """Whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
     rows = contacts.rows if contacts else []

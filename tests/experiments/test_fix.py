@@ -224,7 +224,7 @@ class Pasted(Simulation):
 
 @pytest.mark.slow
 def test_the_block_of_the_cure_does_what_was_measured(site, monkeypatch):
-    monkeypatch.syspath_prepend(ROOT / "assets/fix")
+    monkeypatch.syspath_prepend(ROOT / "experiments/simulation")
     monkeypatch.setattr(Pasted, "block", block_with(site / "cure.html", "compensated_positions"))
     case = replace(FIXED, cube_in_hand=True, frame_count=210)
     cured = replace(case, impratio=400.0, compensated=True, contact_bias=True, bias_centred=True)

@@ -173,5 +173,5 @@ def test_what_is_derived_has_read_no_file_that_it_is_not_kept_by(editions):
             others = {name for name in inside if not name.startswith((".venv", "results/")) and ".pyc" not in name}
             assert others <= known, f"{chapter.name} reads {sorted(others - known)}"
             read |= others
-    assert "assets/fix/contact_bias.py" in read
+    assert "experiments/simulation/contact_bias.py" in read
     is_watching = False

@@ -10,12 +10,10 @@ from measured_report.parts.claim import FAILS, HOLDS, Claim
 from measured_report.parts.section import Section
 from measured_report.records.reading import load_record
 from measured_report.values.results import Results
-from report.sections import cure, cure_cost, cure_limits, firm_grasp, noise
-from report.sections.cure.ways import FIRM, FIRM_EULER, STIFF_TERM, TERM, TESTED
+from report.sections import cure, cure_cost, firm_grasp, noise
+from report.sections.cure.variants import FIRM, FIRM_EULER, STIFF_TERM, TERM, TESTED, Variant
 
 Change = Callable[[dict], Mapping]
-BELOW = {"noise": noise, "cure_limits": cure_limits}
-"""Sections that section cure reads, in their order."""
 
 
 def results_of(section: str, change: Change, others: Mapping[str, Results]) -> Results:
@@ -24,17 +22,22 @@ def results_of(section: str, change: Change, others: Mapping[str, Results]) -> R
     return Results(replace(record, rows=[{**row, **change(row)} for row in record.rows]), path, others)
 
 
-def section_with(**changes: Change) -> Section:
-    """Section cure, with rows of it and of those that it reads changed."""
-    others: dict[str, Results] = {}
-    for name, module in BELOW.items():
-        others[name] = results_of(name, changes.get(name, lambda row: {}), others)
-        module.derive(others[name])
-    return cure.derive(results_of("cure", changes.get("cure", lambda row: {}), others))
+def section_with(*changes: Change) -> Section:
+    """Derive section cure with some of its rows changed."""
+    others = {"noise": results_of("noise", lambda row: {}, {})}
+    noise.derive(others["noise"])
+    return cure.derive(
+        results_of("cure", lambda row: dict(pair for each in changes for pair in each(row).items()), others)
+    )
 
 
-def claims_with(**changes: Change) -> dict[str, Claim]:
-    return {claim.name: claim for claim in section_with(**changes).claims}
+def claims_with(*changes: Change) -> dict[str, Claim]:
+    return {claim.name: claim for claim in section_with(*changes).claims}
+
+
+def rows() -> list[Mapping]:
+    """Load the rows of the combinations."""
+    return [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row.get("kind") == "run"]
 
 
 @pytest.fixture(scope="module")
@@ -42,42 +45,40 @@ def claims() -> dict[str, Claim]:
     return claims_with()
 
 
-def at(way, **cells: float) -> Change:
-    return lambda row: cells if row["case"] == f"{way.setting}-3cm-{way.parts}" else {}
+def at(variant: Variant, **cells: float) -> Change:
+    return lambda row: cells if row["case"] == f"{variant.setting}-3cm-{variant.parts}" else {}
+
+
+def at_limits(variant: str, *, kept: bool) -> Change:
+    return lambda row: {"kept": kept} if row.get("variant") == variant and "family" in row else {}
 
 
 def test_what_slips_less_without_having_been_tested_is_named_and_not_recommended(claims):
-    rows = load_record(Project("1.4.0").record_path("cure")).rows
-    shaken = [row for row in rows if row.get("shake") == "3cm" and row["kind"] == "run"]
+    shaken = [row for row in rows() if row["shake"] == "3cm"]
     slips = {row["case"]: row["slip_mm"] for row in shaken if row["slip_mm"] is not None}
     told, untested = claims["what_to_use"], claims["less_untested"]
     assert (told.outcome, told.numbers["slip"].value) == (HOLDS, slips[f"{FIRM.setting}-3cm-{FIRM.parts}"])
-    tested = {f"{way.setting}-3cm-{way.parts}" for way in TESTED}
+    tested = {f"{each.setting}-3cm-{each.parts}" for each in TESTED}
     least = min(slip for case, slip in slips.items() if case not in tested)
     assert (untested.outcome, untested.numbers["least"].value) == (FAILS, least)
     assert untested.numbers["total"].value == len(shaken)
-    untested = claims_with(cure=at(STIFF_TERM, slip_mm=0.001))["less_untested"]
+    untested = claims_with(at(STIFF_TERM, slip_mm=0.001))["less_untested"]
     assert (untested.outcome, untested.numbers["count"].value) == (HOLDS, 1)
 
 
 def test_only_what_loses_no_cube_is_compared_with(claims):
-    changes = {"cure": at(FIRM_EULER, slip_mm=0.0001)}
-    assert claims["what_to_use"].outcome == HOLDS == claims_with(**changes)["what_to_use"].outcome
-    changes["cure_limits"] = lambda row: {"kept": True} if row["way"] == "firm-euler" else {}
-    assert claims_with(**changes)["what_to_use"].outcome != HOLDS
+    slips_less = at(FIRM_EULER, slip_mm=0.0001)
+    assert claims["what_to_use"].outcome == HOLDS == claims_with(slips_less)["what_to_use"].outcome
+    assert claims_with(slips_less, at_limits("firm-euler", kept=True))["what_to_use"].outcome != HOLDS
 
 
 @pytest.mark.parametrize(
-    "changes",
-    [
-        {"cure_limits": lambda row: {"kept": False} if row["way"] == "firm" else {}},
-        {"cure": at(TERM, slip_mm=0.001)},
-        {"cure": at(FIRM, slip_mm=20.0)},
-    ],
+    "change",
+    [at_limits("firm", kept=False), at(TERM, slip_mm=0.001), at(FIRM, slip_mm=20.0)],
     ids=["it loses cubes", "the term slips less", "it slips"],
 )
-def test_it_is_not_recommended_where(changes):
-    assert claims_with(**changes)["what_to_use"].outcome != HOLDS
+def test_it_is_not_recommended_where(change):
+    assert claims_with(change)["what_to_use"].outcome != HOLDS
 
 
 def test_a_part_of_which_no_gain_is_seen_is_named(claims):
@@ -87,15 +88,14 @@ def test_a_part_of_which_no_gain_is_seen_is_named(claims):
 
 @pytest.mark.parametrize("times", [0.05, 20.0])
 def test_an_explanation_covers_most_of_its_effect_and_no_more_than_there_is(claims, times):
-    row = next(row for row in load_record(Project("1.4.0").record_path("cure")).rows if at(TERM, found=1.0)(row))
+    row = next(row for row in rows() if at(TERM, found=1.0)(row))
     scaled = {name: times * row[name] for name in ("step_x_mm", "step_z_mm")}
     assert claims["term_uncovers_step"].outcome == HOLDS
-    assert claims_with(cure=at(TERM, **scaled))["term_uncovers_step"].outcome == FAILS
+    assert claims_with(at(TERM, **scaled))["term_uncovers_step"].outcome == FAILS
 
 
 def test_the_budget_says_both_tolerances(claims):
-    runs = [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row["kind"] == "run"]
-    kept = [(row["remainder_mm"], row["slip_mm"]) for row in runs if row["slip_mm"] and row["slip_mm"] < 80.0]
+    kept = [(row["remainder_mm"], row["slip_mm"]) for row in rows() if row["slip_mm"] and row["slip_mm"] < 80.0]
     numbers = {name: quantity.value for name, quantity in claims["budget_closes"].numbers.items()}
     assert numbers["count"] == len(kept)
     assert numbers["closed"] == sum(rest <= max(0.02, 0.05 * slip) for rest, slip in kept)
@@ -107,8 +107,7 @@ def test_the_budget_says_both_tolerances(claims):
 def test_the_caption_counts_the_points_in_the_band():
     """A point is a slip and its prediction, both without direction; the text counts what agrees in that as well."""
     numbers = section_with().figures["budget"].numbers
-    runs = [row for row in load_record(Project("1.4.0").record_path("cure")).rows if row["kind"] == "run"]
-    kept = [(row["predicted_slip_mm"], row["slip_mm"]) for row in runs if row["slip_mm"] and row["slip_mm"] < 80.0]
+    kept = [(row["predicted_slip_mm"], row["slip_mm"]) for row in rows() if row["slip_mm"] and row["slip_mm"] < 80.0]
     in_band = sum(abs(predicted - slip) <= max(0.02, 0.05 * slip) for predicted, slip in kept)
     assert numbers["alike"].value == in_band != numbers["closed"].value
 

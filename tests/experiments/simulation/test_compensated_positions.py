@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 from stepping import take_steps
 
-from assets.fix import compensated_positions
+from experiments.simulation import compensated_positions
 
 CREEP = """
 <mujoco>

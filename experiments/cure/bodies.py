@@ -9,6 +9,7 @@ the start or after it has slid into step.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import product
 from types import SimpleNamespace
 
 import mujoco
@@ -17,27 +18,28 @@ import numpy as np
 import warp as wp
 from tqdm import tqdm
 
-from assets.fix import contact_bias, contact_place
-from experiments.simulation import contact_bias_c, contact_place_c
-from experiments.simulation.c_warnings import RunFailed, refuse_warned
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.cure.turntable import RADIUS_M as PLACE_M
+from experiments.cure.turntable import SAMPLE_S, TURN_RAD_S, path_in_c
+from experiments.simulation import contact_bias, contact_bias_c, contact_place, contact_place_c
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.measurement import Conditions, absent
 
-WAYS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}, "exact": {"normal": True}}
-"""What the term is installed with; ``full`` and ``exact`` give it to the normal rows as well, and ``exact`` counts with
+VARIANTS = {"plain": None, "term": {}, "full": {"centred": True, "normal": True}, "exact": {"normal": True}}
+"""Options of the term; ``full`` and ``exact`` give it to the normal rows as well, and ``exact`` counts with
 ``contact_place`` how the contact moves. On the table it is centred, since the step's error would hide what is left."""
 LIMIT = {"timestep": 5e-5, "timeconst_s": 5e-4}
 """Contacts so stiff that what is left out moves nothing; in C alone."""
+WITHOUT_TERM, COMPARED = ("plain", "limit"), ("plain", "exact")
 IN_WARP = [("roll", "sphere"), ("pivot", "sphere"), ("spin and slide", "sphere"), ("tumble", "ellipsoid")]
 IN_WARP += [("carried", "sphere"), ("carried", "cylinder"), ("carried", "mesh")]
-"""Motions that MuJoCo Warp runs too, with nothing done and with the exact term; MuJoCo C runs all."""
+"""Motions that MuJoCo Warp runs too, in the variants that are COMPARED; MuJoCo C runs all."""
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION, GRAVITY = 1.0, 20.0, 0.03, 0.5, 9.81
 HEIGHT_M = 0.1
-TURN_RAD_S, PLACE_M, TABLE_M = 2.0, 0.2, 0.5
+TABLE_M = 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s", "end_radius_mm")}
 CAUGHT_S = 2.0
 """By then a body that was put down at rest turns with the table; its growth is measured after it."""
-SAMPLE_S = 0.1
 CUBE = " ".join(
     f"{x} {y} {z}" for x in (-RADIUS_M, RADIUS_M) for y in (-RADIUS_M, RADIUS_M) for z in (-RADIUS_M, RADIUS_M)
 )
@@ -64,7 +66,7 @@ MESHES = f'<asset><mesh name="cube" vertex="{CUBE}"/><mesh name="foot" vertex="{
 
 @dataclass(frozen=True)
 class Motion:
-    """A body and how it starts; ``start`` sets positions and velocities."""
+    """A body and how it starts."""
 
     name: str
     body: str
@@ -72,6 +74,7 @@ class Motion:
     """``plane`` or ``table``."""
     mjcf: str
     start: Callable[[mujoco.MjData], None]
+    """Sets positions and velocities."""
 
 
 def on_plane(body: str) -> str:
@@ -93,13 +96,13 @@ def on_table(feet: str) -> str:
 
 
 def thrown(data: mujoco.MjData, *, height_m: float = 0.0, roll: bool = False, spin: float = 0.0) -> None:
-    """Along x, from ``height_m`` above the plane, rolling or not, with a spin about the vertical [rad/s]."""
+    """Throw along x, from ``height_m`` above the plane, rolling or not, with a spin about the vertical [rad/s]."""
     data.qpos[2] += height_m
     data.qvel[:] = SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin
 
 
 def tumbling(data: mujoco.MjData, *, speed: float, turning: Sequence[float]) -> None:
-    """From where it just touches the plane, along x [m/s] and turning as it likes [rad/s]."""
+    """Throw from where it just touches the plane, along x [m/s] and turning as it likes [rad/s]."""
     model, (low, high) = data.model, (0.0, 1.0)
     for _ in range(40):
         data.qpos[2] = 0.5 * (low + high)
@@ -109,7 +112,7 @@ def tumbling(data: mujoco.MjData, *, speed: float, turning: Sequence[float]) -> 
 
 
 def carried(data: mujoco.MjData, *, at_rest: bool = False) -> None:
-    """On the turning table, at rest on it or against the ground."""
+    """Put on the turning table, at rest on it or against the ground."""
     data.qvel[0] = TURN_RAD_S
     if not at_rest:
         data.qvel[1:] = 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S
@@ -140,44 +143,41 @@ MOTIONS = [
 ]
 
 
-def measure(conditions: Conditions) -> Measurement:
-    """A row for each motion, way and engine: where the body is at the end, or how it walks on the table."""
-    chosen = [
-        (motion, way) for motion in MOTIONS if (motion.name, motion.body) in IN_WARP for way in ("plain", "exact")
-    ]
+def measure(conditions: Conditions) -> list[dict]:
+    """Measure a row for each motion, variant and engine: where the body is at the end, or how it walks on the table."""
+    chosen = [(motion, each) for motion in MOTIONS if (motion.name, motion.body) in IN_WARP for each in COMPARED]
     device = wp.get_device(conditions.device)
     paths = run_in_warp([(*run, seconds_of(run[0], conditions)) for run in chosen], device)
-    in_warp = {(motion.name, motion.body, way): path for (motion, way), path in zip(chosen, paths, strict=True)}
+    in_warp = {(motion.name, motion.body, each): path for (motion, each), path in zip(chosen, paths, strict=True)}
     rows = []
-    for motion, way in ((motion, way) for motion in MOTIONS for way in WAYS):
-        path = in_warp.get((motion.name, motion.body, way))
-        for engine in ("c",) if path is None else ("warp", "c"):
-            row = {"case": f"{motion.name}-{motion.body}-{way}-{engine}".replace(" ", "-"), "motion": motion.name}
-            row |= {"body": motion.body, "way": way, "backend": engine, "contact_bias": way != "plain"}
-            try:
-                found = path if engine == "warp" else run_in_c(motion, way, seconds_of(motion, conditions))
-                rows.append(row | columns_of(motion, found))
-            except RunFailed as failed:
-                rows.append(row | absent(COLUMNS[motion.place], str(failed)))
+    for motion, variant in product(MOTIONS, VARIANTS):
+        path = in_warp.get((motion.name, motion.body, variant))
+        if path is not None:
+            rows.append(row_of(motion, variant, "warp", lambda path=path: path))
+        rows.append(row_of(motion, variant, "c", partial(run_in_c, motion, variant, seconds_of(motion, conditions))))
     for motion in (motion for motion in MOTIONS if motion.place == "plane"):
-        row = {
-            "case": f"{motion.name}-{motion.body}-limit-c".replace(" ", "-"),
-            "motion": motion.name,
-            "body": motion.body,
-        }
-        found = run_in_c(motion, "plain", seconds_of(motion, conditions), **LIMIT)
-        rows.append(row | {"way": "limit", "backend": "c", "contact_bias": False} | columns_of(motion, found))
-    return Measurement(rows)
+        run = partial(run_in_c, motion, "plain", seconds_of(motion, conditions), **LIMIT)
+        rows.append(row_of(motion, "limit", "c", run))
+    return rows
 
 
-def options_of(motion: Motion, way: str) -> dict[str, bool] | None:
-    """What the term is installed with for a motion; None without it."""
-    options = WAYS[way]
-    return options | {"centred": True} if options and way == "exact" and motion.place == "table" else options
+def row_of(motion: Motion, variant: str, engine: str, run: Callable[[], np.ndarray]) -> dict[str, object]:
+    row = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}".replace(" ", "-"), "motion": motion.name}
+    row |= {"body": motion.body, "variant": variant, "backend": engine, "contact_bias": variant not in WITHOUT_TERM}
+    try:
+        return row | columns_of(motion, run())
+    except RunFailed as failed:
+        return row | absent(COLUMNS[motion.place], str(failed))
+
+
+def options_of(motion: Motion, variant: str) -> dict[str, bool] | None:
+    """Return the options of the term for a motion; None without it."""
+    options = VARIANTS[variant]
+    return options | {"centred": True} if variant == "exact" and motion.place == "table" else options
 
 
 def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:
-    """What a path shows.
+    """Tell what a path shows.
 
     Raises:
         RunFailed: It is no path, or leaves the table.
@@ -192,13 +192,13 @@ def seconds_of(motion: Motion, conditions: Conditions) -> float:
 
 
 def plane_columns(path: np.ndarray) -> dict[str, float]:
-    """Where a body on the plane ends, from where it began; shape [samples, 3]."""
+    """Tell where a body on the plane ends, from where it began; shape [samples, 3]."""
     travel, sideways, rise = 1e3 * (path[-1] - path[0])
     return {"travel_mm": float(travel), "sideways_mm": float(sideways), "rise_mm": float(rise)}
 
 
 def table_columns(path: np.ndarray) -> dict[str, float]:
-    """How fast the distance from the axis grows once the body turns with the table.
+    """Fit how fast the distance from the axis grows once the body turns with the table.
 
     Raises:
         RunFailed: It leaves the table.
@@ -220,34 +220,21 @@ def started(motion: Motion) -> tuple[mujoco.MjModel, mujoco.MjData]:
 
 
 def run_in_c(
-    motion: Motion, way: str, seconds: float, timestep: float | None = None, timeconst_s: float | None = None
+    motion: Motion, variant: str, seconds: float, timestep: float | None = None, timeconst_s: float | None = None
 ) -> np.ndarray:
-    """Position of the body every SAMPLE_S [m], shape [samples, 3].
-
-    Raises:
-        RunFailed: Of the engine.
-    """
+    """Return the places of the body every SAMPLE_S [m], shape [samples, 3]; RunFailed as from the engine."""
     model, data = started(motion)
     model.opt.timestep = timestep or model.opt.timestep
     model.geom_solref[:, 0] = timeconst_s or model.geom_solref[:, 0]
-    engine, remedy = contact_place_c if way == "exact" else contact_bias_c, options_of(motion, way)
-    mujoco.set_mjcb_control(None if remedy is None else partial(engine.subtract_bias, **remedy))
-    try:
-        path = [data.qpos[model.nq - 7 : model.nq - 4].copy()]
-        for _ in range(round(seconds / SAMPLE_S)):
-            for _ in range(round(SAMPLE_S / model.opt.timestep)):
-                mujoco.mj_step(model, data)
-            refuse_warned(data)
-            path.append(data.qpos[model.nq - 7 : model.nq - 4].copy())
-    finally:
-        mujoco.set_mjcb_control(None)
-    return np.array(path)
+    term, options = contact_place_c if variant == "exact" else contact_bias_c, options_of(motion, variant)
+    control = None if options is None else partial(term.subtract_bias, **options)
+    return path_in_c(model, data, control, seconds)
 
 
 class WarpRun:
     """One motion in MuJoCo Warp, captured and at its start."""
 
-    def __init__(self, motion: Motion, way: str, seconds: float, device: wp.Device):
+    def __init__(self, motion: Motion, variant: str, seconds: float, device: wp.Device):
         model, data = started(motion)
         self.sample_count = round(seconds / SAMPLE_S)
         self.stream = wp.Stream(device) if device.is_cuda else None
@@ -257,8 +244,8 @@ class WarpRun:
             start = wp.clone(self.data.qpos), wp.clone(self.data.qvel)
             self.path = wp.zeros((self.sample_count + 1, model.nq), dtype=float)
             wp.copy(self.path, start[0])
-            if (options := options_of(motion, way)) is not None:
-                term = contact_place if way == "exact" else contact_bias
+            if (options := options_of(motion, variant)) is not None:
+                term = contact_place if variant == "exact" else contact_bias
                 term.install(SimpleNamespace(mjw_model=self.engine, mjw_data=self.data), **options)
             mjw.step(self.engine, self.data)  # compiles, which must not happen inside a capture
             wp.copy(self.data.qpos, start[0])
@@ -276,8 +263,8 @@ class WarpRun:
 
 
 def run_in_warp(motions: Sequence[tuple[Motion, str, float]], device: wp.Device) -> list[np.ndarray]:
-    """The same in MuJoCo Warp, all motions side by side: each has one world, which leaves most of a GPU idle."""
-    runs = [WarpRun(*motion, device) for motion in tqdm(motions, desc="cure_bodies", unit="run", delay=3.0)]
+    """Run motions in MuJoCo Warp side by side: each has one world, which leaves most of a GPU idle."""
+    runs = [WarpRun(*motion, device) for motion in tqdm(motions, desc="cure, bodies", unit="run", delay=3.0)]
     for number in range(1, 1 + max(run.sample_count for run in runs)):
         for run in runs:
             if number <= run.sample_count:

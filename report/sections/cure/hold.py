@@ -14,11 +14,7 @@ from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import departure, noise_floor, ratio, settles
 from report.shared.drawing import CURE, SHIPPED
 
-order = 143
-page = "cure"
-label = "held for a minute"
-
-POSITIONS_FILE = ROOT / "assets/fix/compensated_positions.py"
+POSITIONS_FILE = ROOT / "experiments/simulation/compensated_positions.py"
 CASES = ("rounded", "kept", "kept-impratio", "best")
 DRAWN = {
     "rounded": ("as shipped", SHIPPED),

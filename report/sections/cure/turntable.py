@@ -16,12 +16,8 @@ from report.names import name_of
 from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size, size_share
 from report.shared.drawing import CURE, SHIPPED, TERM, mark_cells, name_lines
 
-order = 141
-page = "cure"
-label = "box on a turntable"
-
 ENGINES = ("warp", "c")
-BIAS_FILE = ROOT / "assets/fix/contact_bias.py"
+BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
 """What one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")

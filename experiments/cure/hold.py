@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from experiments.cure import BEST, IMPRATIO, POSITIONS
 from experiments.facts.case import HOLD, STIFF_PADS
+from experiments.facts.variants import BEST, IMPRATIO, POSITIONS
 from experiments.hold import LONG_FRAME_COUNT, creep
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import Conditions, displacement_table, summarize
 
 MINUTE = replace(HOLD, frame_count=LONG_FRAME_COUNT)
 CASES = (
@@ -18,11 +18,9 @@ CASES = (
 )
 
 
-def measure(conditions: Conditions) -> Measurement:
-    """A row for each case, with the creep in its first and in its last second, and the way of the cube."""
-    traces = conditions.simulate(CASES, title="cure_hold")
-    rows = [
-        summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace)
-        for case, trace in zip(CASES, traces, strict=True)
-    ]
-    return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
+def measure(conditions: Conditions) -> tuple[list[dict], dict[str, dict]]:
+    """Measure a row for each case, with the creep in its first and in its last second, and the way of the cube."""
+    traces = conditions.simulate(CASES, title="cure, held")
+    runs = list(zip(CASES, traces, strict=True))
+    rows = [summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace) for case, trace in runs]
+    return rows, {case.name: displacement_table(trace) for case, trace in runs}

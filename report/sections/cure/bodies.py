@@ -8,13 +8,9 @@ from measured_report.parts.claim import Claim, all_of, at_least, at_most
 from measured_report.parts.section import Download, Section
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import cell_count, extreme, share, size_difference, size_share
+from report.shared.arithmetic import cell_count, extreme, rows_with, share, size_difference, size_share
 
-order = 148
-page = "cure"
-label = "other bodies and the cure"
-
-PLACE_FILE = ROOT / "assets/fix/contact_place.py"
+PLACE_FILE = ROOT / "experiments/simulation/contact_place.py"
 TABLE = ("carried", "caught")
 """Motions on the table: turning with it, and put down at rest."""
 FREE = ("impact", "roll", "slide")
@@ -25,8 +21,8 @@ Found = Mapping[str, Row]
 
 def derive(results: Results) -> Section:
     runs: dict[tuple[str, str, str], dict[str, Row]] = {}
-    for row in results.rows:
-        runs.setdefault((row.motion, row.body, row.backend), {})[row.way] = row
+    for row in rows_with(results, "motion", "body", "variant", "backend"):
+        runs.setdefault((row.motion, row.body, row.backend), {})[row.variant] = row
     return Section(
         claims=[
             _stays_as_it_is(results, _of(runs, FREE, "c", "term")),
@@ -40,13 +36,13 @@ def derive(results: Results) -> Section:
 
 
 def _of(
-    runs: Mapping[tuple[str, str, str], Found], motions: Iterable[str], engine: str, way: str
+    runs: Mapping[tuple[str, str, str], Found], motions: Iterable[str], engine: str, variant: str
 ) -> list[tuple[str, Found]]:
-    """List the runs of these motions, in one engine or in both, that were done in this way and with nothing done."""
+    """List the runs of these motions, in one engine or in both, with this variant and with nothing done."""
     return [
         (f"{motion}_{body}_{backend}".replace(" ", "_"), found)
         for (motion, body, backend), found in runs.items()
-        if motion in motions and engine in ("", backend) and {"plain", way} <= set(found)
+        if motion in motions and engine in ("", backend) and {"plain", variant} <= set(found)
     ]
 
 
@@ -121,10 +117,12 @@ def _rolls_no_deeper(results: Results, runs: Mapping[tuple[str, str, str], Found
     formula = "how much deeper the body ends than with nothing done"
     exact, points = (
         [
-            size_difference(results, f"deeper_{way}_{name}", formula, found["plain"].rise_mm, found[way].rise_mm)
-            for name, found in _of(runs, ("roll",), engine, way)
+            size_difference(
+                results, f"deeper_{variant}_{name}", formula, found["plain"].rise_mm, found[variant].rise_mm
+            )
+            for name, found in _of(runs, ("roll",), engine, variant)
         ]
-        for way, engine in (("exact", ""), ("full", "c"))
+        for variant, engine in (("exact", ""), ("full", "c"))
     )
     most = extreme(results, "deeper_most", "most of these, with the exact term", max, exact)
     sinks = extreme(results, "sinks_least", "least of these, with that of material points", min, points)

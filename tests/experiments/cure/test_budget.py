@@ -1,4 +1,4 @@
-"""The parts of the slip, predicted and measured, and the box on the turntable."""
+"""The parts of the slip, predicted and measured."""
 
 from dataclasses import replace
 
@@ -6,11 +6,11 @@ import mujoco
 import numpy as np
 import pytest
 
-from experiments import cure, turntable
+from experiments.cure import combinations
 from experiments.cure.budget import Motion, friction_timeconst_s, measure_motion, predicted_mm, softness
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, batch_key
-from experiments.simulation.c_warnings import RunFailed
+from experiments.facts.variants import BEST
 from experiments.simulation.simulation import simulate
 from experiments.stability.limits import solref
 from newton_lint.newton_models.compat import kf_is_read
@@ -106,26 +106,12 @@ def test_the_timeconst_of_friction_rows_is_the_pads_or_kf_s():
 
 def test_a_run_that_cannot_be_watched_gives_reasons_and_no_numbers():
     failed = Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, "in MuJoCo C it broke down")
-    row = cure.motion_row(("shipped", "3cm"), failed)
+    row = combinations.motion_row(("shipped", "3cm"), failed)
     assert row["left_out_x_m_s"] is None and row["depth_mm_reason"] == failed.failure
 
 
 def test_every_combination_is_a_case_of_its_own_in_few_batches():
-    cases = cure.cases(quick=False)
+    cases = combinations.cases(quick=False)
     assert len({case.name for case in cases}) == len({replace(case, name="") for case in cases}) == len(cases)
-    assert len({batch_key(case) for case in cases}) == sum(map(len, cure.SETTINGS.values()))
-    assert any(cure.BEST.items() <= vars(case).items() for case in cases)
-
-
-@pytest.mark.parametrize("name", ["plain", "rk4", "noslip", "pyramidal", "half-timeconst", "term", "term-rk4"])
-def test_the_box_on_the_turntable_goes_as_the_law_says(name):
-    case = next(case for case in turntable.CASES if case.name == f"{name}-c")
-    run = turntable.run_in_c(case, 3.0)
-    growth = turntable.growth_columns(run)["growth_per_s"]
-    assert growth == pytest.approx(turntable.predicted_growth_per_s(case, run), rel=0.005)
-
-
-def test_a_turntable_that_blows_up_has_no_growth(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
-    with pytest.raises(RunFailed, match="reset"):
-        turntable.run_in_c(turntable.Turntable("", "c", options={"gravity": [0.0, 0.0, -1e12]}), 0.1)
+    assert len({batch_key(case) for case in cases}) == sum(map(len, combinations.SETTINGS.values()))
+    assert any(BEST.items() <= vars(case).items() for case in cases)

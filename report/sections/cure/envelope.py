@@ -9,10 +9,6 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Series
 from report.sections.envelope import HELD_HEIGHT_M, draw_maps, held_slip, lost_count
 
-order = 147
-page = "cure"
-label = "harder shakes with the cure"
-
 SIDES = {"term": "the term", "best": "the whole cure"}
 MAP = "map"
 
@@ -22,7 +18,7 @@ def derive(results: Results) -> Section:
     other = results.others.get("envelope")
     before = other.trace(MAP) if other else Series(None, "", "section envelope has no results here")
     lost = {side: lost_count(results, trace, side, held) for side in SIDES}
-    cells, gain = results.row["best"].cell_count, _gain(results, before, "stiff", trace, "best")
+    cells, gain = results.row["map-best"].cell_count, _gain(results, before, "stiff", trace, "best")
     drops = all_of(at_most(lost["best"], 0, why="no cell is lost"), at_least(cells, 100, why="a map"))
     flags = {"keeps": drops == HOLDS, "is_crossed": any(count.value for count in lost.values())}
     return Section(

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 import warp as wp
 
-from assets.fix import contact_bias
 from experiments.facts import metrics
 from experiments.facts.case import LEAN, Case, CaseError
-from experiments.simulation import contact_bias_c
+from experiments.simulation import contact_bias, contact_bias_c
 from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.simulation import Simulation, simulate
 

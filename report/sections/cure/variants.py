@@ -8,14 +8,14 @@ from measured_report.parts.section import Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
-from report.shared.arithmetic import cell_count, difference, noise_floor, other_value, table_of
+from report.shared.arithmetic import cell_count, difference, noise_floor, table_of
 
 GRASP_MM = 80.0
 """Farther from where it was, a cube is out of the grasp."""
 
 
 @dataclass(frozen=True)
-class Way:
+class Variant:
     """One combination of parts of the cure."""
 
     name: str
@@ -24,59 +24,59 @@ class Way:
     parts: str
     """What is done about the term, and about positions."""
     tested: str = ""
-    """What sections cure_cost and cure_limits call it, if both of them have it."""
+    """Its name in section cure_cost and at the limits of the grasp, if it was tried in both."""
 
     def row(self, results: Results, shake: str) -> Row:
         return results.row[f"{self.setting}-{shake}-{self.parts}"]
 
 
-SHIPPED = Way("as shipped", "newton-implicitfast-50-shipped", "plain-rounded")
-STIFF = Way("stiff pads, the fix", "newton-implicitfast-50-stiff", "plain-rounded")
-STIFF_TERM = Way("stiff pads and the term", "newton-implicitfast-50-stiff", "term-rounded")
-TERM = Way("the term", "newton-implicitfast-50-shipped", "term-rounded", tested="term")
-BEST = Way("the whole cure, in normal rows too", "newton-euler-400-shipped", "full-kept", tested="best")
+SHIPPED = Variant("as shipped", "newton-implicitfast-50-shipped", "plain-rounded")
+STIFF = Variant("stiff pads, the fix", "newton-implicitfast-50-stiff", "plain-rounded")
+STIFF_TERM = Variant("stiff pads and the term", "newton-implicitfast-50-stiff", "term-rounded")
+TERM = Variant("the term", "newton-implicitfast-50-shipped", "term-rounded", tested="term")
+BEST = Variant("the whole cure, in normal rows too", "newton-euler-400-shipped", "full-kept", tested="best")
 STEPS = {
     "the term": TERM,
-    "centring": Way("the term centred, Euler", "newton-euler-50-shipped", "centred-rounded"),
-    "impratio": Way("the same, high impratio", "newton-euler-400-shipped", "centred-rounded"),
-    "compensated positions": Way("the same, positions compensated", "newton-euler-400-shipped", "centred-kept"),
+    "centring": Variant("the term centred, Euler", "newton-euler-50-shipped", "centred-rounded"),
+    "impratio": Variant("the same, high impratio", "newton-euler-400-shipped", "centred-rounded"),
+    "compensated positions": Variant("the same, positions compensated", "newton-euler-400-shipped", "centred-kept"),
     "normal rows": BEST,
 }
 """One part more each time, by its name."""
-FIRM = Way("stiff pads and the cure", "newton-implicitfast-400-stiff", "centred-kept", tested="firm")
-FIRM_EULER = Way("the same, Euler", "newton-euler-400-stiff", "centred-kept", tested="firm_euler")
-WAYS = (SHIPPED, STIFF, STIFF_TERM, *STEPS.values(), FIRM, FIRM_EULER)
-TESTED = [way for way in WAYS if way.tested]
-KF_OFF = Way("as shipped, kf off", "newton-implicitfast-50-shipped", "kf-off")
+FIRM = Variant("stiff pads and the cure", "newton-implicitfast-400-stiff", "centred-kept", tested="firm")
+FIRM_EULER = Variant("the same, Euler", "newton-euler-400-stiff", "centred-kept", tested="firm_euler")
+VARIANTS = (SHIPPED, STIFF, STIFF_TERM, *STEPS.values(), FIRM, FIRM_EULER)
+TESTED = [variant for variant in VARIANTS if variant.tested]
+KF_OFF = Variant("as shipped, kf off", "newton-implicitfast-50-shipped", "kf-off")
 """Where the release reads ``kf``."""
 
 
 def use_table(results: Results) -> Table:
-    """Make the table of the slips of each way."""
-    ways = [*WAYS, *([KF_OFF] if KF_OFF.row(results, "3cm") else [])]
+    """Make the table of the slips of each variant."""
+    variants = [*VARIANTS, *([KF_OFF] if KF_OFF.row(results, "3cm") else [])]
     columns = {
-        above: ["lost" if row.dropped else row.slip_mm for row in (way.row(results, shake) for way in ways)]
+        above: ["lost" if row.dropped else row.slip_mm for row in (variant.row(results, shake) for variant in variants)]
         for above, shake in (("shaken 30 mm", "3cm"), ("shaken 100 mm", "10cm"), ("held still", "held"))
     }
-    return table_of("what is done", [way.name for way in ways], columns)
+    return table_of("what is done", [variant.name for variant in variants], columns)
 
 
 def what_to_use(results: Results, amplitude: Value) -> Claim:
-    """Tell whether the cure on stiff pads loses no cube that they keep, and no other such way slips less.
+    """Tell whether the cure on stiff pads loses no cube that they keep, and no other such variant slips less.
 
-    Only ways that were timed and tried at the limits of the grasp count. It has to keep the cube in its place at 10 cm
-    as well. What it costs, section cure_cost says.
+    Only variants that were timed and tried at the limits of the grasp count. It has to keep the cube in its place at
+    10 cm as well. What it costs, section cure_cost says.
     """
     noise, slips = (
         noise_floor(results, "slip_floor"),
-        {way: way.row(results, "3cm").slip_mm for way in (SHIPPED, *TESTED)},
+        {variant: variant.row(results, "3cm").slip_mm for variant in (SHIPPED, *TESTED)},
     )
     far = FIRM.row(results, "10cm").slip_mm
-    lost = {way: other_value(results, "cure_limits", f"lost_{way.tested}") for way in TESTED}
+    lost = {variant: results.derived[f"limit_lost_{variant.tested}"] for variant in TESTED}
     more = [
-        difference(results, f"use_more_{way.tested}", "its slip less that of this way", slips[FIRM], slips[way])
-        for way in TESTED
-        if way != FIRM and lost[way].value == 0
+        difference(results, f"use_more_{variant.tested}", "its slip less that of this way", slips[FIRM], slips[variant])
+        for variant in TESTED
+        if variant != FIRM and lost[variant].value == 0
     ]
     outcome = all_of(
         at_most(lost[FIRM], 0, why="none of them is lost"),
@@ -85,7 +85,7 @@ def what_to_use(results: Results, amplitude: Value) -> Claim:
         greater(slips[SHIPPED], slips[FIRM], noise=noise),
     )
     numbers = {"slip": slips[FIRM], "shipped": slips[SHIPPED], "far": far, "amplitude": amplitude}
-    numbers |= {"lost": lost[FIRM], "kept": other_value(results, "cure_limits", f"kept_{FIRM.tested}")}
+    numbers |= {"lost": lost[FIRM], "kept": results.derived[f"kept_{FIRM.tested}"]}
     return Claim("what_to_use", outcome.having_read(*lost.values()), numbers)
 
 
@@ -93,7 +93,7 @@ def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
     """Tell how many of all recorded combinations slip less than the cure on stiff pads, and were not tested."""
     noise, best = noise_floor(results, "slip_floor"), FIRM.row(results, "3cm").slip_mm
     shaken = [row for row in runs if row.shake == "3cm"]
-    tested = [f"{way.setting}-3cm-{way.parts}" for way in TESTED]
+    tested = [f"{variant.setting}-3cm-{variant.parts}" for variant in TESTED]
     others = [row for row in shaken if row.slip_mm.value is not None and row.case not in tested]
     there = sorted(others, key=lambda row: row.slip_mm.value)
 
@@ -106,5 +106,5 @@ def less_untested(results: Results, runs: Sequence[Row]) -> Claim:
         "total": cell_count(results, "combination_count", "combinations", [row.frame_count for row in shaken]),
         "least": there[0].slip_mm,
     }
-    words = {"way": name_of(there[0].case.replace("-3cm", ""))}
+    words = {"variant": name_of(there[0].case.replace("-3cm", ""))}
     return Claim("less_untested", at_least(numbers["count"], 1, why="one at least"), numbers | words)

@@ -15,16 +15,12 @@ from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import case_html, some_html
-from report.shared.arithmetic import cell_count, noise_floor, ratio
+from report.shared.arithmetic import cell_count, noise_floor, ratio, rows_with
 from report.shared.drawing import CURE, TERM, mark_points
 
-order = 146
-page = "limits"
-label = "the cure at its limits"
-
-WAYS = {"term": "the term", "best": "the whole cure"}
-FIRM_WAYS = ("firm", "firm-euler")
-"""Ways on stiff pads, which runs about other pads are not tried with."""
+VARIANTS = {"term": "the term", "best": "the whole cure"}
+ON_STIFF_PADS = ("firm", "firm-euler")
+"""Variants that runs about other pads are not tried with."""
 FAMILIES = {
     "steps": "steps, shipped and stiff pads",
     "ke-critical": "pads' ke with kd = 2√ke",
@@ -39,19 +35,19 @@ Runs = Mapping[str, Mapping[str, Row]]
 
 def derive(results: Results) -> Section:
     runs: dict[str, dict[str, Row]] = defaultdict(dict)
-    for row in results.rows:
-        runs[row.of][row.way] = row
-    whole = {name: ways for name, ways in runs.items() if {"plain", *WAYS} <= set(ways)}
-    kept = [row.creep_mm_s for ways in whole.values() for row in ways.values() if row.kept]
+    for row in rows_with(results, "of", "variant", "family", "kept"):
+        runs[row.of][row.variant] = row
+    whole = {name: found for name, found in runs.items() if {"plain", *VARIANTS} <= set(found)}
+    kept = [row.creep_mm_s for found in whole.values() for row in found.values() if row.kept]
     count = _count(results, "run_count", "runs", whole.values())
-    firm = {name: ways for name, ways in runs.items() if {"plain", *FIRM_WAYS} <= set(ways)}
-    breaks = [_breaks_nothing(results, whole, way) for way in WAYS]
-    breaks += [_breaks_nothing(results, firm, way) for way in FIRM_WAYS]
+    firm = {name: found for name, found in runs.items() if {"plain", *ON_STIFF_PADS} <= set(found)}
+    breaks = [_breaks_nothing(results, whole, variant) for variant in VARIANTS]
+    breaks += [_breaks_nothing(results, firm, variant) for variant in ON_STIFF_PADS]
     less = list(_creeps_less(results, whole))
     term, best = (claim.numbers["gain"] for claim in less)
     numbers: dict[str, Any] = {"count": count, "is_so": at_least(best, 2.0, why="clearly less") == HOLDS}
     numbers["is_so"] = numbers["is_so"] and greater(best, term, noise=2.0, why="a gain that differs") == HOLDS
-    numbers["has_lost"] = any(claim.numbers["lost_count"].value for claim in breaks[: len(WAYS)])
+    numbers["has_lost"] = any(claim.numbers["lost_count"].value for claim in breaks[: len(VARIANTS)])
     return Section(
         tables={"families": _table(results, whole)},
         figures={"creep": Figure(lambda: _draw(whole), kept, numbers)},
@@ -59,24 +55,24 @@ def derive(results: Results) -> Section:
     )
 
 
-def _kept(runs: Runs, *ways: str) -> Runs:
-    """Select the runs that keep the cube in each of these ways."""
-    return {name: found for name, found in runs.items() if all(found[way].kept for way in ways)}
+def _kept(runs: Runs, *variants: str) -> Runs:
+    """Select the runs that keep the cube in each of these variants."""
+    return {name: found for name, found in runs.items() if all(found[variant].kept for variant in variants)}
 
 
 def _count(results: Results, name: str, formula: str, runs: Iterable[Mapping[str, Row]]) -> Value:
     """Count runs, as a value that points to them."""
-    return cell_count(results, name, formula, [ways["plain"].substeps for ways in runs])
+    return cell_count(results, name, formula, [found["plain"].substeps for found in runs])
 
 
-def _breaks_nothing(results: Results, runs: Runs, way: str) -> Claim:
-    """Tell whether each run that keeps the cube with nothing done keeps it this way too."""
-    plain, mine, name = _kept(runs, "plain"), _kept(runs, way), way.replace("-", "_")
+def _breaks_nothing(results: Results, runs: Runs, variant: str) -> Claim:
+    """Tell whether each run that keeps the cube with nothing done keeps it with this variant too."""
+    plain, mine, name = _kept(runs, "plain"), _kept(runs, variant), variant.replace("-", "_")
     lost = [run for run in plain if run not in mine]
     won = [found for run, found in mine.items() if run not in plain]
     count = _count(results, f"kept_{name}", "runs that keep the cube with nothing done", plain.values())
     formula = "of these, runs that lose it this way"
-    lost_count = _count(results, f"lost_{name}", formula, [plain[run] for run in lost])
+    lost_count = _count(results, f"limit_lost_{name}", formula, [plain[run] for run in lost])
     won_count = _count(results, f"won_{name}", "runs that keep it only this way", won)
     outcome = Outcome("unknown", "no run keeps the cube without it")
     if plain:
@@ -87,36 +83,36 @@ def _breaks_nothing(results: Results, runs: Runs, way: str) -> Claim:
 
 
 def _creeps_less(results: Results, runs: Runs) -> Iterator[Claim]:
-    """Tell for each way how much less the cube creeps, by the median of the runs that keep it either way."""
-    for way in WAYS:
-        both = _kept(runs, "plain", way)
-        creeps = {name: [found[each].creep_mm_s for each in ("plain", way)] for name, found in both.items()}
+    """Tell for each variant how much less the cube creeps, by the median of the runs that keep it either way."""
+    for variant in VARIANTS:
+        both = _kept(runs, "plain", variant)
+        creeps = {name: [found[each].creep_mm_s for each in ("plain", variant)] for name, found in both.items()}
         formula = "creep with nothing done over that with it"
-        gains = [ratio(results, f"gain_{way}_{name}", formula, *pair) for name, pair in creeps.items()]
-        typical = results.value(f"gain_{way}", "median of these ratios", lambda *found: median(found), *gains)
+        gains = [ratio(results, f"gain_{variant}_{name}", formula, *pair) for name, pair in creeps.items()]
+        typical = results.value(f"gain_{variant}", "median of these ratios", lambda *found: median(found), *gains)
         worse = results.value(
-            f"worse_{way}",
+            f"worse_{variant}",
             "runs that creep faster with it, by more than the noise",
             lambda noise, *found: sum(b - a > noise for a, b in zip(found[::2], found[1::2], strict=True)),
             noise_floor(results, "drift_floor"),
             *chain.from_iterable(creeps.values()),
         )
-        count = _count(results, f"both_{way}", "runs that keep the cube either way", both.values())
+        count = _count(results, f"both_{variant}", "runs that keep the cube either way", both.values())
         outcome = at_least(typical, 2.0, why="half the creep")
         if 2 * (worse.value or 0) > (count.value or 0):
             outcome = OPPOSITE.having_read(typical)
         outcome = outcome.having_read(worse)
-        yield Claim(f"{way}_creeps_less", outcome, {"gain": typical, "count": count, "worse": worse})
+        yield Claim(f"{variant}_creeps_less", outcome, {"gain": typical, "count": count, "worse": worse})
 
 
 def _table(results: Results, runs: Runs) -> Table:
     lines = {}
     for family, label in FAMILIES.items():
-        mine = {name: ways for name, ways in runs.items() if ways["plain"].family == family}
+        mine = {name: found for name, found in runs.items() if found["plain"].family == family}
         if not mine:
             continue
         kept = {"runs": mine, "keep the cube": _kept(mine, "plain")}
-        kept |= {f"with {words}": _kept(mine, way) for way, words in WAYS.items()}
+        kept |= {f"with {words}": _kept(mine, variant) for variant, words in VARIANTS.items()}
         lines[label] = {
             words: _count(results, f"{family}_{words}".replace(" ", "_"), f"{words}: {label}", found.values())
             for words, found in kept.items()
@@ -126,15 +122,15 @@ def _table(results: Results, runs: Runs) -> Table:
 
 def _draw(runs: Runs) -> Drawing:
     drawing, axes = new_figure(7.2, 3.6)
-    there = [row.creep_mm_s.value for ways in runs.values() for row in ways.values() if row.kept]
+    there = [row.creep_mm_s.value for found in runs.values() for row in found.values() if row.kept]
     top = 3.0 * max(there, default=1.0)
-    before = [ways["plain"].creep_mm_s.value for ways in _kept(runs, "plain").values()]
-    for way, colour, marker in (("term", TERM, "o"), ("best", CURE, "^")):
-        both = _kept(runs, "plain", way)
-        points = [(ways["plain"].creep_mm_s.value, ways[way].creep_mm_s.value) for ways in both.values()]
-        mark_points(axes, points, color=colour, marker=marker, markersize=4, label=WAYS[way])
+    before = [found["plain"].creep_mm_s.value for found in _kept(runs, "plain").values()]
+    for variant, colour, marker in (("term", TERM, "o"), ("best", CURE, "^")):
+        both = _kept(runs, "plain", variant)
+        points = [(found["plain"].creep_mm_s.value, found[variant].creep_mm_s.value) for found in both.values()]
+        mark_points(axes, points, color=colour, marker=marker, markersize=4, label=VARIANTS[variant])
         lost = [
-            (ways["plain"].creep_mm_s.value, top) for name, ways in _kept(runs, "plain").items() if name not in both
+            (found["plain"].creep_mm_s.value, top) for name, found in _kept(runs, "plain").items() if name not in both
         ]
         mark_points(axes, lost, color=colour, marker="x", clip_on=False)
     ends = [min((value for value in before if value > 0.0), default=0.1), max(before, default=1.0)]

@@ -11,8 +11,7 @@ import pytest
 import warp as wp
 from stepping import take_steps
 
-from assets.fix import contact_place
-from experiments.simulation import contact_bias_c, contact_place_c
+from experiments.simulation import contact_bias_c, contact_place, contact_place_c
 
 STATES_OF_A_KIND = 3
 """For each cone and dimension, so that there are 24 of each pair."""

@@ -29,7 +29,7 @@ from mujoco_warp._src.types import vec5
 try:
     import contact_bias
 except ImportError:  # where both are part of a package
-    from assets.fix import contact_bias
+    from . import contact_bias
 
 PLANE, SPHERE = wp.constant(int(mujoco.mjtGeom.mjGEOM_PLANE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_SPHERE))
 CAPSULE, BOX = wp.constant(int(mujoco.mjtGeom.mjGEOM_CAPSULE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_BOX))

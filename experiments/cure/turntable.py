@@ -12,8 +12,10 @@ of second order: in the frame of the table a sliding velocity v has a Coriolis a
 2 ω/b and takes 4 ω²/b² of it, and that v grows takes ω²/b².
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
+from types import SimpleNamespace
 
 import mujoco
 import mujoco_warp as mjw
@@ -21,10 +23,9 @@ import numpy as np
 import warp as wp
 from tqdm import tqdm
 
-from assets.fix import contact_bias
-from experiments.simulation import contact_bias_c
+from experiments.simulation import contact_bias, contact_bias_c
 from experiments.simulation.c_warnings import RunFailed, refuse_warned
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from experiments.simulation.measurement import Conditions, absent
 from experiments.simulation.mjcf_engines import Contacts, contacts_in_c, contacts_in_warp
 from newton_lint.newton_models.compat import warp_has_noslip
 
@@ -57,9 +58,17 @@ MJCF = f"""
 """
 
 
+ENUMS = {
+    "rk4": int(mujoco.mjtIntegrator.mjINT_RK4),
+    "euler": int(mujoco.mjtIntegrator.mjINT_EULER),
+    "pyramidal": int(mujoco.mjtCone.mjCONE_PYRAMIDAL),
+}
+"""MuJoCo's numbers by the words for them."""
+
+
 @dataclass(frozen=True)
 class Turntable:
-    """One run of the box on the table; options as in MuJoCo's MJCF."""
+    """One run of the box on the table."""
 
     name: str
     engine: str = "warp"
@@ -73,64 +82,63 @@ class Turntable:
     def model(self) -> mujoco.MjModel:
         model = mujoco.MjModel.from_xml_string(MJCF)
         for name, value in self.options.items():
-            setattr(model.opt, name, value)
+            setattr(model.opt, name, ENUMS.get(value, value))
         model.geom_solref[:, 0] = self.timeconst_s
         return model
 
 
 @dataclass(frozen=True)
 class Run:
-    """What a run shows."""
+    """Distance of the box from the axis every SAMPLE_S, and its contacts at the end."""
 
     radius_m: np.ndarray
-    """Distance of the box from the axis every SAMPLE_S."""
     contacts: Contacts
-    """At the end."""
 
 
-RK4 = {"integrator": int(mujoco.mjtIntegrator.mjINT_RK4)}
+RK4 = {"integrator": "rk4"}
+PYRAMIDAL = {"cone": "pyramidal"}
+HIGH_IMPRATIO = {"impratio": 100.0}
 VARIANTS = {
     "plain": {},
     "rk4": {"options": RK4},
-    "euler": {"options": {"integrator": int(mujoco.mjtIntegrator.mjINT_EULER)}},
+    "euler": {"options": {"integrator": "euler"}},
     "noslip": {"options": {"noslip_iterations": 10}},
-    "impratio": {"options": {"impratio": 100.0}},
-    "pyramidal": {"options": {"cone": int(mujoco.mjtCone.mjCONE_PYRAMIDAL)}},
+    "impratio": {"options": HIGH_IMPRATIO},
+    "pyramidal": {"options": PYRAMIDAL},
     "half-timeconst": {"timeconst_s": 0.01},
     "half-step": {"options": {"timestep": 0.001}},
     "term": {"contact_bias": True},
-    "term-pyramidal": {"contact_bias": True, "options": {"cone": int(mujoco.mjtCone.mjCONE_PYRAMIDAL)}},
+    "term-pyramidal": {"contact_bias": True, "options": PYRAMIDAL},
     "term-rk4": {"contact_bias": True, "options": RK4},
-    "term-rk4-impratio": {"contact_bias": True, "options": RK4 | {"impratio": 100.0}},
+    "term-rk4-impratio": {"contact_bias": True, "options": RK4 | HIGH_IMPRATIO},
     "term-centred": {"contact_bias": True, "bias_centred": True},
-    "term-centred-impratio": {"contact_bias": True, "bias_centred": True, "options": {"impratio": 100.0}},
+    "term-centred-impratio": {"contact_bias": True, "bias_centred": True, "options": HIGH_IMPRATIO},
 }
 CASES = [
     Turntable(f"{name}-{engine}", engine, **fields) for engine in ("warp", "c") for name, fields in VARIANTS.items()
 ]
 
 
-def measure(conditions: Conditions) -> Measurement:
-    """A row for each run: how fast the box's distance from the axis grows, measured and predicted."""
-    rows = []
-    for case in tqdm(CASES, desc="turntable", unit="run", delay=3.0):
-        row = {"case": case.name, "backend": case.engine, "contact_bias": case.contact_bias, **case.options}
-        row |= {"bias_centred": case.bias_centred, "timeconst_s": case.timeconst_s}
-        if case.engine == "warp" and "noslip_iterations" in case.options and not warp_has_noslip():
-            rows.append(row | absent(GROWTHS, "MuJoCo Warp here has no noslip"))
-            continue
-        seconds = SECONDS[conditions.profile]
-        try:
-            run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
-            row |= growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)}
-        except RunFailed as failed:
-            row |= absent(GROWTHS, str(failed))
-        rows.append(row)
-    return Measurement(rows)
+def measure(conditions: Conditions) -> list[dict]:
+    """Measure a row for each run: how fast the box's distance from the axis grows, measured and predicted."""
+    return [row_of(case, conditions) for case in tqdm(CASES, desc="turntable", unit="run", delay=3.0)]
+
+
+def row_of(case: Turntable, conditions: Conditions) -> dict[str, object]:
+    row = {"case": case.name, "backend": case.engine, "contact_bias": case.contact_bias, **case.options}
+    row |= {"bias_centred": case.bias_centred, "timeconst_s": case.timeconst_s}
+    if case.engine == "warp" and "noslip_iterations" in case.options and not warp_has_noslip():
+        return row | absent(GROWTHS, "MuJoCo Warp here has no noslip")
+    seconds = SECONDS[conditions.profile]
+    try:
+        run = run_in_c(case, seconds) if case.engine == "c" else run_in_warp(case, seconds, conditions.device)
+        return row | growth_columns(run) | {"predicted_growth_per_s": predicted_growth_per_s(case, run)}
+    except RunFailed as failed:
+        return row | absent(GROWTHS, str(failed))
 
 
 def growth_columns(run: Run) -> dict[str, float]:
-    """Rate of the exponential growth, from a line through the logarithm, and the ends.
+    """Fit the rate of the exponential growth, from a line through the logarithm, and the ends.
 
     Raises:
         RunFailed: The box is not on the table any more, or nowhere.
@@ -152,33 +160,41 @@ def growth_columns(run: Run) -> dict[str, float]:
 
 
 def start_state(model: mujoco.MjModel) -> mujoco.MjData:
-    """The box in rest on the turning table."""
+    """Put the box at rest on the turning table."""
     data = mujoco.MjData(model)
     data.qvel[:] = TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S
     mujoco.mj_forward(model, data)
     return data
 
 
-def run_in_c(case: Turntable, seconds: float) -> Run:
-    """The box in MuJoCo's C engine.
+def path_in_c(
+    model: mujoco.MjModel, data: mujoco.MjData, control: Callable[..., None] | None, seconds: float
+) -> np.ndarray:
+    """Return the places of the last body, which is free, every SAMPLE_S in MuJoCo's C engine [m], shape [samples, 3].
 
     Raises:
         RunFailed: Of the engine.
     """
-    model = case.model()
-    data = start_state(model)
-    control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
     mujoco.set_mjcb_control(control)  # for all models, so only for as long as this one is stepped
     try:
-        radius = [np.hypot(*data.qpos[1:3])]
+        path = [data.qpos[-7:-4].copy()]
         for _ in range(round(seconds / SAMPLE_S)):
             for _ in range(round(SAMPLE_S / model.opt.timestep)):
                 mujoco.mj_step(model, data)
             refuse_warned(data)
-            radius.append(np.hypot(*data.qpos[1:3]))
+            path.append(data.qpos[-7:-4].copy())
     finally:
         mujoco.set_mjcb_control(None)
-    return Run(np.array(radius), contacts_in_c(model, data))
+    return np.array(path)
+
+
+def run_in_c(case: Turntable, seconds: float) -> Run:
+    """Run the box in MuJoCo's C engine; RunFailed as from it."""
+    model = case.model()
+    data = start_state(model)
+    control = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
+    path = path_in_c(model, data, control, seconds)
+    return Run(np.hypot(*path[:, :2].T), contacts_in_c(model, data))
 
 
 def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
@@ -186,7 +202,7 @@ def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
     with wp.ScopedDevice(device):
         m, d = mjw.put_model(model), mjw.put_data(model, start_state(model), nconmax=32, njmax=128)
         if case.contact_bias:
-            contact_bias.install(_Solver(m, d), centred=case.bias_centred)
+            contact_bias.install(SimpleNamespace(mjw_model=m, mjw_data=d), centred=case.bias_centred)
         mjw.step(m, d)  # compiles, which must not happen inside a capture
         with wp.ScopedCapture() as capture:
             for _ in range(round(SAMPLE_S / model.opt.timestep)):
@@ -198,20 +214,12 @@ def run_in_warp(case: Turntable, seconds: float, device: str) -> Run:
         return Run(np.array(radius), contacts_in_warp(model, d))
 
 
-@dataclass(frozen=True)
-class _Solver:
-    """What ``contact_bias.install`` asks of a solver."""
-
-    mjw_model: mjw.Model
-    mjw_data: mjw.Data
-
-
 def predicted_growth_per_s(case: Turntable, run: Run) -> float:
-    """The growth by the law in the module's text, with the softness of the contacts that the run ends with."""
+    """Predict the growth by the law in the module's text, with the softness of the contacts that the run ends with."""
     model = case.model()
     h = model.opt.timestep
     b = contact_bias_c.damping(model, model.geom_solref[0], model.geom_solimp[0])
     creep = 0.0 if "noslip_iterations" in case.options else MASS_KG * run.contacts.softness_1_kg
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
-    step = 0.0 if case.options.get("integrator") == RK4["integrator"] else 0.5 * h
+    step = 0.0 if case.options.get("integrator") == "rk4" else 0.5 * h
     return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))

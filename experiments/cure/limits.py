@@ -1,0 +1,56 @@
+"""Does the cure hold up where the grasp is at its limits? Runs of section stability that it could break, with it."""
+
+from dataclasses import replace
+
+from experiments.facts import metrics
+from experiments.facts.case import Case
+from experiments.facts.classes import STABLE, classify, creep_mm_s
+from experiments.facts.trace import Trace
+from experiments.facts.variants import BEST, FIRM, TERMS
+from experiments.simulation.measurement import Conditions, absent
+from experiments.stability import families
+from experiments.stability.families import DAMPING, GRID_KE, HOLD_FRAME_COUNT, SHAKE_FRAME_COUNT, Probe
+
+ON_STIFF_PADS = {"firm": FIRM, "firm-euler": FIRM | {"integrator": "euler"}}
+VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}
+"""What is done about the slip."""
+GRID_SUBSTEPS = {"full": (4, 16), "quick": (4,)}
+
+
+def probes(profile: str) -> list[Probe]:
+    """List long steps, soft and stiff pads at two steps, masses, and starts too deep in what the cube touches."""
+    grid = [
+        families.grid_cell(family, float(ke), count)
+        for family in DAMPING
+        for ke in GRID_KE[profile]
+        for count in GRID_SUBSTEPS[profile]
+    ]
+    return [*families.steps(profile), *grid, *families.masses(profile), *families.overlaps(profile)]
+
+
+def measure(conditions: Conditions) -> list[dict]:
+    """Measure a row for each run and variant: how it ends, and how it creeps where it keeps the cube."""
+    frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
+    runs = [(probe, variant) for probe in probes(conditions.profile) for variant in variants_of(probe)]
+    cases = [case_of(*run, frame_count) for run in runs]
+    traces = conditions.simulate(cases, title="cure, limits")
+    return [row_of(*run, case, trace) for run, case, trace in zip(runs, cases, traces, strict=True)]
+
+
+def variants_of(probe: Probe) -> list[str]:
+    """List what is tried in a run: variants that set the pads are not where a run is about other pads than theirs."""
+    stiff = probe.case.pad_ke == FIRM["pad_ke"] and probe.case.pad_kd == FIRM["pad_kd"]
+    return [variant for variant in VARIANTS if stiff or variant not in ON_STIFF_PADS]
+
+
+def case_of(probe: Probe, variant: str, frame_count: int) -> Case:
+    return replace(probe.case, name=f"{probe.case.name}-{variant}", frame_count=frame_count, **VARIANTS[variant])
+
+
+def row_of(probe: Probe, variant: str, case: Case, trace: Trace) -> dict[str, object]:
+    kind = classify(case, trace, creep_floor_mm_s=0.0)
+    row = {"case": case.name, "of": probe.case.name, "family": probe.family, "variant": variant, **probe.parameters}
+    row |= {"contact_bias": case.contact_bias, "class": kind, "kept": kind in STABLE}
+    if kind not in STABLE:
+        return row | absent(("creep_mm_s", "slip_mm"), f"the run ended as {kind}")
+    return row | {"creep_mm_s": creep_mm_s(case, trace), "slip_mm": metrics.slip_mm(metrics.displacement(trace))}
