@@ -1,4 +1,4 @@
-"""What the remedies cost: time of a frame with and without them, in one world and in many."""
+"""Cost of the remedies: time of a frame with and without them, in one world and in many."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED
 from experiments.facts.variants import BEST, FIRM, TERMS
-from experiments.simulation.comparing import time_cases
+from experiments.simulation.frame_benchmark import time_cases
 from experiments.simulation.measurement import Conditions, Measurement
 from measured_report.measuring.batch import Batch, Plan
 
@@ -28,7 +28,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
-    """A row for each case; all start in the same states of the shake."""
+    """Return a row for each case; all start in the same states of the shake."""
     timed = time_cases(CASES, world_count, wp.get_device(conditions.device))
     return [
         {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias} | timed[case.name]

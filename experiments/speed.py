@@ -5,7 +5,7 @@ from dataclasses import replace
 import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, FIXED, STIFF_PADS, UNTRIMMED, differences
-from experiments.simulation.comparing import time_cases
+from experiments.simulation.frame_benchmark import time_cases
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.task import FRAME_RATE
 from measured_report.measuring.batch import Batch, Plan
@@ -17,7 +17,7 @@ CASES = (
     replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
     FIXED,
 )
-"""The first is what the others are compared with."""
+"""The others are compared with the first."""
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -26,15 +26,15 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_times(conditions: Conditions) -> list[dict[str, object]]:
-    """A row for each case."""
+    """Return a row for each case."""
     # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
     cases = CASES if conditions.is_cuda else [case for case in CASES if case.name != "as-shipped-untrimmed"]
     timed = time_cases(cases, 1, wp.get_device(conditions.device))
-    return [{"case": case.name, **differences(case)} | with_rates(timed[case.name]) for case in cases]
+    return [{"case": case.name, **differences(case), **with_rates(timed[case.name])} for case in cases]
 
 
 def with_rates(row: dict) -> dict[str, object]:
-    """Columns of a time, and of the speed that it is."""
+    """Add the speeds that a time is."""
     if row["frame_ms"] is None:
         return row | absent(("frames_per_s", "realtime_factor"), row["frame_ms_reason"])
     per_s = 1e3 / row["frame_ms"]

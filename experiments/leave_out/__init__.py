@@ -1,7 +1,6 @@
 """What the scene pays for and does not need: left out one at a time, then all together."""
 
 from collections.abc import Iterable, Sequence
-from concurrent.futures import Executor, Future
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +11,7 @@ from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
 from experiments.facts.trace import Trace
 from experiments.leave_out.audit import audit, audit_rows
 from experiments.leave_out.stages import stage_rows
-from experiments.simulation.comparing import TIMED, time_cases
+from experiments.simulation.frame_benchmark import TIMED, time_cases
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent, summarize
 from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
 from experiments.simulation.simulation import Simulation, batches, run_batch, simulate
@@ -33,16 +32,16 @@ WITHOUT = {
     "sensors": {"sensors": False},
     "limits": {"limits": False},
 }
-"""What is left out, by name, and the parameters that do it."""
+"""Parameters by the name of what they leave out."""
 IN_THE_MODEL = ("cube-gap", "hand-box", "visuals", "fixed-joints")
-"""What of it is in the engine's model. The rest is about how the model is run."""
+"""Those that are in the engine's model. The others are about how the model is run."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
-"""What is left out alone with the most worlds, where to build a batch takes longer than to time it."""
+"""Left out alone with the most worlds, where to build a batch takes longer than to time it."""
 ON_CPU = ("buffers",)
-"""What is left out alone on a CPU, where frames with large buffers take long."""
+"""Left out alone on a CPU, where frames with large buffers take long."""
 RUN_COUNT = 8
 """Worlds in which a case is run to the end on a GPU; on a CPU they would all be the same."""
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
@@ -50,7 +49,7 @@ MEASURED = ("slip_mm", "drift_mm_s", "pose_difference_mm")
 
 
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
-    """The cases; of those that leave out one thing only ``names``, or the one that matters most when ``quick``."""
+    """Return the cases; of those that leave out one thing only ``names``, or the largest when ``quick``."""
     names = ("buffers",) if quick else names
     single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
     return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
@@ -58,26 +57,22 @@ def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
 
 def measure(conditions: Conditions) -> Plan:
     kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
-    counts = {kind: (1,) if conditions.quick else WORLD_COUNTS[kind] for kind in kinds}
-    timings = [(kind, count) for kind in kinds for count in counts[kind]]
-    (trajectories, double_rows), items, *found = yield [
+    timings = [(kind, count) for kind in kinds for count in ((1,) if conditions.quick else WORLD_COUNTS[kind])]
+    trajectories, doubles, items, stages, *times = yield [
         Batch("to-end", run_to_end, (conditions, kinds)),
+        Batch("doubles", measure_doubles, (conditions,)),
         Batch("audit", measure_audit, (conditions,)),
-        *(Batch(f"stages-{kind}", measure_stages, (kind,), exclusive=True) for kind in kinds),
-        *(
-            Batch(f"{kind}-{count}", measure_times, (conditions, kind, count), exclusive=True)
-            for kind, count in timings
-        ),
+        Batch("stages", measure_stages, (kinds,)),
+        *(Batch(f"{kind}-{n}", measure_times, (conditions, kind, n), exclusive=True) for kind, n in timings),
     ]
-    stages, timed = dict(zip(kinds, found, strict=False)), dict(zip(timings, found[len(kinds) :], strict=True))
     rows = []
     for kind in kinds:
-        for count in counts[kind]:
-            for case in variants(conditions.quick):
+        for (of, count), timed in zip(timings, times, strict=True):
+            for case in variants(conditions.quick) if of == kind else ():
                 row = {"case": case.name, "device": kind, "worlds": count}
-                rows.append(row | timed[kind, count][case.name] | trajectories[kind][case.name])
+                rows.append(row | timed[case.name] | trajectories[kind][case.name])
         rows += stages[kind]
-    return Measurement(rows + double_rows + items)
+    return Measurement(rows + doubles + items)
 
 
 def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
@@ -90,8 +85,8 @@ def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[s
     return found | time_cases(timed, world_count, wp.get_device(kind))
 
 
-def measure_stages(kind: str) -> list[dict[str, object]]:
-    return stage_rows(in_the_shake(AS_SHIPPED, wp.get_device(kind)), kind)
+def measure_stages(kinds: Sequence[str]) -> dict[str, list[dict[str, object]]]:
+    return {kind: stage_rows(in_the_shake([AS_SHIPPED], wp.get_device(kind)), kind) for kind in kinds}
 
 
 def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
@@ -99,8 +94,8 @@ def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
     return audit_rows(audit(simulation, AUDIT_FRAME_COUNT[conditions.profile]))
 
 
-def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> tuple[dict[str, dict], list[dict[str, object]]]:
-    """Every variant run to the end on each kind of device, and in C: columns by kind and case, and rows of C.
+def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> dict[str, dict[str, dict]]:
+    """Run every variant to the end on each kind of device; columns by kind and case.
 
     The CPU's runs have processes of their own, beside the GPU. The reference is the untrimmed scene. On the CPU, where
     the large buffers take minutes, all cases are run without them, and the reference is the one that leaves out nothing
@@ -112,27 +107,24 @@ def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> tuple[dict[str, 
         replace(case, **WITHOUT["buffers"]) if case.contact_max == UNTRIMMED.contact_max else case for case in cases[1:]
     ]
     groups = batches(on_cpu)
-    with processes(len(groups) + len(IN_THE_MODEL) + 2) as pool:
-        calls = [([on_cpu[index] for index in members], "cpu") for members in groups]
-        waiting = start(pool, run_batch, calls)
-        doubles, waiting_in_c = start_doubles(conditions, pool)
-        columns = {}
+    columns = {"cpu": {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}}
+    with processes(len(groups)) as pool:
+        waiting = start(pool, run_batch, [([on_cpu[index] for index in members], "cpu") for members in groups])
         if "cuda" in kinds:
             worlds = [case for case in cases for _ in range(RUN_COUNT)]
             columns["cuda"] = compared(cases, simulate(worlds, device="cuda", title="leave_out on cuda"), RUN_COUNT)
         found = gather(waiting, "leave_out on cpu")
-        traces = {
-            index: world
-            for members, worlds in zip(groups, found, strict=True)
-            for index, world in zip(members, worlds, strict=True)
-        }
-        columns["cpu"] = {cases[0].name: absent(MEASURED, "not run to the end on the CPU, where it takes minutes")}
-        columns["cpu"] |= compared(on_cpu, [traces[index] for index in range(len(on_cpu))], 1)
-        return columns, double_rows(doubles, gather(waiting_in_c, "leave_out in C"))
+    traces = {
+        index: world
+        for members, worlds in zip(groups, found, strict=True)
+        for index, world in zip(members, worlds, strict=True)
+    }
+    columns["cpu"] |= compared(on_cpu, [traces[index] for index in range(len(on_cpu))], 1)
+    return columns
 
 
 def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
-    """Mean slip, peaks, and whether the trajectory is that of the first case to the last bit, by case.
+    """Return by case mean slip, peaks, and whether the trajectory is that of the first case to the last bit.
 
     Args:
         traces: ``run_count`` runs of each case, one case after the other.
@@ -140,55 +132,12 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
     found = {}
     for index, case in enumerate(cases):
         worlds = traces[index * run_count : (index + 1) * run_count]
-        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds])
-        found[case.name] |= likeness(worlds[0], traces[0])
+        found[case.name] = mean_columns([summarize(case, trace) for trace in worlds]) | likeness(worlds[0], traces[0])
     return found
 
 
-def start_doubles(conditions: Conditions, pool: Executor) -> tuple[list[Case], list[Future]]:
-    """Start the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
-    out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
-    """
-    wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
-    frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
-    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick) if case.name in wanted]
-    [at_start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
-    return cases, start(pool, run_native, [(case, at_start) for case in cases])
-
-
-def run_native(case: Case, at_start: Start) -> Trace:
-    return NativeShake(case, at_start).run()
-
-
-def double_rows(cases: Sequence[Case], traces: Sequence[Trace]) -> list[dict[str, object]]:
-    return [
-        {
-            "case": f"double-{case.name}",
-            "of": case.name,
-            "failure": str(trace.failure) if trace.failure else None,
-            **(
-                absent(["slip_mm"], str(trace.failure))
-                if trace.failure
-                else {"slip_mm": metrics.slip_mm(metrics.displacement(trace))}
-            ),
-            **likeness(trace, traces[0]),
-        }
-        for case, trace in zip(cases, traces, strict=True)
-    ]
-
-
-def likeness(trace: Trace, reference: Trace) -> dict[str, object]:
-    """In how many frames any number of a trajectory differs from the reference's, and the largest distance of any body
-    in any frame; None, with the reason, where either has failed."""
-    if failure := trace.failure or reference.failure:
-        return absent(("differing_frame_count", "pose_difference_mm"), str(failure))
-    differing = (trace.poses != reference.poses).reshape(len(trace.poses), -1).any(axis=1)
-    apart = np.abs(trace.poses[..., :3] - reference.poses[..., :3]).max()
-    return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}
-
-
 def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
-    """Slip and drift as means over the runs of a case, and the peaks of all of them."""
+    """Return slip and drift as means over the runs of a case, and the peaks of all of them."""
     failure = next((row["failure"] for row in summaries if row["failure"]), None)
     columns: dict[str, object] = {"failure": failure, "run_count": len(summaries)}
     for name in ("peak_contact_count", "peak_constraint_count"):
@@ -198,3 +147,37 @@ def mean_columns(summaries: Sequence[dict[str, object]]) -> dict[str, object]:
         missing = next((row[f"{name}_reason"] for row in summaries if row[name] is None), None)
         columns |= absent([name], missing) if missing else {name: float(np.mean(values))}
     return columns
+
+
+def measure_doubles(conditions: Conditions) -> list[dict[str, object]]:
+    """Run the shake through MuJoCo's own loop in C, in double precision: is it the same model without what is left
+    out? Where it is, differences that single precision shows are rounding. All runs start from the same state.
+    """
+    wanted = {UNTRIMMED.name, "without-all", *(f"without-{name}" for name in IN_THE_MODEL)}
+    frame_count = conditions.frame_count(AS_SHIPPED.frame_count) - SETUP_FRAME_COUNT
+    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick) if case.name in wanted]
+    [at_start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), frame_count)
+    with processes(len(cases)) as pool:
+        traces = gather(start(pool, run_native, [(case, at_start) for case in cases]), "leave_out in C")
+    return [double_row(case, trace, traces[0]) for case, trace in zip(cases, traces, strict=True)]
+
+
+def run_native(case: Case, at_start: Start) -> Trace:
+    return NativeShake(case, at_start).run()
+
+
+def double_row(case: Case, trace: Trace, reference: Trace) -> dict[str, object]:
+    failure = str(trace.failure) if trace.failure else None
+    slip = absent(["slip_mm"], failure) if failure else {"slip_mm": metrics.slip_mm(metrics.displacement(trace))}
+    row = {"case": f"double-{case.name}", "of": case.name, "failure": failure}
+    return row | slip | likeness(trace, reference)
+
+
+def likeness(trace: Trace, reference: Trace) -> dict[str, object]:
+    """Return in how many frames any number of a trajectory differs from the reference's, and the largest distance of
+    any body in any frame; None, with the reason, where either has failed."""
+    if failure := trace.failure or reference.failure:
+        return absent(("differing_frame_count", "pose_difference_mm"), str(failure))
+    differing = (trace.poses != reference.poses).reshape(len(trace.poses), -1).any(axis=1)
+    apart = np.abs(trace.poses[..., :3] - reference.poses[..., :3]).max()
+    return {"differing_frame_count": int(differing.sum()), "pose_difference_mm": 1e3 * float(apart)}

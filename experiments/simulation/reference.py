@@ -1,6 +1,5 @@
 """The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -15,7 +14,6 @@ from experiments.simulation.c_warnings import failure_of
 from experiments.simulation.scene import ROBOT_DOF_COUNT, TRACKED_BODIES
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
-from experiments.simulation.timing import WARMUP_COUNT
 from newton_lint.newton_models.compat import kf_is_read
 
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}
@@ -116,17 +114,6 @@ class NativeShake:
             failure=failure,
             peak_iteration_count=peak_iteration,
         )
-
-    def frame_ms(self, repeat_count: int) -> np.ndarray:
-        """Wall time [ms] of each of ``repeat_count`` frames, after a few that are not timed."""
-        for _ in range(WARMUP_COUNT):
-            self.frame()
-        times = []
-        for _ in range(repeat_count):
-            start = time.perf_counter()
-            self.frame()
-            times.append(1e3 * (time.perf_counter() - start))
-        return np.array(times)
 
     @property
     def pad_timeconst_s(self) -> float:

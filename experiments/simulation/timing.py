@@ -1,5 +1,4 @@
-"""Timing of frames in the middle of the shake, without first simulating the way there in every world, and of whole
-runs; and whether a time counts."""
+"""States in the middle of the shake without simulating the way there in every world, and whether a time counts."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -15,7 +14,7 @@ from experiments.facts.case import Case
 from experiments.facts.trace import Trace
 from experiments.simulation.measurement import SETUP_FRAME_COUNT, absent
 from experiments.simulation.recorder import NO_FRAME
-from experiments.simulation.simulation import Simulation, captured
+from experiments.simulation.simulation import Simulation
 
 TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
 STATE_ARRAYS = "joint_q joint_qd".split()
@@ -26,24 +25,28 @@ WATCHED_ARRAYS = {
     "contact_overflow": NO_FRAME,
     "constraint_overflow": NO_FRAME,
 }
-"""What the recorder adds up over all frames, and what it starts from."""
+"""Sums of the recorder over all frames, and what they start from."""
 SHAKE_FRAME_COUNT = 30
 """Frames of shake before the frames that are timed."""
 WARMUP_COUNT = 3
 
 
-def in_the_shake(case: Case, device: wp.Device) -> Simulation:
-    """A simulation of one world in the first cycle of the shake, from which others take their state."""
-    simulation = Simulation([replace(case, frame_count=1)], device)
-    for _ in range(SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT):
+def run_frames(simulation: Simulation, frame_count: int) -> None:
+    for _ in range(frame_count):
         simulation.step()
+
+
+def in_the_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
+    """Build a world for each case and run it into the first cycle of the shake; others take their state from it."""
+    simulation = Simulation([replace(case, frame_count=1) for case in cases], device)
+    run_frames(simulation, SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT)
     return simulation
 
 
 def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
     """Put every world of ``target`` into the state of one world of ``source``, task and solver included.
 
-    What was watched before does not count: one simulation may run several cases, one after the other.
+    Frames that were watched before do not count: one simulation may run several cases, one after the other.
     """
     pairs = [(getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS]
     pairs += [(getattr(target.state, name), getattr(source.state, name)) for name in STATE_ARRAYS]
@@ -62,7 +65,7 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
 
 
 def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
-    """Wall time [ms] of one call, until the device is done with it."""
+    """Time a call until the device is done with it [ms]."""
     wp.synchronize_device(device)
     start = time.perf_counter()
     run()
@@ -71,7 +74,7 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
 
 
 def memory_bytes(device: wp.Device) -> int:
-    """Memory that warp has taken on a CUDA device [B]; 0 on the CPU, where it doesn't count."""
+    """Return the memory that warp has taken on a CUDA device [B]; 0 on the CPU, where it doesn't count."""
     if not device.is_cuda:
         return 0
     wp.synchronize_device(device)
@@ -79,8 +82,8 @@ def memory_bytes(device: wp.Device) -> int:
 
 
 def invalid_reason(case: Case, trace: Trace) -> str | None:
-    """Why the time of frames of the shake does not count; None when it does. What overflows, stops early or is not
-    finite does not take the time that the case takes."""
+    """Return why the time of frames of the shake does not count; None when it does. A run that overflows, stops early
+    or is not finite does not take the time that the case takes."""
     if trace.failure:
         return trace.failure.detail
     if metrics.is_dropped(trace):
@@ -91,15 +94,15 @@ def invalid_reason(case: Case, trace: Trace) -> str | None:
 
 
 def batch_invalid_reason(simulation: Simulation) -> str | None:
-    """The same of the frames that a simulation has run, in any of its worlds."""
+    """Return the same of the frames that a simulation has run, in any of its worlds."""
     traces = simulation.recorder.traces(simulation.frame_dt, simulation.case.frame_count, wall_s=0.0)
     return next(filter(None, (invalid_reason(simulation.case, trace) for trace in traces)), None)
 
 
 def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
-    """Wall time of a batch of whole runs as a column; None, with the reason, where it is not that of all its worlds.
+    """Return the wall time of a batch of whole runs; None, with the reason, where it is not that of all its worlds.
 
-    A cube that is dropped is what a hard shake may make of it, and its time counts.
+    The time of a run that drops the cube counts, as a hard shake may.
     """
     reason = next((str(trace.failure) for trace in traces if trace.failure), None)
     if traces[0].world_count != len(traces):
@@ -108,50 +111,13 @@ def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
 
 
 def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
-    """Measured values as columns: their median under ``name``, their 5th and 95th percentiles, and how many."""
+    """Return as columns the median of values, under ``name``, their 5th and 95th percentiles, and how many."""
     median, low, high = (float(value) for value in np.percentile(values, (50, 5, 95)))
     return {name: median, f"{name}_p5": low, f"{name}_p95": high, "repeat_count": len(values)}
 
 
-class EngineSteps:
-    """What the engine's own steps take of a frame, all substeps together; CUDA only.
-
-    CUDA events around each ``mjw.step``, inside the graph of whole frames; the IK runs before the physics here, so that
-    the engine has the device for itself.
-    """
-
-    def __init__(self, simulation: Simulation):
-        self.simulation = simulation
-        self.events: list[tuple[wp.Event, wp.Event]] = []
-        solver, step = simulation.solver, simulation.solver._mujoco_warp_step
-
-        def timed_step() -> None:
-            start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
-            self.events.append((start, end))
-            wp.record_event(start)
-            step()
-            wp.record_event(end)
-
-        command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
-        with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
-            solver._mujoco_warp_step = timed_step
-            self.parts = [captured(command), captured(solve), captured(physics)]
-            del solver._mujoco_warp_step
-
-    def frame_ms(self, frame_count: int) -> float:
-        """Time [ms] of the engine's steps in a frame, mean of ``frame_count``."""
-        device, total = self.simulation.device, 0.0
-        with wp.ScopedDevice(device), wp.ScopedStream(self.simulation.stream):
-            for _ in range(frame_count):
-                for part in self.parts:
-                    part()
-                wp.synchronize_device(device)
-                total += sum(wp.get_event_elapsed_time(start, end) for start, end in self.events)
-        return total / frame_count
-
-
 def buffer_bytes_per_world(solver: SolverMuJoCo, contacts: newton.Contacts | None) -> int:
-    """Memory of the contact and constraint buffers, the engine's and Newton's, per world [B]."""
+    """Return the memory of the contact and constraint buffers, the engine's and Newton's, per world [B]."""
     data = solver.mjw_data
     holders = [data.contact, data.efc] + ([contacts] if contacts is not None else [])
     arrays = {

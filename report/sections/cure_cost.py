@@ -8,7 +8,7 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 from report.names import name_of, worlds_name
 from report.shared.arithmetic import Column, table_of
-from report.shared.timing import CURE_WORLDS, fine_enough, ratio_cell, resolution, resolutions
+from report.shared.timing import TIMED_WORLDS, fine_enough, ratio_cell, resolution, resolutions
 
 order = 144
 page = "cure"
@@ -32,15 +32,15 @@ def derive(results: Results) -> Section:
             unit="%",
         )
         for case in CASES[1:]
-        for count in CURE_WORLDS
+        for count in TIMED_WORLDS
     }
     seen = {
         (case, count): resolution(results, f"{case}_seen_{count}", rows.get((case, count)))
         for case in TESTED
-        for count in CURE_WORLDS
+        for count in TIMED_WORLDS
     }
     costs = [_costs_nothing(results, extra, seen, case) for case in TESTED]
-    columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES[1:]] for n in CURE_WORLDS}
+    columns: dict[str, Column] = {worlds_name(n): [extra[case, n] for case in CASES[1:]] for n in TIMED_WORLDS}
     worst = resolutions(results, "resolution", results.rows)
     table = table_of("way", map(name_of, CASES[1:]), columns, resolution=worst)
     return Section(tables={"ways": table}, claims=[*costs, _rk4_is_dear(results, extra, worst)])
@@ -49,7 +49,7 @@ def derive(results: Results) -> Section:
 def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Claim:
     """Tell whether a frame is seen to take longer, by more than the resolution, with any number of worlds."""
     name = case.replace("-", "_")
-    found, noises = ([of[case, count] for count in CURE_WORLDS] for of in (extra, seen))
+    found, noises = ([of[case, count] for count in TIMED_WORLDS] for of in (extra, seen))
     both = [quantity for pair in zip(found, noises, strict=True) for quantity in pair]
 
     def beyond(*cells: float) -> float:
@@ -71,7 +71,7 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
     formula = "largest resolution of these: a frame that takes so much longer would be seen"
     numbers["unseen"] = results.value(f"{name}_unseen", formula, max, *noises, unit="%", is_noise=True)
     outcomes = []
-    for count, more, noise in zip(CURE_WORLDS, found, noises, strict=True):
+    for count, more, noise in zip(TIMED_WORLDS, found, noises, strict=True):
         longer = results.value(
             f"{name}_longer_{count}", "this, or none where it is less", lambda a: max(a, 0.0), more, unit="%"
         )
@@ -82,7 +82,7 @@ def _costs_nothing(results: Results, extra: Times, seen: Times, case: str) -> Cl
 
 
 def _rk4_is_dear(results: Results, extra: Times, worst: Quantity) -> Claim:
-    costs = [extra["term-rk4", count] for count in CURE_WORLDS]
+    costs = [extra["term-rk4", count] for count in TIMED_WORLDS]
     formula = "time of a frame with the term and RK4 over that as shipped, least of all numbers of worlds"
     least = results.value("rk4_least", formula, lambda *found: 1 + min(found) / 100, *costs)
     return Claim(

@@ -14,8 +14,8 @@ from measured_report.values.quantities import Quantity, Value
 from measured_report.values.results import Results, Row
 from report.shared.arithmetic import cell_or_absent, resolved
 
-CURE_WORLDS = (1, 4096, 16384)
-"""How many worlds at once the remedies of the cure are timed with."""
+TIMED_WORLDS = (1, 4096, 16384)
+"""Numbers of worlds that are timed wherever not all are."""
 
 
 def cell(results: Results, row: Row | None, column: str, what: str) -> Quantity:

@@ -27,7 +27,7 @@ VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors"
 
 @pytest.fixture(scope="module")
 def pilot() -> Simulation:
-    return in_the_shake(AS_SHIPPED, wp.get_device("cpu"))
+    return in_the_shake([AS_SHIPPED], wp.get_device("cpu"))
 
 
 def poses_from(simulation: Simulation, pilot: Simulation) -> np.ndarray:

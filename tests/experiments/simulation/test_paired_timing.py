@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from experiments.simulation.resolving import BATCH_COUNT, LOOK_COUNT, Resolved, in_turn, of_builds
+from experiments.simulation.paired_timing import BATCH_COUNT, LOOK_COUNT, PairedTimes, pool_builds, time_in_turn
 
 RUN_COUNT = 300
 RATIO = 1.02
@@ -21,13 +21,13 @@ def noises(correlation: float, share: float, drift: float, seed: int) -> Iterato
         count += 1
 
 
-def compared(case_count: int, correlation: float, share: float, drift: float, seed: int) -> list[Resolved]:
+def compared(case_count: int, correlation: float, share: float, drift: float, seed: int) -> list[PairedTimes]:
     noise = noises(correlation, share, drift, seed)
 
     def block(ratio: float) -> Callable[[int], float]:
         return lambda _: 10.0 * ratio * float(np.exp(next(noise)))
 
-    return in_turn([block(1.0), *(block(RATIO) for _ in range(case_count - 1))], cap_s=float("inf"))
+    return time_in_turn([block(1.0), *(block(RATIO) for _ in range(case_count - 1))], cap_s=float("inf"))
 
 
 def test_what_differs_from_state_to_state_is_no_noise():
@@ -39,7 +39,7 @@ def test_what_differs_from_state_to_state_is_no_noise():
         def block(ratio, states, generator=generator):
             return lambda number: ratio * states[number % BATCH_COUNT] * float(np.exp(5e-3 * generator.normal()))
 
-        found += in_turn([block(1.0, np.ones(BATCH_COUNT)), block(RATIO, states)], cap_s=float("inf"))[1:]
+        found += time_in_turn([block(1.0, np.ones(BATCH_COUNT)), block(RATIO, states)], cap_s=float("inf"))[1:]
     assert np.mean([abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution) for each in found]) >= 0.95
     assert all(each.resolution <= 0.01 for each in found)
     assert np.median([len(each.times) for each in found]) <= 4 * BATCH_COUNT
@@ -60,7 +60,7 @@ def test_the_interval_has_the_ratio_in_it(case_count, correlation, share, drift)
 def test_quiet_times_are_looked_at_once_and_a_known_case_no_more():
     quiet, loud = iter(np.exp(1e-4 * np.random.default_rng(1).normal(size=999))), noises(0.0, 0.05, 0.0, 2)
     blocks = [lambda _: next(quiet), lambda _: next(quiet), lambda _: float(np.exp(next(loud)))]
-    reference, known, unknown = in_turn(blocks, cap_s=float("inf"))
+    reference, known, unknown = time_in_turn(blocks, cap_s=float("inf"))
     assert (len(known.times), len(unknown.times)) == (BATCH_COUNT, BATCH_COUNT << (LOOK_COUNT - 1))
     assert len(reference.times) == len(unknown.times) and reference.resolution == 0.0
 
@@ -69,7 +69,7 @@ def test_the_cap_leaves_the_resolution_that_was_reached():
     seconds = iter(range(99))
     noise = noises(0.0, 0.1, 0.0, 3)
     block = lambda _: float(np.exp(next(noise)))  # noqa: E731
-    _, found = in_turn([block, block], cap_s=1.0, clock=lambda: float(next(seconds)))
+    _, found = time_in_turn([block, block], cap_s=1.0, clock=lambda: float(next(seconds)))
     assert len(found.times) == BATCH_COUNT and found.resolution > 0.01
 
 
@@ -79,7 +79,7 @@ def test_the_order_turns_round_from_round_to_round():
     def block(name: str) -> Callable[[int], float]:
         return lambda number: order.append(name) or 1.0
 
-    in_turn([block("a"), block("b")])
+    time_in_turn([block("a"), block("b")])
     assert "".join(order) == "abba" * (BATCH_COUNT // 2)
 
 
@@ -96,15 +96,15 @@ def test_what_builds_differ_by_is_in_the_interval(build_count):
 
         counts = [2, *[build_count] * 3]
         found = iter(
-            in_turn([block(RATIO if case else 1.0) for case, count in enumerate(counts) for _ in range(count)])
+            time_in_turn([block(RATIO if case else 1.0) for case, count in enumerate(counts) for _ in range(count)])
         )
         cases = [[next(found) for _ in range(count)] for count in counts]
-        for case, each in zip(cases[1:], of_builds(cases)[1:], strict=True):
+        for case, each in zip(cases[1:], pool_builds(cases)[1:], strict=True):
             covered.append(abs(np.log(each.ratio / RATIO)) <= np.log1p(each.resolution))
             narrow.append(abs(np.log(case[0].ratio / RATIO)) <= np.log1p(case[0].resolution))
     assert np.mean(covered) >= 0.93 and np.mean(narrow) < 0.5
 
 
 def test_without_a_second_build_a_result_is_as_it_was():
-    found = in_turn([lambda _: 1.0, lambda _: RATIO])
-    assert of_builds([[each] for each in found]) == found
+    found = time_in_turn([lambda _: 1.0, lambda _: RATIO])
+    assert pool_builds([[each] for each in found]) == found

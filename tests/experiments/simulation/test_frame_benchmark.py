@@ -8,10 +8,10 @@ import warp as wp
 
 from experiments import reproduction, scaling
 from experiments.facts.case import AS_SHIPPED, FIXED, Case
-from experiments.simulation import comparing, simulation
-from experiments.simulation.comparing import TIMED, Again, Pilot, time_cases
+from experiments.simulation import frame_benchmark, simulation
+from experiments.simulation.frame_benchmark import TIMED, Clone, WarmState, time_cases
 from experiments.simulation.measurement import Conditions
-from experiments.simulation.resolving import BATCH_COUNT
+from experiments.simulation.paired_timing import BATCH_COUNT
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 
@@ -23,27 +23,27 @@ DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
 
 
 @pytest.fixture(scope="module")
-def whole_pilot() -> Pilot:
+def warm() -> WarmState:
     """States of the shake with either pads."""
-    return Pilot([AS_SHIPPED, FIXED], wp.get_device("cpu"))
+    return WarmState([AS_SHIPPED, FIXED], wp.get_device("cpu"))
 
 
 @pytest.fixture
-def piloted(monkeypatch, whole_pilot) -> None:
+def piloted(monkeypatch, warm) -> None:
     """Whoever times cases finds the way to the shake gone already."""
-    monkeypatch.setattr(comparing, "Pilot", lambda cases, device: whole_pilot)
+    monkeypatch.setattr(frame_benchmark, "WarmState", lambda cases, device: warm)
 
 
-def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(whole_pilot):
-    two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, whole_pilot.device)
-    whole_pilot.put(two, AS_SHIPPED)
+def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(warm):
+    two = Simulation([replace(AS_SHIPPED, frame_count=1)] * 2, warm.device)
+    warm.put(two, AS_SHIPPED)
     two.step()
     assert batch_invalid_reason(two) is None
     two.solver.mjw_data.qvel.numpy()[1, -1] = np.nan
     two.step()
     assert batch_invalid_reason(two) == "a body's pose is not finite"
     two.recorder.constraint_overflow.numpy()[0] = 0
-    whole_pilot.put(two, AS_SHIPPED)
+    warm.put(two, AS_SHIPPED)
     two.step()
     assert batch_invalid_reason(two) is None
 
@@ -60,18 +60,18 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory(piloted):
 
 
 @pytest.mark.parametrize("share", [0.0, -1.0])
-def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, whole_pilot, share):
+def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, piloted, warm, share):
     """Whether all are timed at once, or the memory has no room for more than one case beside the first."""
     cpu, pairs = wp.get_device("cpu"), []
 
-    class Seen(Again):
+    class Seen(Clone):
         def __init__(self, of: Simulation):
             super().__init__(of)
             pairs.append((of, self))
 
-    monkeypatch.setattr(comparing, "SHARE_BUILT", share)
-    monkeypatch.setitem(comparing.BUILD_COUNT, "cpu", 2)
-    monkeypatch.setattr(comparing, "Again", Seen)
+    monkeypatch.setattr(frame_benchmark, "SHARE_BUILT", share)
+    monkeypatch.setitem(frame_benchmark.BUILD_COUNT, "cpu", 2)
+    monkeypatch.setattr(frame_benchmark, "Clone", Seen)
     cases = [AS_SHIPPED, replace(AS_SHIPPED, name="unsynced", state_sync=False), replace(FIXED, name="other")]
     found = time_cases(cases, 2, cpu, cap_s=0.0)
     repeats = {name: row["repeat_count"] for name, row in found.items()}
@@ -79,7 +79,7 @@ def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, pilo
     for first, again in pairs:
         first.vary(again.case)
         for each in (first, again):
-            whole_pilot.put(each, again.case)
+            warm.put(each, again.case)
         before = again.body_q.numpy().copy()
         first.step()
         assert np.array_equal(again.body_q.numpy(), before)
@@ -90,10 +90,10 @@ def test_a_case_is_timed_in_each_of_its_builds_which_run_alike(monkeypatch, pilo
 
 
 @pytest.mark.slow
-def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, whole_pilot):
-    assert scaling.Worlds(whole_pilot, 1).row()["frame_ms"] > 0.0
+def test_a_number_of_worlds_that_overflow_has_no_time(monkeypatch, warm):
+    assert scaling.Worlds(warm, 1).row()["frame_ms"] > 0.0
     monkeypatch.setattr(scaling, "FIXED", replace(FIXED, constraint_max=12))
-    row = scaling.Worlds(whole_pilot, 1).row()
+    row = scaling.Worlds(warm, 1).row()
     assert all(row[name] is None for name in (*scaling.ABSENT, *scaling.STEPS))
     assert row["world_substeps_per_s_reason"] == OVERFLOW
 
@@ -123,8 +123,8 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
 
 def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch, piloted):
     cpu = wp.get_device("cpu")
-    monkeypatch.setattr(comparing, "Simulation", refusing(NO_MEMORY, most=1))
+    monkeypatch.setattr(frame_benchmark, "Simulation", refusing(NO_MEMORY, most=1))
     assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
-    monkeypatch.setattr(comparing, "Simulation", refusing(DEVICE_FAULT, most=1))
+    monkeypatch.setattr(frame_benchmark, "Simulation", refusing(DEVICE_FAULT, most=1))
     with pytest.raises(RuntimeError, match="CUDA error 719"):
         time_cases([AS_SHIPPED], 2, cpu)

@@ -1,4 +1,4 @@
-"""Time and memory against the number of worlds, with the engine's own steps in the same frames as the floor."""
+"""Time and memory against the number of worlds: the engine's own steps as the floor, and its benchmark beside them."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -11,20 +11,28 @@ from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
+from report.sections.scaling.testspeed import compare_with_benchmark
 from report.shared.arithmetic import Column, departure, ratio, share, table_of
-from report.shared.timing import cell, decade_axis, draw_line, fine_enough, ratio_cell, resolutions, world_axis
+from report.shared.timing import (
+    TIMED_WORLDS,
+    cell,
+    decade_axis,
+    draw_line,
+    fine_enough,
+    ratio_cell,
+    resolutions,
+    world_axis,
+)
 
 order = 170
 page = "cost"
 label = "many worlds"
 
-FLOOR_COUNTS = (1, 4096, 16384)
-"""Numbers of worlds for which the floor is a target."""
 RATE_COUNT = 16384
 
 
 def derive(results: Results) -> Section:
-    rows = results.rows
+    rows = [row for row in results.rows if "way" not in row]
     formula = "time of a whole frame over that of the engine's own steps, timed in turn"
     over_floor = {
         row.worlds.value: results.value(
@@ -37,24 +45,29 @@ def derive(results: Results) -> Section:
     cheap = _first_worlds_are_cheap(results, rows)
     numbers = {**cheap.numbers, "is_cheap": cheap.outcome == HOLDS, "ends": [rows[0], rows[-1]]}
     times = Figure(lambda: _draw_times(rows), [row.frame_ms for row in rows], numbers)
-    return Section(
-        tables={"worlds": _table(rows, over_floor, resolution)},
-        figures={"times": times},
-        claims=[
-            _near_floor(results, over_floor, floor_bound, resolution),
-            _rate(results),
-            cheap,
-            _memory_settles(results, rows),
-        ],
-    )
+    claims = [
+        _near_floor(results, rows, over_floor, floor_bound, resolution),
+        _rate(results),
+        cheap,
+        _memory_settles(results, rows),
+    ]
+    tables = {"worlds": _table(rows, over_floor, resolution)}
+    if len(rows) == len(results.rows):  # on a CPU, and in releases that were measured before
+        return Section(
+            tables=tables, figures={"times": times}, claims=claims, unmeasured=("faster", "explained", "ways")
+        )
+    tables["ways"], found = compare_with_benchmark(results)
+    return Section(tables=tables, figures={"times": times}, claims=claims + found)
 
 
-def _near_floor(results: Results, over_floor: Mapping[int, Value], bound: Value, resolution: Value) -> Claim:
-    """The bound holds for each of FLOOR_COUNTS, so one that wasn't measured leaves it open."""
-    lost = {count: cell(results, None, "frame_ms", f"a batch of {count} worlds") for count in FLOOR_COUNTS}
-    cells = {count: over_floor.get(count, lost[count]) for count in FLOOR_COUNTS}
+def _near_floor(
+    results: Results, rows: Sequence[Row], over_floor: Mapping[int, Value], bound: Value, resolution: Value
+) -> Claim:
+    """The bound holds for each of TIMED_WORLDS, so one that wasn't measured leaves it open."""
+    lost = {count: cell(results, None, "frame_ms", f"a batch of {count} worlds") for count in TIMED_WORLDS}
+    cells = {count: over_floor.get(count, lost[count]) for count in TIMED_WORLDS}
     worst = results.value("over_floor_worst", "largest of those at 1, 4096 and 16384 worlds", max, *cells.values())
-    counts = [row.worlds for row in results.rows if row.worlds.value in FLOOR_COUNTS]
+    counts = [row.worlds for row in rows if row.worlds.value in TIMED_WORLDS]
     outcome = all_of(at_most(worst, bound), fine_enough(resolution))
     return Claim("near_floor", outcome, {"bound": bound, "worst": worst, "counts": counts})
 

@@ -1,0 +1,167 @@
+"""The engine's own benchmark on our scene, beside our frames from the same state, and the steps between the two.
+
+``mujoco_warp.testspeed`` of the installed release runs in a process of its own, on the lean scene as MJCF with a
+keyframe of the cube in the hand. Between it and our frames lie a few ways to run, each a switch from the one before.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree.ElementTree import SubElement, fromstring, tostring
+
+import mujoco
+import mujoco_warp as mjw
+import warp as wp
+
+from experiments.facts.case import LEAN
+from experiments.lab import scene_mjcf
+from experiments.simulation.ablations import ABLATIONS
+from experiments.simulation.frame_benchmark import (
+    EngineSteps,
+    Frames,
+    WarmState,
+    build_frames,
+    time_columns,
+    world_rate,
+)
+from experiments.simulation.measurement import Conditions
+from experiments.simulation.paired_timing import time_in_turn
+from experiments.simulation.simulation import Simulation, captured
+from experiments.simulation.timing import elapsed_ms
+
+STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}
+"""Steps that the benchmark runs, by the number of worlds."""
+CAP_S = 12.0
+"""Seconds that all ways to run with one number of worlds take at most, about."""
+TIMEOUT_S = 300.0
+
+
+def measure_ways(conditions: Conditions, world_count: int, step_count: int) -> list[dict[str, object]]:
+    """Return a row for the benchmark, and one for each way to run."""
+    warm = WarmState([LEAN], wp.get_device(conditions.device))
+    whole = build_frames(LEAN, world_count, warm)
+    simulation = whole.simulation
+    warm.put(simulation, LEAN)
+    simulation.step()
+    wp.synchronize_device(warm.device)
+    mjcf = with_keyframe(scene_mjcf(), simulation)
+    is_cuda, ours = warm.device.is_cuda, simulation.solver.mjw_data
+    steps = {"our-engine-steps": (EngineSteps(whole), ours)} if is_cuda else {}
+    bare = Bare(mjcf, world_count, warm.device)
+    # Each way's frame, by name, with the engine whose contacts and rows it has.
+    ways: dict[str, tuple[Callable[[int], float], mjw.Data]] = {
+        "whole": (whole, ours),
+        "each-step-waited-for": (bare.each_step, bare.data),
+        "steps-in-one-graph": (bare.one_graph, bare.data),
+        "collision-once": (bare.collision_once, bare.data),
+        **steps,
+    }
+    for name, ablation in ABLATIONS.items():
+        ways[f"without-{name}"] = Frames(simulation, whole.case, warm, ablation), ours
+    about = {"worlds": world_count, "contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
+    rows = [about | testspeed(mjcf, world_count, step_count)] if is_cuda else []
+    results = time_in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
+    for (name, (_, data)), found in zip(ways.items(), results, strict=True):
+        row = {"case": f"{name}-{world_count}", "way": name, **about, **time_columns(found)}
+        counts = {"contact_count": data.nacon.numpy()[0] / world_count, "row_count": data.nefc.numpy().mean()}
+        row |= world_rate(LEAN, world_count, found) | {column: float(value) for column, value in counts.items()}
+        rows.append(row)
+    return rows
+
+
+def with_keyframe(mjcf: str, simulation: Simulation) -> str:
+    """Add the state of the first world as a keyframe, and the substep as the time step."""
+    root = fromstring(mjcf)
+    data = simulation.solver.mjw_data
+    [option] = root.findall("option")
+    option.set("timestep", repr(simulation.substep_dt))
+    state = {name: getattr(data, name).numpy()[0] for name in ("qpos", "qvel", "ctrl")}
+    key = {name: " ".join(repr(float(value)) for value in values) for name, values in state.items()}
+    SubElement(SubElement(root, "keyframe"), "key", key, name="in-the-hand")
+    return tostring(root, encoding="unicode")
+
+
+def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]:
+    """Run the benchmark and return its row.
+
+    Raises:
+        RuntimeError: It failed, with the end of what it said.
+    """
+    options = {"nworld": world_count, "nstep": step_count, "nconmax": LEAN.contact_max, "njmax": LEAN.constraint_max}
+    flags = [f"--{name}={value}" for name, value in (options | {"noise_std": 0.0, "format": "json"}).items()]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "scene.xml")
+        path.write_text(mjcf)
+        call = [sys.executable, "-m", "mujoco_warp.testspeed", str(path), *flags]
+        done = subprocess.run(call, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+    if done.returncode or not lines:
+        said = " ".join((done.stdout + done.stderr).split())[-300:]
+        raise RuntimeError(f"mujoco_warp.testspeed failed with status {done.returncode}: {said}")
+    found = json.loads(lines[-1])
+    row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count}
+    names = {"world_substeps_per_s": "steps_per_second", "contact_count": "ncon_mean", "row_count": "nefc_mean"}
+    return row | {column: float(found[name]) for column, name in names.items()}
+
+
+class Bare:
+    """The engine alone on the MJCF, a frame's substeps at a time from the keyframe, in three ways, each as graphs."""
+
+    def __init__(self, mjcf: str, world_count: int, device: wp.Device):
+        model = mujoco.MjModel.from_xml_string(mjcf)
+        state = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, state, 0)
+        self.device = device
+        with wp.ScopedDevice(device):
+            self.model = mjw.put_model(model)
+            self.model.opt.warn_overflow = False
+            sizes = {"nworld": world_count, "nconmax": LEAN.contact_max, "njmax": LEAN.constraint_max}
+            self.data = mjw.put_data(model, state, **sizes)
+            arrays = (self.data.qpos, self.data.qvel, self.data.qacc_warmstart)
+            self.state = [(array, wp.clone(array)) for array in arrays]
+            self._step()  # compiles, which must not happen inside a capture
+            self.step, self.steps, self.steps_collision_once = map(
+                captured, (self._step, self._steps, self._steps_collision_once)
+            )
+        for run in (self.step, self.steps, self.steps_collision_once):
+            self._frame_ms(run)  # the first launch of a graph takes 20 ms more, and memory
+
+    def each_step(self, _: int) -> float:
+        """Time a frame's steps [ms], each launched when the one before is done, as the benchmark does."""
+
+        def run() -> None:
+            for _ in range(LEAN.substeps):
+                self.step()
+                wp.synchronize_device(self.device)
+
+        return self._frame_ms(run)
+
+    def one_graph(self, _: int) -> float:
+        """Time the same steps as one graph [ms]."""
+        return self._frame_ms(self.steps)
+
+    def collision_once(self, _: int) -> float:
+        """Time the same with contacts found in the first step only [ms]."""
+        return self._frame_ms(self.steps_collision_once)
+
+    def _step(self) -> None:
+        mjw.step(self.model, self.data)
+
+    def _steps(self) -> None:
+        for _ in range(LEAN.substeps):
+            self._step()
+
+    def _steps_collision_once(self) -> None:
+        for substep in range(LEAN.substeps):
+            self.model.opt.run_collision_detection = substep == 0
+            self._step()
+        self.model.opt.run_collision_detection = True
+
+    def _frame_ms(self, run: Callable[[], None]) -> float:
+        with wp.ScopedDevice(self.device):
+            for array, start in self.state:
+                wp.copy(array, start)
+            return elapsed_ms(self.device, run)

@@ -1,0 +1,284 @@
+"""Benchmark frames of the shake: cases are compared in turn in one process, all from the same states."""
+
+import gc
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from experiments.facts.case import AS_SHIPPED, Case, build_key
+from experiments.simulation.measurement import absent
+from experiments.simulation.paired_timing import BATCH_COUNT, CAP_S, PairedTimes, pool_builds, time_in_turn
+from experiments.simulation.recorder import Recorder
+from experiments.simulation.simulation import Simulation, captured
+from experiments.simulation.task import build_task
+from experiments.simulation.timing import (
+    ENGINE_ARRAYS,
+    STATE_ARRAYS,
+    TASK_ARRAYS,
+    WARMUP_COUNT,
+    batch_invalid_reason,
+    buffer_bytes_per_world,
+    elapsed_ms,
+    in_the_shake,
+    memory_bytes,
+    put_in_state_of,
+    run_frames,
+    spread,
+)
+from measured_report.measuring.error_text import is_out_of_memory
+
+STATE_FRAME_STEP = 7
+"""Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
+BLOCK_FRAME_COUNT = 4
+"""Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
+LARGE_BATCH = 8192
+"""From so many worlds on a block is one frame."""
+BUILD_COUNT = {"cuda": 2, "cpu": 1}
+"""How often each simulation is built that takes no more than SHARE_AGAIN: see ``paired_timing``."""
+SHARE_AGAIN = 1 / 32
+"""Share of a device's memory up to which a simulation is built again."""
+SHARE_BUILT = 1 / 8
+"""The same of all that is built beside the first case: once it takes more, it is timed before more is built."""
+RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
+"""Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
+TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", *RATIO)
+TIMED = (*TIMES, "buffer_bytes_per_world")
+
+
+class WarmState:
+    """The states that blocks start from: in each round all cases with the same pads start from the same.
+
+    There are as many as ``paired_timing`` takes rounds in which each is seen once.
+    """
+
+    def __init__(self, cases: Sequence[Case], device: wp.Device):
+        self.device = device
+        self.pads = list(dict.fromkeys((case.pad_ke, case.pad_kd) for case in cases))
+        simulation = in_the_shake([replace(AS_SHIPPED, pad_ke=ke, pad_kd=kd) for ke, kd in self.pads], device)
+        self.states = []
+        for _ in range(BATCH_COUNT):
+            self.states.append(_state_of(simulation))
+            run_frames(simulation, STATE_FRAME_STEP)
+
+    def put(self, target: Simulation, case: Case, number: int = 0) -> None:
+        """Put all worlds of ``target`` where the case starts in the round of that number."""
+        world = self.pads.index((case.pad_ke, case.pad_kd))
+        put_in_state_of(target, self.states[number % BATCH_COUNT], world)
+
+
+def _state_of(simulation: Simulation) -> Any:
+    """Copy what ``put_in_state_of`` reads of a simulation."""
+
+    def copied(holder: object, names: Sequence[str]) -> SimpleNamespace:
+        return SimpleNamespace(**{name: wp.clone(getattr(holder, name)) for name in names})
+
+    wp.synchronize_device(simulation.device)
+    state = SimpleNamespace(
+        world_count=simulation.world_count,
+        task=copied(simulation.task, TASK_ARRAYS),
+        state=copied(simulation.state, STATE_ARRAYS),
+        solver=SimpleNamespace(mjw_data=copied(simulation.solver.mjw_data, ENGINE_ARRAYS)),
+    )
+    wp.synchronize_device(simulation.device)
+    return state
+
+
+class Clone(Simulation):
+    """The same simulation once more: all that a frame changes has memory of its own, model and collision are shared."""
+
+    def __init__(self, of: Simulation):
+        vars(self).update(vars(of))
+        self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
+        with wp.ScopedDevice(self.device):
+            self.task = build_task(self.scene, self.cases)
+            self._start_at_approach_pose()
+            self.contacts = self.pipeline and self.pipeline.contacts()
+            self.solver = self._build_solver()
+            self.recorder = Recorder(self.scene, self.solver, self.contacts, self.world_count, self.case.frame_count)
+        wp.synchronize_device(self.device)
+        self._start_uncaptured()
+
+
+class Frames:
+    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only.
+
+    Args:
+        ablation: Is in force while the frames are captured.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        case: Case,
+        warm: WarmState,
+        ablation: Callable[[Simulation], AbstractContextManager] = nullcontext,
+    ):
+        self.simulation, self.case, self.warm = simulation, case, warm
+        most = LARGE_BATCH // simulation.world_count if simulation.device.is_cuda else 1
+        self.frame_count = max(1, min(BLOCK_FRAME_COUNT, most))
+        simulation.vary(case)
+        warm.put(simulation, case)
+        with ablation(simulation):
+            run_frames(simulation, WARMUP_COUNT)
+        self.parts = simulation.parts, simulation.part_beside
+        self.reason = batch_invalid_reason(simulation)
+
+    def __call__(self, number: int) -> float:
+        """Time a frame [ms], mean of the block of the round of that number."""
+        simulation = self.simulation
+        simulation.parts, simulation.part_beside = self.parts
+        self.warm.put(simulation, self.case, number)
+        return elapsed_ms(simulation.device, lambda: run_frames(simulation, self.frame_count)) / self.frame_count
+
+    def columns(self, found: PairedTimes) -> dict[str, object]:
+        """Return times, ratio and memory; None, with the reason, where the frames do not count."""
+        if self.reason:
+            return untimed(TIMED, self.reason)
+        memory = buffer_bytes_per_world(self.simulation.solver, self.simulation.contacts)
+        return time_columns(found) | {"buffer_bytes_per_world": memory}
+
+
+class EngineSteps:
+    """Blocks of the engine's own steps in the frames of a case, all substeps together; CUDA only.
+
+    CUDA events around each ``mjw.step``, inside the graph of whole frames; the IK runs before the physics here, so that
+    the engine has the device for itself.
+    """
+
+    def __init__(self, frames: Frames):
+        self.frames = frames
+        self.events: list[tuple[wp.Event, wp.Event]] = []
+        simulation = frames.simulation
+        solver, step = simulation.solver, simulation.solver._mujoco_warp_step
+
+        def timed_step() -> None:
+            start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
+            self.events.append((start, end))
+            wp.record_event(start)
+            step()
+            wp.record_event(end)
+
+        command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
+        with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
+            solver._mujoco_warp_step = timed_step
+            self.parts = [captured(command), captured(solve), captured(physics)]
+            del solver._mujoco_warp_step
+
+    def __call__(self, number: int) -> float:
+        """Time the engine's steps in a frame [ms], mean of the block of the round of that number."""
+        frames, simulation, total = self.frames, self.frames.simulation, 0.0
+        frames.warm.put(simulation, frames.case, number)
+        with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
+            for _ in range(frames.frame_count):
+                for part in self.parts:
+                    part()
+                wp.synchronize_device(simulation.device)
+                total += sum(wp.get_event_elapsed_time(start, end) for start, end in self.events)
+        return total / frames.frame_count
+
+
+def build_frames(case: Case, world_count: int, warm: WarmState, device: wp.Device | None = None) -> Frames:
+    """Build frames of a case in so many worlds, on the device of the warm states where no other is given."""
+    case = replace(case, frame_count=1)  # the recorder keeps the last frame only
+    return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
+
+
+def time_columns(found: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, object]:
+    """Return times as ``spread`` has them, and the ratio with its resolution; its spread is from round to round."""
+    low, high = (float(value) for value in np.percentile(found.ratios, (5, 95)))
+    row = spread(name, found.times) | {ratio: found.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}
+    return row | {"ratio_resolution": found.resolution}
+
+
+def world_rate(case: Case, world_count: int, found: PairedTimes) -> dict[str, float]:
+    """Return how many substeps of all worlds together are done in a second."""
+    return {"world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(found.times)))}
+
+
+def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
+    """Return columns of times that do not count."""
+    return absent(names, f"not timed: {reason}")
+
+
+def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S) -> dict[str, dict]:
+    """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
+
+    Where memory runs out or the frames do not count, every number is None, with the reason. Cases that differ only in
+    how they are run share a simulation. As many as have room are built before one is timed: all frames of a process
+    that builds after it has timed take longer from then on. So cases that take little memory should stand first.
+    """
+    groups: dict[Case, list[Case]] = {}
+    for case in cases:
+        groups.setdefault(build_key(case), []).append(case)
+    waiting, comparison = list(groups.values()), Comparison(cases, world_count, device)
+    while waiting:
+        gc.collect()  # frees what was timed, but for the reference
+        built = comparison.build(waiting.pop(0))
+        start = memory_bytes(device)
+        while waiting and memory_bytes(device) - start <= SHARE_BUILT * device.total_memory:
+            built += comparison.build(waiting.pop(0))
+        comparison.time(built, cap_s)
+        built.clear()
+    return comparison.columns()
+
+
+class Comparison:
+    """Cases timed in turn against the first of them, some at a time."""
+
+    def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
+        self.first, self.world_count, self.device = cases[0], world_count, device
+        self.warm = WarmState(cases, device)
+        self.reference: Frames | None = None
+        """The first build of the first case, once it is timed."""
+        self.rows: dict[str, dict] = {}
+        """Columns by case of its first build, or why it has none."""
+        self.builds: dict[str, list[PairedTimes]] = {}
+        """Builds of the first case, and of those that have other simulations than it."""
+
+    def build(self, group: Sequence[Case]) -> list[Frames]:
+        """Build what cases with the same ``build_key`` share, the first of them again where it takes little memory."""
+        built: list[Frames] = []
+        start = memory_bytes(self.device)
+        try:
+            simulation = Simulation([replace(group[0], frame_count=1)] * self.world_count, self.device)
+            built += [Frames(simulation, case, self.warm) for case in group]
+            if memory_bytes(self.device) - start <= SHARE_AGAIN * self.device.total_memory:
+                more = BUILD_COUNT["cuda" if self.device.is_cuda else "cpu"] - 1
+                built += [Frames(Clone(simulation), group[0], self.warm) for _ in range(more)]
+        except (RuntimeError, MemoryError) as error:
+            if not is_out_of_memory(error):
+                raise
+            lost = absent(TIMED, " ".join(str(error).split())[:120])
+            self.rows |= {case.name: lost for case in group[len(built) :]}
+        self.rows |= {frames.case.name: untimed(TIMED, frames.reason) for frames in built if frames.reason}
+        return [frames for frames in built if frames.case.name not in self.rows]
+
+    def time(self, built: Sequence[Frames], cap_s: float) -> None:
+        """Time the builds of all cases at once, against the reference where that has a time."""
+        if not built:
+            return
+        if self.reference is None and built[0].case is self.first:
+            self.reference = built[0]
+        reference = self.reference or built[0]
+        together = [*([] if reference in built else [reference]), *built]
+        results = time_in_turn(together, cap_s=cap_s * max(1, len(together) - 1))
+        for frames, found in zip(together, results, strict=True):
+            name, is_variant = frames.case.name, frames is not reference and frames.simulation is reference.simulation
+            if frames in built:  # or it is the reference, which keeps its first times
+                self.rows.setdefault(name, frames.columns(found))
+                if not is_variant:
+                    self.builds.setdefault(name, []).append(found)
+
+    def columns(self) -> dict[str, dict]:
+        """Return the columns by case, of all of its builds."""
+        together = zip(self.builds, pool_builds(list(self.builds.values())), strict=True)
+        rows = self.rows | {name: self.rows[name] | time_columns(found) for name, found in together}
+        if self.reference:
+            return rows
+        no_ratio = absent(RATIO, "what it is compared with has no time here")
+        return {name: row if row["frame_ms"] is None else row | no_ratio for name, row in rows.items()}
