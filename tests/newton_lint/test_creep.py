@@ -61,7 +61,7 @@ def test_the_creep_under_a_load_is_the_engines(solref, impratio, cone):
     of_cone = {"impratio": impratio, "cone": cone, "mu": MU}
     predicted = predicted_at(model, data, solref, solimp, timestep_s=TIMESTEP_S, load_n=load_n, **of_cone)
     assert predicted.acceleration_mm_s == 0.0
-    assert predicted.load_mm_s == predicted.total_mm_s == pytest.approx(found, rel=1e-4)
+    assert predicted.load_mm_s == pytest.approx(found, rel=1e-4)
 
 
 @pytest.mark.parametrize("timeconst_s", [0.01, 0.05])
@@ -83,7 +83,7 @@ def test_the_creep_under_an_acceleration_that_the_rows_leave_out_is_the_engines(
     known = {"acceleration_m_s2": acceleration, "load_n": model.body_mass[2] * acceleration}
     predicted = predicted_at(model, data, solref, solimp, timestep_s=1e-4, **known)
     assert predicted.acceleration_mm_s > 9.0 * predicted.load_mm_s > 0.0
-    assert predicted.total_mm_s == pytest.approx(found_mm_s, rel=0.02)
+    assert predicted.acceleration_mm_s + predicted.load_mm_s == pytest.approx(found_mm_s, rel=0.02)
 
 
 @pytest.mark.parametrize("depth_m", [0.0, 2e-4, 4e-4, 8e-4, 2e-3])

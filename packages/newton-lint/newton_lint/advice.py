@@ -9,7 +9,7 @@ from newton_lint.scene import Scene
 
 
 def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) -> Advice:
-    """Attributes of a geom, at the tag that says the first of them, or its own where none does."""
+    """Return attributes of a geom, at the tag that says the first of them, or its own where none does."""
     first = next(iter(attributes))
     own = scene.source.geom(geom)
     said = scene.source.authored(geom, first)
@@ -18,7 +18,7 @@ def for_geom(scene: Scene, geom: int, attributes: Mapping[str, str], gain: str) 
 
 
 def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice:
-    """Attributes of ``<option>``; a scene without one gets it."""
+    """Return attributes of ``<option>``; a scene without one gets it."""
     if not attributes:
         return Advice((), gain)
     element = scene.source.option(next(iter(attributes)))
@@ -26,7 +26,7 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
 
 
 def resolved(*ways: Advice) -> Advice:
-    """Several ways, of which one is enough: the first is what a fix takes."""
+    """Return several ways, of which one is enough: the first is what a fix takes."""
     return Advice(ways[0].changes, "; or ".join([ways[0].gain, *map(str, ways[1:])]))
 
 
@@ -43,7 +43,7 @@ def longer_solref(scene: Scene, geom: int, timeconst_s: float) -> Advice:
 
 
 def elliptic(scene: Scene, steepest: float) -> Advice:
-    """An elliptic cone, with an impratio of 10 where none above 1 is said."""
+    """Return an elliptic cone, with an impratio of 10 where none above 1 is said."""
     impratio = scene.option.impratio
     asked = impratio if impratio > 1.0 else 10.0
     less = (1.0 + steepest**2) * asked / impratio
@@ -64,14 +64,14 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
 
 
 def whole_solref(scene: Scene, geom: int) -> Advice:
-    """A solref of one form in place of one that mixes both: as stiff as it says, and critically damped."""
+    """Return a solref of one form in place of one that mixes both: as stiff as it says, and critically damped."""
     first = float(scene.model.geom_solref[geom, 0])
     solref = f"{first:g} 1" if first > 0.0 else f"{first:g} {-2.0 * math.sqrt(-first):.3g}" if first else "0.02 1"
     return for_geom(scene, geom, {"solref": solref}, "as stiff as it says, and critically damped")
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
-    """A solimp with its entries between 0 and 1 and dmax no less than dmin, softer at no depth."""
+    """Return a solimp with its entries between 0 and 1 and dmax no less than dmin, softer at no depth."""
     dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geom].tolist()
     low, high = (min(max(each, 0.0), 1.0) for each in (dmin, max(dmin, dmax)))
     entries = (low, high, max(width, 0.0), min(max(midpoint, 0.0), 1.0), max(power, 1.0))

@@ -39,7 +39,7 @@ class Contacts:
         return len(self.first)
 
     def contact(self, index: int) -> Contact:
-        """One pair's, for the law."""
+        """Return one pair's, for the law."""
         return Contact(
             solref=tuple(self.solref[index].tolist()),
             solimp=tuple(self.solimp[index].tolist()),
@@ -51,7 +51,7 @@ class Contacts:
 
 
 def option_of(model: mujoco.MjModel) -> Option:
-    """What the engine is told of all contacts."""
+    """Return what the engine is told of all contacts."""
     opt = model.opt
     return Option(
         timestep_s=float(opt.timestep),
@@ -64,7 +64,7 @@ def option_of(model: mujoco.MjModel) -> Option:
 
 
 def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
-    """All pairs that may touch. MuJoCo Warp takes the least of direct solrefs whatever their priority."""
+    """Return all pairs that may touch. MuJoCo Warp takes the least of direct solrefs whatever their priority."""
     pairs, named = pairs_of(model)
     priority = model.geom_priority[pairs]
     swap = priority[:, 0] < priority[:, 1]
@@ -100,7 +100,6 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
 
 
 def _share(mix: np.ndarray, other: np.ndarray, outranked: np.ndarray) -> np.ndarray:
-    """What of the first geom's parameters counts, of shape [pair_count, 1]."""
     mix, other = (np.where(each < mujoco.mjMINVAL, 0.0, each) for each in (mix, other))
     total = mix + other
     share = np.where(total > 0.0, mix / np.where(total > 0.0, total, 1.0), 0.5)

@@ -24,7 +24,7 @@ SEVERITIES = ("note", "warning", "error")
 
 class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        """What was asked for can't be: one line, as for a target that can't be read."""
+        """Return what was asked for can't be: one line, as for a target that can't be read."""
         self.exit(UNFIT, f"{message}; {PROGRAM} --help says what there is\n")
 
 
@@ -85,7 +85,6 @@ def _linted(given: argparse.Namespace) -> int:
 
 
 def _fixed(reports: Sequence[Any]) -> None:
-    """Write the changes of all findings that are no notes; what is written goes to the standard error."""
     from newton_lint.fix import fix
 
     for report in reports:
@@ -96,7 +95,7 @@ def _fixed(reports: Sequence[Any]) -> None:
 
 
 def asked_of(given: argparse.Namespace, table: dict[str, Any]):
-    """What is asked for, of the command before the project's table."""
+    """Return what is asked for, of the command before the project's table."""
     from newton_lint.prediction import Load
     from newton_lint.report import Asked
 
@@ -106,14 +105,12 @@ def asked_of(given: argparse.Namespace, table: dict[str, Any]):
 
 
 def engine_of(given: argparse.Namespace, table: dict[str, Any]):
-    """The engine that is asked for."""
     from newton_lint.scene import Engine
 
     return Engine(given.engine or table.get("engine", "mujoco"), given.dt, given.cone, given.impratio)
 
 
 def work_of(given: argparse.Namespace):
-    """The body that is to be held; None where none is asked for."""
     from newton_lint.settle import SETTLE_S, Work
 
     return Work(given.hold, given.settle or SETTLE_S, given.turn, given.lift) if given.hold else None
@@ -121,7 +118,7 @@ def work_of(given: argparse.Namespace):
 
 @contextlib.contextmanager
 def _pipe_may_close() -> Iterator[None]:
-    """Who reads the output may stop before its end, as head does."""
+    """Let who reads the output stop before its end, as head does."""
     try:
         yield
         sys.stdout.flush()
@@ -130,63 +127,43 @@ def _pipe_may_close() -> Iterator[None]:
 
 
 def parser() -> Parser:
-    """The lint's own options."""
+    """Make the parser of the lint's own options."""
     about = (
-        "Says which contact parameters MuJoCo does not use as a scene has them, how fast contacts that hold creep, and"
+        "Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what to change."
     )
-    others = "Two more commands, each with --help: newton-lint prescribe searches settings for a body that is held, and"
-    made = Parser(
-        prog=PROGRAM, description=f"{about} what to change.", epilog=f"{others} newton-lint page writes a page."
-    )
-    made.add_argument(
-        "target",
-        metavar="TARGET",
-        nargs="+",
-        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function",
-    )
-    made.add_argument("--format", choices=("text", "json", "sarif", "github"), help="default: text")
-    made.add_argument("--json", action="store_true", help="the same as --format json")
-    made.add_argument(
-        "--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning"
-    )
-    made.add_argument("--ignore", metavar="RULES", help="rules that do not count, with commas between")
-    made.add_argument("--all", action="store_true", help="every predicted creep, not the worst five alone")
-    made.add_argument("--fix", action="store_true", help="write the first change of each finding into the files")
+    others = "Also: newton-lint prescribe searches settings for a body that is held, newton-lint page writes a page."
+    made = Parser(prog=PROGRAM, description=about, epilog=others)
+    add = made.add_argument
+    targets = "FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function"
+    add("target", metavar="TARGET", nargs="+", help=targets)
+    add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
+    add("--json", action="store_true", help="the same as --format json")
+    add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
+    add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
+    add("--all", action="store_true", help="every predicted creep, not the worst five alone")
+    add("--fix", action="store_true", help="write the first change of each finding into the files")
     add_work(made)
-    made.add_argument("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
-    made.add_argument(
-        "--acceleration",
-        type=positive,
-        default=0.0,
-        metavar="M/S²",
-        help="ω² r of a contact that turns with its support",
-    )
+    add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
+    add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")
     return made
 
 
 def add_work(made: argparse.ArgumentParser) -> None:
     """Add options of the engine, and of a body that is held."""
-    made.add_argument("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
-    made.add_argument("--dt", type=positive, metavar="S", help="the solver's step; default: what the scene says")
-    made.add_argument("--cone", choices=("pyramidal", "elliptic"), help="default: what the scene says")
-    made.add_argument("--impratio", type=positive, metavar="X", help="default: what the scene says")
-    made.add_argument(
+    add, own = made.add_argument, "default: what the scene says"
+    add("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
+    add("--dt", type=positive, metavar="S", help=f"the solver's step; {own}")
+    add("--cone", choices=("pyramidal", "elliptic"), help=own)
+    add("--impratio", type=positive, metavar="X", help=own)
+    add(
         "--hold",
         metavar="BODY",
         help="predict how this body creeps, which the first keyframe or the start has in its grip",
     )
-    made.add_argument("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
-    made.add_argument(
-        "--turn",
-        type=positive,
-        default=0.0,
-        metavar="RAD/S",
-        help="rate at which what holds it turns about the vertical",
-    )
-    made.add_argument("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
-    made.add_argument(
-        "--below", type=positive, metavar="MM/S", help="creep that is not too fast; prescribe's default: 0.1"
-    )
+    add("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
+    add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")
+    add("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
+    add("--below", type=positive, metavar="MM/S", help="creep that is not too fast; prescribe's default: 0.1")
 
 
 def positive(text: str) -> float:

@@ -22,21 +22,14 @@ M = 1e3
 
 @dataclass(frozen=True)
 class Creep:
-    """What is predicted of one contact's slide."""
+    """A predicted slide of one contact."""
 
     response_s: float
     """1 / b [s]: m/s for each m/s² of acceleration that the rows leave out."""
     yield_m_s_n: float
     """R / b [m/s/N]: m/s for each newton of tangential force that one contact point carries."""
     acceleration_mm_s: float
-    """Slide under the acceleration [mm/s]."""
     load_mm_s: float
-    """Slide under the load [mm/s]."""
-
-    @property
-    def total_mm_s(self) -> float:
-        """Both together, along one direction [mm/s]."""
-        return self.acceleration_mm_s + self.load_mm_s
 
 
 def predicted_creep(
@@ -52,7 +45,7 @@ def predicted_creep(
     cone: str = "elliptic",
     mu: float = 1.0,
 ) -> Creep:
-    """The slide of a contact in a friction cone that it does not reach the edge of.
+    """Return the slide of a contact in a friction cone that it does not reach the edge of.
 
     Args:
         solref: Of the friction rows: timeconst [s] and dampratio, or, both negative, -stiffness and -damping [1/s].
@@ -80,7 +73,7 @@ def predicted_creep(
 
 
 def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:
-    """1 / b of a row [s], infinite where it has no damping; see ``predicted_creep``."""
+    """Return 1 / b of a row [s], infinite where it has no damping; see ``predicted_creep``."""
     first, second = solref
     if second == 0.0:
         return math.inf
@@ -90,12 +83,12 @@ def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> f
 
 
 def clamped(impedance: float) -> float:
-    """An impedance, or solimp's midpoint, as the engine takes it: between 0 and 1, and never either of them."""
+    """Return an impedance, or solimp's midpoint, as the engine takes it: between 0 and 1, and never either of them."""
     return min(max(impedance, mujoco.mjMINIMP), mujoco.mjMAXIMP)
 
 
 def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
-    """d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
+    """Return d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
     dmin, dmax, width, midpoint, power = solimp
     dmin, dmax, midpoint, power = clamped(dmin), clamped(dmax), clamped(midpoint), max(power, 1.0)
     x = min(abs(depth_m) / width, 1.0) if width > 0.0 else 1.0

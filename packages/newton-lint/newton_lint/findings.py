@@ -10,7 +10,7 @@ SEVERITIES = ("note", "warning", "error")
 
 @dataclass(frozen=True)
 class Change:
-    """What to write into a file: attributes of one element, and the place."""
+    """A change of a file: attributes of one element, and the place."""
 
     subject: str
     """What has the attributes: a geom's name, or ``option``."""
@@ -26,7 +26,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Advice:
-    """What to change, and what it gains and costs."""
+    """Advice: changes, and what they gain and cost."""
 
     changes: tuple[Change, ...]
     gain: str
@@ -37,7 +37,7 @@ class Advice:
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is authored and not what the solver does."""
+    """A thing that is authored and not what the solver does."""
 
     rule: str
     shape: str
@@ -53,7 +53,6 @@ class Finding:
     message: str
     severity: str = "warning"
     element: Element | None = field(default=None, compare=False)
-    """Where it is written; None where no file is known to say it."""
     advice: Advice | None = field(default=None, compare=False)
 
 
@@ -75,11 +74,10 @@ class Buffer:
     name: str
     capacity: int
     peak: int
-    """Most that a run needed."""
 
 
 def grouped(findings: Iterable[Finding]) -> list[Group]:
-    """The findings with those put together that only differ in the shapes of the bodies they are about."""
+    """Return the findings with those put together that only differ in the shapes of the bodies they are about."""
     groups: dict[object, list[Finding]] = {}
     for finding in findings:
         subject = body_of(finding.shape)
@@ -100,7 +98,7 @@ def body_of(shape: str) -> str:
 
 
 def columns(group: Group) -> dict[str, object]:
-    """A group as columns of a row; values in a column that says their unit."""
+    """Return a group as columns of a row; values in a column that says their unit."""
     finding = group.first
     unit = "" if finding.unit == "1" else f"_{finding.unit}"
     used = {f"used{unit}": finding.used}
@@ -119,18 +117,8 @@ def columns(group: Group) -> dict[str, object]:
 
 
 def alike(findings: Iterable[Finding]) -> list[list[Finding]]:
-    """The findings that say the same, of whichever shapes, in the order of the first of each."""
+    """Return the findings that say the same, of whichever shapes, in the order of the first of each."""
     groups: dict[Finding, list[Finding]] = {}
     for finding in findings:
         groups.setdefault(replace(finding, shape="", against=()), []).append(finding)
     return list(groups.values())
-
-
-def tally(findings: Iterable[Finding]) -> list[dict[str, object]]:
-    """What is found, without the shapes: one for each rule, parameter and value, with the number of pairs or shapes."""
-    alike: dict[tuple, int] = {}
-    for finding in findings:
-        key = (finding.rule, finding.parameter, finding.value, finding.used, finding.unit)
-        alike[key] = alike.get(key, 0) + max(1, len(finding.against))
-    names = ("rule", "parameter", "value", "used", "unit")
-    return [{**dict(zip(names, key, strict=True)), "count": count} for key, count in alike.items()]

@@ -39,7 +39,7 @@ def fix(changes: Iterable[Change], source: Source) -> Iterator[str]:
 
 
 def edited(text: bytes, tags: dict[int, dict[str, str]], root: int = -1) -> bytes:
-    """A file with attributes set in the tags that start at these bytes; those of the root in an ``<option>`` of it."""
+    """Set attributes in the tags that start at these bytes; those of the root in an ``<option>`` of it."""
     for start, attributes in sorted(tags.items(), reverse=True):
         tag = TAG.match(text, start)
         if start == root:

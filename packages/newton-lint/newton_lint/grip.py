@@ -46,7 +46,7 @@ class Grip:
     """Of its weight, that friction has to hold: the sine of a slope."""
 
     def slide_mm_s(self, scene: Scene, option: Option | None = None) -> float:
-        """The creep under its own weight, shared by all points: on a slope as deep as it lies, in a firm grip."""
+        """Return the creep under its own weight, shared by all points."""
         option, hold = option or scene.option, 0.0
         weight = self.mass_kg * float(np.linalg.norm(scene.model.opt.gravity))
         for pair, points in zip(self.pairs, self.points, strict=True):
@@ -61,7 +61,7 @@ class Grip:
 
 
 def grips(scene: Scene) -> Iterator[Grip]:
-    """The bodies that fingers can grip: two that branch off a palm, or stand in the world on driven slides."""
+    """Yield the bodies that fingers can grip: two that branch off a palm, or stand in the world on driven slides."""
     contacts, model = scene.contacts, scene.model
     if not model.nu:
         return
@@ -84,7 +84,7 @@ def grips(scene: Scene) -> Iterator[Grip]:
 
 
 def slopes(scene: Scene) -> Iterator[Grip]:
-    """The bodies that move freely, do not roll, and may stand on a tilted plane or box that stays where it is."""
+    """Yield the bodies that move freely, do not roll, and may stand on a tilted plane or box that stays where it is."""
     contacts, model = scene.contacts, scene.model
     weld, free = model.body_weldid[model.geom_bodyid], scene.free
     one, other = weld[contacts.first], weld[contacts.second]
@@ -106,7 +106,7 @@ def slopes(scene: Scene) -> Iterator[Grip]:
 
 
 def _slope(scene: Scene, geom: int) -> float:
-    """The slope of a plane, or of the flattest face of a box; 0 of other shapes."""
+    """Return the slope of a plane, or of the flattest face of a box; 0 of other shapes."""
     model = scene.model
     down = model.opt.gravity / np.linalg.norm(model.opt.gravity)
     up = np.abs(down @ scene.posed.geom_xmat[geom].reshape(3, 3))
@@ -128,7 +128,7 @@ def _points(model: mujoco.MjModel, contacts: Contacts, pair: int) -> int:
 
 
 def _pinch(scene: Scene, one: int, other: int) -> float:
-    """How well two bodies can pinch: the lesser share of their motion that goes toward the other.
+    """Say how well two bodies can pinch: the lesser share of their motion that goes toward the other.
 
     They have to branch off a palm that is near, or to stand in the world on driven slides; it is 0 of others.
     """
@@ -147,7 +147,7 @@ def _pinch(scene: Scene, one: int, other: int) -> float:
 
 
 def _toward(scene: Scene, finger: int, other: int) -> float:
-    """The largest share of a finger's motion by a joint of its own that goes toward the other; 1 where they meet."""
+    """Return the largest share of a finger's own motion that goes toward the other; 1 where they meet."""
     model, data = scene.model, scene.posed
     line = data.xipos[other] - data.xipos[finger]
     if np.linalg.norm(line) < MEET_M:
@@ -161,7 +161,6 @@ def _toward(scene: Scene, finger: int, other: int) -> float:
 
 
 def _path(model: mujoco.MjModel, body: int) -> list[int]:
-    """The bodies that move on their own from the world to this one."""
     path = [body]
     while path[-1]:
         path.append(int(model.body_weldid[model.body_parentid[path[-1]]]))
@@ -169,7 +168,7 @@ def _path(model: mujoco.MjModel, body: int) -> list[int]:
 
 
 def gripped(scene: Scene) -> Iterator[Finding]:
-    """What fingers would let slip, or turn, and what creeps down a slope."""
+    """Yield what fingers would let slip, or turn, and what creeps down a slope."""
     for grip in grips(scene):
         yield from _slips(scene, grip, "between fingers")
         yield from _turns(scene, grip)
@@ -178,7 +177,6 @@ def gripped(scene: Scene) -> Iterator[Finding]:
 
 
 def _slips(scene: Scene, grip: Grip, where: str) -> Iterator[Finding]:
-    """A body that would creep under its own weight."""
     creep = grip.slide_mm_s(scene)
     if creep >= SLIP_MM_S:
         impratio = max(scene.option.impratio, 1.0) * 10.0
@@ -196,7 +194,6 @@ def _slips(scene: Scene, grip: Grip, where: str) -> Iterator[Finding]:
 
 
 def _turns(scene: Scene, grip: Grip) -> Iterator[Finding]:
-    """A body that fingers hold in one point each, without rows that keep it from turning about the line between."""
     if max(grip.points) == 1 and all(scene.contacts.condim[pair] == 3 for pair in grip.pairs):
         body, pads = scene.bodies[grip.body], _geoms(scene, grip)
         yield Finding(
@@ -208,7 +205,6 @@ def _turns(scene: Scene, grip: Grip) -> Iterator[Finding]:
 
 
 def _geoms(scene: Scene, grip: Grip) -> list[int]:
-    """The fingers' geoms."""
     contacts, model = scene.contacts, scene.model
     sides = ((int(contacts.first[pair]), int(contacts.second[pair])) for pair in grip.pairs)
     return [one if model.body_weldid[model.geom_bodyid[one]] != grip.body else other for one, other in sides]

@@ -1,4 +1,4 @@
-"""What a rule says of many shapes or pairs at once, made into findings."""
+"""Group what a rule says of many shapes or pairs at once into findings."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from newton_lint.source import Element
 
 @dataclass(frozen=True)
 class Hits:
-    """What a rule says of one parameter; arrays of one length."""
+    """Hits of a rule on one parameter; arrays of one length."""
 
     rule: str
     parameter: str
@@ -40,13 +40,13 @@ def hits(
     unit: str = "1",
     **more,
 ) -> Hits:
-    """Hits of which all say the same, or each what a function says of its index."""
+    """Return hits of which all say the same, or each what a function says of its index."""
     say = message if callable(message) else lambda _: message
     return Hits(rule, parameter, unit, shape, other, value, np.broadcast_to(used, len(shape)), say, **more)
 
 
 def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
-    """A finding for each shape and each value that it has and gets, in the order in which they were hit."""
+    """Yield a finding for each shape and each value that it has and gets, in the order in which they were hit."""
     if not len(found.shape):
         return
     first, which = alike(found.shape, found.value, np.nan_to_num(found.used, nan=np.inf))
@@ -69,7 +69,7 @@ def findings_of(found: Hits, names: Sequence[str]) -> Iterator[Finding]:
 
 
 def alike(*columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """First index of each different row, and the number of each row's; faster than to sort the rows as such."""
+    """Return first index of each different row, and the number of each row's; faster than to sort the rows as such."""
     key = np.zeros(len(columns[0]), dtype=np.int64)
     for column in columns:
         values, which = np.unique(column, return_inverse=True)

@@ -24,7 +24,7 @@ MIN_WIDTH = 1e-15
 
 @dataclass(frozen=True)
 class Option:
-    """What the engine is told of all contacts."""
+    """Options of the engine that count for all contacts."""
 
     timestep_s: float
     integrator: int = EULER
@@ -41,7 +41,7 @@ class Option:
 
 @dataclass(frozen=True)
 class Contact:
-    """What the engine makes of two geoms where they touch."""
+    """A contact as the engine combines two geoms."""
 
     solref: tuple[float, float]
     solimp: tuple[float, ...]
@@ -54,7 +54,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Response:
-    """How a contact that holds gives way at one depth."""
+    """A response of a contact that holds, at one depth."""
 
     acceleration_s: float
     """m/s for each m/s² that its rows leave out."""
@@ -65,11 +65,11 @@ class Response:
     mu: float = 1.0
 
     def slide_m_s(self, load_n: float) -> float:
-        """The steady slide under a load well within the cone [m/s]."""
+        """Return the steady slide under a load well within the cone [m/s]."""
         return self.load_m_s_n * load_n
 
     def force_n(self, slide_m_s: float, normal_n: float) -> float:
-        """The friction with which a point that a force presses on resists a slide along an axis of the contact [N].
+        """Return the friction with which a pressed point resists a slide along an axis of the contact [N].
 
         Beyond 2/n of the cone one of a pyramid's n edges lets go, and the others share what is left.
         """
@@ -82,7 +82,7 @@ class Response:
 
 
 def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) -> float:
-    """The slide in which points with their normal forces bear a load together; infinite beyond their cones."""
+    """Return the slide in which points with their normal forces bear a load together; infinite beyond their cones."""
     if load_n >= sum(response.mu * normal for response, normal in points):
         return math.inf
     low, high = 0.0, 1.0
@@ -96,13 +96,13 @@ def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) ->
 
 
 def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
-    """A solref as the engine takes it: the default in place of one that is half timeconst and half stiffness."""
+    """Return a solref as the engine takes it: the default in place of one that is half timeconst and half stiffness."""
     first, second = solref
     return DEFAULT_SOLREF if (first > 0.0) != (second > 0.0) else (first, second)
 
 
 def response_of(contact: Contact, option: Option, d: float | None = None) -> Response:
-    """How a contact gives way at an impedance, that of solimp's full width where none is said.
+    """Say how a contact gives way at an impedance, that of solimp's full width where none is said.
 
     Infinite where nothing damps it.
     """
@@ -131,14 +131,14 @@ def response_of(contact: Contact, option: Option, d: float | None = None) -> Res
 
 
 def impedance(solimp: Sequence[float], depth_m: float) -> float:
-    """d at a depth, also of a solimp without width, whose d is the mean."""
+    """Return d at a depth, also of a solimp without width, whose d is the mean."""
     if solimp[2] <= MIN_WIDTH:
         return 0.5 * (clamped(solimp[0]) + clamped(solimp[1]))
     return impedance_at(solimp, depth_m)
 
 
 def stiffness(contact: Contact, option: Option, d: float) -> float:
-    """k of a contact's normal row [1/s²]."""
+    """Return k of a contact's normal row [1/s²]."""
     dmax = clamped(contact.solimp[1])
     first, second = solref_taken(contact.solref)
     if first <= 0.0:
@@ -150,7 +150,7 @@ def stiffness(contact: Contact, option: Option, d: float) -> float:
 
 
 def _normal_damping(contact: Contact, option: Option, d: float) -> float:
-    """b of a contact's normal row [1/s], which ``discrete`` gives the stiffness that it has under refsafe."""
+    """Return b of a contact's normal row [1/s], which ``discrete`` gives the stiffness that it has under refsafe."""
     solref = solref_taken(contact.solref)
     dmax = clamped(contact.solimp[1])
     if solref[0] > 0.0 and option.discrete and option.refsafe:
@@ -162,7 +162,7 @@ def _normal_damping(contact: Contact, option: Option, d: float) -> float:
 
 
 def settled_impedance(contact: Contact, option: Option, normal_n: float) -> float:
-    """The impedance at the depth to which a normal force presses one contact point.
+    """Return the impedance at the depth to which a normal force presses one contact point.
 
     At rest k d r balances R f, and d depends on the depth r: solved by halving.
     """

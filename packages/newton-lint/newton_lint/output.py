@@ -20,7 +20,7 @@ USED = {"buffer": "peak", "dampratio": "critical", "slip": "with the change", "c
 
 
 def written(reports: Sequence[Report], form: str, everything: bool) -> str:
-    """All reports as ``text``, ``json``, ``sarif`` or ``github``."""
+    """Return all reports as ``text``, ``json``, ``sarif`` or ``github``."""
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1, ensure_ascii=False)
@@ -31,7 +31,6 @@ def written(reports: Sequence[Report], form: str, everything: bool) -> str:
 
 
 def _text(report: Report, everything: bool) -> Iterator[str]:
-    """What was read, what was found in it, and the creep."""
     groups = alike(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
@@ -57,7 +56,7 @@ def _text(report: Report, everything: bool) -> Iterator[str]:
 
 
 def sentence(group: Sequence[Finding]) -> str:
-    """Findings that say the same, as a sentence."""
+    """Return findings that say the same, as a sentence."""
     finding = group[0]
     unit = f" {finding.unit}" if finding.unit not in ("1", "count") else ""
     said = f"{finding.parameter} {finding.value:.4g}{unit} {finding.message}"
@@ -103,7 +102,6 @@ def _github(report: Report) -> Iterator[str]:
 
 
 def _sarif(reports: Sequence[Report]) -> dict:
-    """Static Analysis Results Interchange Format 2.1.0, of OASIS."""
     results = [
         {
             "ruleId": group[0].rule,
@@ -133,7 +131,6 @@ def _location(finding: Finding, report: Report) -> dict:
 
 
 def _named(names: Iterable[str]) -> str:
-    """The names, each once, and no more than a line has room for."""
     different = list(dict.fromkeys(names))
     if len(different) > SHOWN + 1:
         return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"

@@ -87,7 +87,6 @@ def write(target: Target, given: argparse.Namespace, folder: Path) -> Path:
 
 
 def _pictures(name: str, draw: Any, *given: Any) -> Any:
-    """A figure for broad screens and for narrow ones."""
     from markupsafe import Markup
 
     from measured_report.parts.figures import draw_svgs
@@ -96,7 +95,6 @@ def _pictures(name: str, draw: Any, *given: Any) -> Any:
 
 
 def _bars(scene: Scene, report: Report, best: Trial | None, found: Prescription | None):
-    """Predicted creep of each kind of contact, as it is and with what is prescribed."""
     from measured_report.parts.figures import fold, new_figure
 
     shown = [each for each in report.creep if each.load_mm_s[1] > 0.0][:MOST_BARS]
@@ -120,7 +118,6 @@ def _bars(scene: Scene, report: Report, best: Trial | None, found: Prescription 
 
 
 def _trials(found: Prescription, bound: float):
-    """What was predicted and measured of the settings that were simulated."""
     from measured_report.parts.figures import fold, new_figure
 
     drawing, axes = new_figure(height=1.5 + 0.5 * len(found.trials))
@@ -142,7 +139,6 @@ def _trials(found: Prescription, bound: float):
 
 
 def _touches(scene: Scene, hold: Hold) -> list[tuple[str, str, str, str, str]]:
-    """What holds the body: both geoms, points, normal and tangential force on all of them, share of the cone."""
     rows: dict[tuple[int, int], list] = {}
     for touch in hold.touches:
         rows.setdefault(touch.geoms, []).append(touch)
@@ -159,13 +155,13 @@ def _touches(scene: Scene, hold: Hold) -> list[tuple[str, str, str, str, str]]:
 
 
 def _pictured(scene: Scene, target: Target) -> Any:
-    """The scene as MuJoCo renders it, or, where it can't, outlines from above and from the side."""
+    """Render the scene with MuJoCo; empty where that can't be done."""
     from markupsafe import Markup
 
     try:
         image = _rendered(scene, target)
     except Exception:  # without a display or a library for one it fails in many ways
-        return _pictures("scene", _outlines, scene)
+        return ""
     return Markup('<img alt="The scene" src="data:image/png;base64,{}">').format(base64.b64encode(image).decode())
 
 
@@ -186,25 +182,3 @@ def _rendered(scene: Scene, target: Target) -> bytes:
         buffer = io.BytesIO()
         imsave(buffer, renderer.render())
     return buffer.getvalue()
-
-
-def _outlines(scene: Scene):
-    """Boxes around the geoms that can collide, from above and from the side."""
-    from measured_report.parts.figures import new_figure
-
-    model, data = scene.model, scene.posed
-    drawing, panels = new_figure(height=3.2, ncols=2)
-    corners = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-    edges = [(one, one | bit) for one in range(8) for bit in (1, 2, 4) if not one & bit]
-    for geom in np.flatnonzero((model.geom_contype | model.geom_conaffinity) & (model.geom_rbound > 0)):
-        centre, half = model.geom_aabb[geom].reshape(2, 3)
-        points = data.geom_xpos[geom] + (centre + corners * half) @ data.geom_xmat[geom].reshape(3, 3).T
-        for axes, plane in zip(panels, ((0, 1), (0, 2)), strict=True):
-            style = "-" if model.geom_bodyid[geom] else ":"
-            axes.plot(*points[:, plane][np.array(edges)].T, color="C0", linestyle=style, marker="", linewidth=1.0)
-    for axes, label in zip(panels, ("y [m]", "z [m]"), strict=True):
-        axes.set_aspect("equal", adjustable="datalim")
-        axes.set(xlabel="x [m]", ylabel=label)
-    panels[0].set_title("from above")
-    panels[1].set_title("from the side")
-    return drawing

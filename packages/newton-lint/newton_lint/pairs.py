@@ -9,7 +9,7 @@ UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
 
 
 def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
-    """Geoms of each pair, the lower first, of shape [pair_count, 2], and the ``<pair>`` that names it, or -1."""
+    """Return geoms of each pair, the lower first, of shape [pair_count, 2], and the ``<pair>`` that names it, or -1."""
     if model.opt.disableflags & OFF:
         return np.zeros((0, 2), dtype=int), np.zeros(0, dtype=int)
     named = np.sort(np.stack([model.pair_geom1, model.pair_geom2], axis=1), axis=1).astype(int)
@@ -20,12 +20,12 @@ def pairs_of(model: mujoco.MjModel) -> tuple[np.ndarray, np.ndarray]:
 
 
 def collidable(model: mujoco.MjModel, pairs: np.ndarray) -> np.ndarray:
-    """Whether the engine has a function for the shapes of these geoms: none of two that are planes or height fields."""
+    """Tell whether these geoms can collide: two planes or height fields can't."""
     return ~np.isin(model.geom_type[pairs], (PLANE, HFIELD)).all(axis=1)
 
 
 def _unnamed(model: mujoco.MjModel) -> np.ndarray:
-    """Pairs that their bits, bodies and excludes leave, in the order of the model."""
+    """Return pairs that their bits, bodies and excludes leave, in the order of the model."""
     geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
     first, second = (geoms[index] for index in np.triu_indices(len(geoms), k=1))
     contype, conaffinity = model.geom_contype, model.geom_conaffinity

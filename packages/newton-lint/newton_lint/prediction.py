@@ -14,12 +14,11 @@ from newton_lint.scene import Scene
 
 @dataclass(frozen=True)
 class Load:
-    """What a grasp is asked to bear."""
+    """A load that a grasp is asked to bear."""
 
     acceleration_m_s2: float = 0.0
     """Along the contact, and left out by its rows."""
     load_n: float = 0.0
-    """Tangential force on each contact point."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +29,6 @@ class Prediction:
     timeconst_s: float
     """Of the friction rows, as the engine takes it."""
     dmax: float
-    """As the engine takes it."""
     response_s: float
     """1/b."""
     acceleration_s: float
@@ -39,11 +37,10 @@ class Prediction:
     """Slide under the load, the less first: of a contact as deep as solimp's width and one that hardly touches."""
     acceleration_mm_s: float
     is_free: bool = False
-    """Whether one of the bodies moves freely."""
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
-    """Of all pairs that have friction and damping, those alike together: free bodies first, then by their creep."""
+    """Return predictions of all pairs with friction and damping, those alike together, free bodies first, by creep."""
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
     if not len(rows):
@@ -65,7 +62,6 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 
 
 def _kinds(scene: Scene) -> np.ndarray:
-    """A number for each pair, the same where geoms have the same parameters; a pair that is named has its own."""
     contacts, model = scene.contacts, scene.model
     columns = (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
     single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
@@ -79,7 +75,7 @@ def _kinds(scene: Scene) -> np.ndarray:
 def predicted(
     contact: Contact, option: Option, load: Load, pairs: Sequence[tuple[str, str]], is_free: bool = False
 ) -> Prediction | None:
-    """The creep of one contact; None where nothing damps it."""
+    """Return the creep of one contact; None where nothing damps it."""
     dmax = clamped(contact.solimp[1])
     deep, shallow = response_of(contact, option), response_of(contact, option, clamped(contact.solimp[0]))
     if not math.isfinite(deep.acceleration_s):

@@ -39,10 +39,9 @@ INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast", "discrete")
 
 @dataclass(frozen=True)
 class Setting:
-    """What is set; None is left as the scene has it."""
+    """A setting; None is left as the scene has it."""
 
     timeconst_s: float | None = None
-    """Of the geoms that touch."""
     impratio: float | None = None
     elliptic: bool = False
     timestep_s: float | None = None
@@ -50,7 +49,7 @@ class Setting:
     noslip: bool = False
 
     def option(self) -> dict[str, str]:
-        """Attributes of ``<option>``."""
+        """Return attributes of ``<option>``."""
         integrator = None if self.integrator is None else INTEGRATORS[self.integrator]
         said = {
             "timestep": self.timestep_s and f"{self.timestep_s:g}",
@@ -121,13 +120,13 @@ def main(arguments: Sequence[str]) -> int:
 
 @dataclass(frozen=True)
 class Prescription:
-    """What was tried on a held body; the first trial is of the scene as it is."""
+    """Trials on a held body; the first is of the scene as it is."""
 
     hold: Hold
     trials: Sequence[Trial]
 
     def best(self, bound_mm_s: float) -> Trial | None:
-        """The cheapest that was measured below a bound; of those that cost alike the one that changes least."""
+        """Return the cheapest that was measured below a bound; of those that cost alike the one that changes least."""
         good = [trial for trial in self.trials if trial.measured_mm_s <= bound_mm_s]
         dearest = min((trial.second_s for trial in good), default=0.0) * 1.25
         affordable = (trial for trial in good if trial.second_s <= dearest)
@@ -157,7 +156,7 @@ def prescribed(
 
 
 def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, float]]:
-    """Settings, with the creep that the law gives for each."""
+    """Yield settings, with the creep that the law gives for each."""
     option = scene.option
     stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
     timeconsts = [None, *(each for each in TIMECONSTS_S if each < stiffest or stiffest <= 0.0)]
@@ -185,13 +184,13 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
 
 
 def touched(scene: Scene, hold: Hold) -> list[int]:
-    """The geoms of what touches whose parameters count."""
+    """Return the geoms of what touches whose parameters count."""
     geoms = {geom for touch in hold.touches for geom in touch.geoms if geom >= 0}
     return sorted(geom for geom in geoms if scene.counts[geom]) or sorted(geoms)
 
 
 def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
-    """A copy of the model with a setting."""
+    """Return a copy of the model with a setting."""
     model = copy.copy(scene.model)
     if setting.timeconst_s is not None:
         for geom in touched(scene, hold):
@@ -213,7 +212,7 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> mujoco.MjModel:
 
 
 def _rank(candidate: tuple[Setting, float], bound_mm_s: float, scene: Scene) -> tuple:
-    """What is predicted to be good first, of that the cheap, then what changes least; of the rest the slowest creep.
+    """Rank what is predicted to be good first, of that the cheap, then what changes least; the rest by creep.
 
     A noslip pass counts as one change more: MuJoCo Warp has none in most releases.
     """
@@ -281,12 +280,11 @@ def along(model: mujoco.MjModel, data: mujoco.MjData, hold: Hold, time_s: float)
 
 
 def within(data: mujoco.MjData, body: int, support: int) -> np.ndarray:
-    """Where a body is, in another's frame [m]."""
+    """Say where a body is, in another's frame [m]."""
     return data.xmat[support].reshape(3, 3).T @ (data.xipos[body] - data.xpos[support])
 
 
 def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Change]:
-    """A setting as changes of files."""
     option = setting.option()
     changes = []
     if option:
@@ -298,7 +296,7 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
 
 
 def pareto(trials: Sequence[Trial]) -> list[bool]:
-    """Of which no other is both slower in its creep and faster to simulate."""
+    """Return of which no other is both slower in its creep and faster to simulate."""
     return [
         not any(
             (other.measured_mm_s <= trial.measured_mm_s and other.second_s < trial.second_s)
@@ -310,7 +308,6 @@ def pareto(trials: Sequence[Trial]) -> list[bool]:
 
 
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
-    """The trials with what was predicted and measured; a star marks what no other beats in both creep and time."""
     head = f"{'':2}{'predicted':>18}{'measured':>18}{'a step':>10}{'a second':>12}"
     yield f"{head}  setting (bound {bound_mm_s:g} mm/s; *: no other creeps less and is faster)"
     for trial, stands in zip(trials, pareto(trials), strict=True):

@@ -17,12 +17,11 @@ from newton_lint.target import Target, newtons
 
 @dataclass(frozen=True)
 class Asked:
-    """What the command is asked for besides the targets."""
+    """Options of the command besides the targets."""
 
     engine: Engine = field(default_factory=Engine)
     load: Load = field(default_factory=Load)
     work: Work | None = None
-    """A body to be held, and how it is moved."""
     below_mm_s: float | None = None
     """Creep from which what is held is a finding."""
     ignore: Collection[str] = ()
@@ -30,12 +29,11 @@ class Asked:
 
 @dataclass(frozen=True)
 class Report:
-    """What is said of a target."""
+    """A report on a target."""
 
     target: str
     dt_s: float
     shape_count: int
-    """Shapes that can collide."""
     pair_count: int
     load: Load
     findings: Sequence[Finding]
@@ -47,7 +45,7 @@ class Report:
     """Of files that a fix may write."""
 
     def worst(self) -> int:
-        """The index in ``SEVERITIES`` of the worst finding; -1 where there is none."""
+        """Return the index in ``SEVERITIES`` of the worst finding; -1 where there is none."""
         return max((SEVERITIES.index(finding.severity) for finding in self.findings), default=-1)
 
 
@@ -88,7 +86,7 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
 
 
 def as_json(report: Report) -> dict[str, Any]:
-    """What ``--json`` prints; docs/lint.md is its schema."""
+    """Return what ``--json`` prints; docs/lint.md is its schema."""
     return {
         "schema": 2,
         "target": report.target,

@@ -36,7 +36,7 @@ OVERRULED = "never reaches the solver: the other geom has the higher priority"
 
 
 def lint(scene: Scene) -> list[Finding]:
-    """Everything that the rules find, in their order."""
+    """Return everything that the rules find, in their order."""
     rules = (solref_format, solimp, timeconst, dampratio, one_sided, priority, unused, untouched)
     names = scene.names
     found = [finding for rule in rules for each in rule(scene) for finding in findings_of(each, names)]
@@ -45,7 +45,7 @@ def lint(scene: Scene) -> list[Finding]:
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
-    """Solrefs that are half timeconst and half damping."""
+    """Yield solrefs that are half timeconst and half damping."""
     own = scene.model.geom_solref
     shape = np.flatnonzero(scene.counts & ((own[:, 0] > 0.0) != (own[:, 1] > 0.0)))
     message = "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used"
@@ -58,7 +58,7 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
-    """Entries of solimp beyond 0 and 1, or in the wrong order."""
+    """Yield entries of solimp beyond 0 and 1, or in the wrong order."""
     geoms = np.flatnonzero(scene.counts)
     dmin, dmax, width, midpoint, power = scene.model.geom_solimp[geoms].T
     faults = {
@@ -79,7 +79,7 @@ def solimp(scene: Scene) -> Iterator[Hits]:
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
-    """A timeconst below what the engine takes: two steps, or with ``discrete`` one over the dampratio."""
+    """Yield a timeconst below what the engine takes: two steps, or with ``discrete`` one over the dampratio."""
     contacts, option = scene.contacts, scene.option
     if not option.refsafe:
         return
@@ -102,7 +102,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """A contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
+    """Yield a contact that yields as the square of its damping ratio, or, as may be meant, one that bounces."""
     contacts = scene.contacts
     first, second = contacts.solref.T
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -126,7 +126,7 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
-    """Geoms that were made stiff, and meet only geoms that were not: solmix makes their contacts about half as soft."""
+    """Yield stiff geoms that meet only soft ones: solmix makes their contacts about half as soft."""
     contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
     differ = ~np.isclose(own[contacts.first], own[contacts.second], rtol=SAME)
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
@@ -146,7 +146,7 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
 
 
 def priority(scene: Scene) -> Iterator[Hits]:
-    """Authored parameters of geoms that are outranked wherever they touch."""
+    """Yield authored parameters of geoms that are outranked wherever they touch."""
     contacts, model = scene.contacts, scene.model
     there = np.flatnonzero(contacts.outranked & ~scene.counts[contacts.second])
     winner, loser = contacts.first[there], contacts.second[there]
@@ -165,7 +165,7 @@ def priority(scene: Scene) -> Iterator[Hits]:
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
-    """Friction of a kind for which a geom's contacts have no rows."""
+    """Yield friction of a kind for which a geom's contacts have no rows."""
     contacts, model = scene.contacts, scene.model
     largest = np.zeros(model.ngeom, dtype=int)
     plain = contacts.named < 0
@@ -188,7 +188,7 @@ def unused(scene: Scene) -> Iterator[Hits]:
 
 
 def untouched(scene: Scene) -> Iterator[Hits]:
-    """Geoms whose own tag has contact parameters, and that no pair has."""
+    """Yield geoms whose own tag has contact parameters, and that no pair has."""
     contacts, model, source = scene.contacts, scene.model, scene.source
     collides = (model.geom_contype | model.geom_conaffinity) != 0
     met = np.zeros(model.ngeom, dtype=bool)
@@ -205,7 +205,6 @@ def untouched(scene: Scene) -> Iterator[Hits]:
 
 
 def _stiffer_first(scene: Scene, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Geoms of pairs, the one with the smaller timeconst first, where neither outranks the other."""
     contacts, own = scene.contacts, scene.model.geom_solref[:, 0]
     first, second = contacts.first[pairs], contacts.second[pairs]
     swap = (own[second] < own[first]) & ~contacts.outranked[pairs]
@@ -213,7 +212,6 @@ def _stiffer_first(scene: Scene, pairs: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _says(scene: Scene, pair: int, geom: int, attribute: str):
-    """Where a pair's parameter is written: the ``<pair>`` that names it, or the geom."""
     contacts, model = scene.contacts, scene.model
     if contacts.named[pair] >= 0:
         return scene.source.pair(*(model.geom(int(each[pair])).name for each in (contacts.first, contacts.second)))

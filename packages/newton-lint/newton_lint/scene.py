@@ -18,7 +18,7 @@ TENDON = int(mujoco.mjtTrn.mjTRN_TENDON)
 
 @dataclass(frozen=True)
 class Engine:
-    """Whose rules count, and what is asked for in place of what the scene says."""
+    """An engine whose rules count, and options in place of the scene's."""
 
     name: str = "mujoco"
     """``mujoco``, ``warp`` or ``newton``."""
@@ -27,7 +27,7 @@ class Engine:
     impratio: float | None = None
 
     def asked(self, model: mujoco.MjModel) -> mujoco.MjModel:
-        """A model with what is asked for in place of what the scene says."""
+        """Return a model with what is asked for in place of what the scene says."""
         if (self.timestep_s, self.cone, self.impratio) == (None, None, None):
             return model
         model = copy.copy(model)
@@ -40,7 +40,7 @@ class Engine:
 
 @dataclass(frozen=True)
 class Scene:
-    """What the rules read of a MuJoCo model."""
+    """A MuJoCo model as the rules read it."""
 
     model: mujoco.MjModel
     source: Source
@@ -56,7 +56,7 @@ class Scene:
 
     @cached_property
     def colliding(self) -> int:
-        """How many geoms can collide."""
+        """Say how many geoms can collide."""
         model = self.model
         named = np.zeros(model.ngeom, dtype=bool)
         named[model.pair_geom1] = named[model.pair_geom2] = True
@@ -64,12 +64,12 @@ class Scene:
 
     @cached_property
     def bodies(self) -> list[str]:
-        """Names of the bodies; one without a name goes by its number."""
+        """Return names of the bodies; one without a name goes by its number."""
         return [self.model.body(index).name or f"body_{index}" for index in range(self.model.nbody)]
 
     @cached_property
     def names(self) -> list[str]:
-        """Body and geom of each geom, ``cube/box``; of the world's only the geom."""
+        """Return body and geom of each geom, ``cube/box``; of the world's only the geom."""
         model = self.model
         geoms = [model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)]
         owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
@@ -77,7 +77,7 @@ class Scene:
 
     @cached_property
     def counts(self) -> np.ndarray:
-        """Whether a geom's own parameters count in any pair."""
+        """Tell whether a geom's own parameters count in any pair."""
         contacts, there = self.contacts, np.zeros(self.model.ngeom, dtype=bool)
         plain = contacts.named < 0
         there[contacts.first[plain]] = True
@@ -86,7 +86,7 @@ class Scene:
 
     @cached_property
     def free(self) -> np.ndarray:
-        """Whether a body hangs on nothing that holds it: it, or what it is fixed to, has a free joint."""
+        """Tell whether a body hangs on nothing that holds it: it, or what it is fixed to, has a free joint."""
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
@@ -94,7 +94,7 @@ class Scene:
 
     @cached_property
     def posed(self) -> mujoco.MjData:
-        """Places of the bodies in the model's own pose."""
+        """Return places of the bodies in the model's own pose."""
         data = mujoco.MjData(self.model)
         mujoco.mj_kinematics(self.model, data)
         mujoco.mj_comPos(self.model, data)
@@ -102,7 +102,7 @@ class Scene:
 
     @cached_property
     def driven(self) -> np.ndarray:
-        """Whether an actuator moves a body's own joint, directly, by a tendon or by a coupling."""
+        """Tell whether an actuator moves a body's own joint, directly, by a tendon or by a coupling."""
         model = self.model
         joints = np.zeros(model.njnt, dtype=bool)
         for kind, target in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True):

@@ -19,7 +19,7 @@ WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:
-    """Bodies that move freely, and that gravity takes through all that there is to stop them."""
+    """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
     model, contacts = scene.model, scene.contacts
     weld = model.body_weldid[model.geom_bodyid]
     collides = (model.geom_contype | model.geom_conaffinity) != 0
@@ -41,7 +41,7 @@ def lost(scene: Scene) -> Iterator[Finding]:
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
-    """What a pyramidal cone makes of a high impratio, and of friction above 1."""
+    """Yield what a pyramidal cone makes of a high impratio, and of friction above 1."""
     option, contacts = scene.option, scene.contacts
     rows = contacts.condim > 1
     if option.cone != "pyramidal" or not rows.any():
@@ -59,7 +59,7 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
 
 
 def named_pairs(scene: Scene) -> Iterator[Finding]:
-    """Pairs that the scene names, and that make no contact or one without effect."""
+    """Yield pairs that the scene names, and that make no contact or one without effect."""
     model = scene.model
     pairs = np.stack([model.pair_geom1, model.pair_geom2], axis=1)
     still = (model.body_dofnum[model.body_weldid[model.geom_bodyid[pairs]]] == 0).all(axis=1)
@@ -75,7 +75,7 @@ def named_pairs(scene: Scene) -> Iterator[Finding]:
 
 
 def flags(scene: Scene) -> Iterator[Finding]:
-    """The override flag, which leaves all that geoms say of contacts unread."""
+    """Yield the override flag, which leaves all that geoms say of contacts unread."""
     model, opt = scene.model, scene.model.opt
     if opt.enableflags & OVERRIDE and len(scene.contacts):
         message = "is on: all contacts have the option's solref, solimp and friction, whatever their geoms say"
@@ -92,7 +92,7 @@ def flags(scene: Scene) -> Iterator[Finding]:
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
-    """What MuJoCo Warp refuses, or takes otherwise than MuJoCo C."""
+    """Yield what MuJoCo Warp refuses, or takes otherwise than MuJoCo C."""
     if scene.engine.name != "warp":
         return
     opt = scene.model.opt
@@ -117,13 +117,12 @@ def _whole(
     severity: str = "warning",
     unit: str = "1",
 ) -> Finding:
-    """A finding of the scene's options."""
     element = scene.source.option(parameter)
     return Finding(rule, "", (), parameter, value, used, unit, message, severity, element, advice)
 
 
 def excluded(scene: Scene) -> Iterator[Finding]:
-    """Bodies that move freely, and pass through what an actuator moves because of an exclude."""
+    """Yield bodies that move freely, and pass through what an actuator moves because of an exclude."""
     model = scene.model
     for signature in model.exclude_signature.tolist():
         bodies = signature >> 16, signature & 0xFFFF

@@ -13,7 +13,7 @@ COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
 
 
 def table_of(folder: Path) -> dict[str, Any]:
-    """The table of the nearest pyproject.toml from a folder upward; empty where there is none."""
+    """Return the table of the nearest pyproject.toml from a folder upward; empty where there is none."""
     for place in (folder, *folder.parents):
         file = place / "pyproject.toml"
         if file.is_file():
@@ -30,7 +30,7 @@ def _toml(file: Path) -> dict[str, Any]:
 
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
-    """Whether a finding's rule is ignored: everywhere, by a comment before the first tag, or one on its line or above.
+    """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line.
 
     A comment that names no rule ignores all.
     """
@@ -50,7 +50,6 @@ def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool
 
 @functools.cache
 def _comments(file: Path) -> list[tuple[int, set[str]]]:
-    """Line and rules of each comment of the lint's in a file."""
     text = file.read_text(encoding="utf-8", errors="replace")
     if "newton-lint" not in text:
         return []

@@ -41,12 +41,11 @@ class Work:
     turn_rad_s: float = 0.0
     """Rate at which what holds it turns about the vertical through its root."""
     lift_m_s2: float = 0.0
-    """Acceleration against gravity."""
 
 
 @dataclass(frozen=True)
 class Touch:
-    """What one contact point bears, means over the end of the settling."""
+    """A contact point and what it bears, means over the end of the settling."""
 
     geoms: tuple[int, int]
     support: int
@@ -91,11 +90,11 @@ class Hold:
 
     @property
     def rests(self) -> bool:
-        """Whether it moves no faster than it creeps, and not because its grip still closes or opens."""
+        """Tell whether it moves no faster than it creeps, and not because its grip still closes or opens."""
         return self.moves_mm_s <= UNSETTLED * self.mm_s + UNSETTLED_MM_S
 
     def findings(self, scene: Scene, below_mm_s: float | None) -> list[Finding]:
-        """That it slides, has not settled, or creeps faster than it may."""
+        """Say that it slides, has not settled, or creeps faster than it may."""
         touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
         if not self.rests:
             message = "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle"
@@ -147,7 +146,7 @@ def body_of(scene: Scene, target: str, name: str) -> int:
 
 
 def started(model: mujoco.MjModel, given: mujoco.MjData | None = None) -> mujoco.MjData:
-    """The state in which a scene starts: a copy of the given one, or its first keyframe, or the model's own."""
+    """Return the state in which a scene starts: a copy of the given one, or its first keyframe, or the model's own."""
     data = mujoco.MjData(model)
     if given is not None:
         data.time = given.time
@@ -191,7 +190,7 @@ def touches_of(scene: Scene, data: mujoco.MjData, body: int, step_count: int) ->
 
 
 def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
-    """Normal force, friction on the second geom, normal, position, used share of the cone and weight of one contact."""
+    """Return normal force, friction on the second geom, normal, position, cone use and weight of one contact."""
     model, contact, force = scene.model, data.contact[index], np.zeros(6)
     if contact.efc_address < 0:
         return None
@@ -214,7 +213,7 @@ def _told(scene: Scene, data: mujoco.MjData, index: int) -> np.ndarray | None:
 
 
 def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: mujoco.MjData) -> Hold:
-    """The creep of a held body by the law, under the settings of a scene, and with what else moves it.
+    """Return the creep of a held body by the law, under the settings of a scene, and with what else moves it.
 
     Args:
         data: A state in which the body is touched so.
@@ -259,7 +258,7 @@ def _slide(
     points: Sequence[tuple[Response, float]],
     more_n: np.ndarray,
 ) -> np.ndarray:
-    """How a body moves as one where each point gives way to its friction and none to its normal force [m/s].
+    """Say how a body moves as one where each point gives way to its friction and none to its normal force [m/s].
 
     The friction of the points, and what acts on the centre of mass besides, are borne by a motion of the joints that
     the body has alone.
@@ -281,7 +280,6 @@ def _slide(
 
 
 def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> float:
-    """How fast a body moves relative to what it touches [m/s]."""
     own, other = np.zeros(6), np.zeros(6)
     for each, into in ((body, own), (support, other)):
         mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), each, into, 0)
@@ -290,7 +288,6 @@ def _speed(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) 
 
 
 def _pair_indices(scene: Scene) -> dict[tuple[int, int], int]:
-    """Index of each pair by its geoms, the lower first; a pair that is named twice has the last."""
     contacts = scene.contacts
     pairs = np.sort(np.stack([contacts.first, contacts.second], axis=1), axis=1)
     return {(int(one), int(other)): index for index, (one, other) in enumerate(pairs)}

@@ -25,7 +25,7 @@ class Element:
     children: list["Element"] = field(default_factory=list)
 
     def walk(self) -> Iterator["Element"]:
-        """It and all within it, in their order."""
+        """Yield it and all within it, in their order."""
         yield self
         for child in self.children:
             yield from child.walk()
@@ -39,7 +39,7 @@ class Element:
 
 
 def parse(path: Path, root: Path | None = None) -> Element:
-    """A file's first element, those of the files that it includes in place of their tags.
+    """Return a file's first element, those of the files that it includes in place of their tags.
 
     Raises:
         OSError: There is no such file.
@@ -92,7 +92,6 @@ class Source:
 
     @cached_property
     def _placed(self) -> list[tuple[Element, str | None, list[tuple[Element, str | None]]]]:
-        """Bodies in the order of the model, the world first: element, childclass, and its geoms with theirs."""
         if self.root is None or self.root.tag != "mujoco":
             return []
         worlds = [child for world in self.root.sections("worldbody") for child in world.children]
@@ -100,7 +99,7 @@ class Source:
 
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
-        """Element and class of the geoms whose place is known."""
+        """Return element and class of the geoms whose place is known."""
         bodies, model = self._placed, self._model
         counts = [len(geoms) for _, _, geoms in bodies]
         in_order = [geom for _, _, geoms in bodies for geom in geoms]
@@ -115,7 +114,6 @@ class Source:
 
     @cached_property
     def _defaults(self) -> dict[str, list[Element]]:
-        """The default elements of each class, its own before those that it is within."""
         found: dict[str, list[Element]] = {}
 
         def visit(element: Element, outer: list[Element], name: str) -> None:
@@ -134,7 +132,7 @@ class Source:
         return first.attributes.get("class", "main") if first else "main"
 
     def authored(self, geom: int, attribute: str) -> Element | None:
-        """The element that says a geom's attribute, its own or a default's; None where none does."""
+        """Return the element that says a geom's attribute, its own or a default's; None where none does."""
         if geom not in self.geoms:
             return None
         element, name = self.geoms[geom]
@@ -147,17 +145,17 @@ class Source:
         return None
 
     def geom(self, index: int) -> Element | None:
-        """A geom's own element."""
+        """Return a geom's own element."""
         return self.geoms[index][0] if index in self.geoms else None
 
     def option(self, attribute: str = "") -> Element | None:
-        """The ``<option>`` that says an attribute; any where none does, and None where there is none."""
+        """Return the ``<option>`` that says an attribute; any where none does, and None where there is none."""
         options = list(self.root.sections("option")) if self.root and self.root.tag == "mujoco" else []
         said = [element for element in options if attribute in element.attributes]
         return (said or options or [None])[-1]
 
     def pair(self, *names: str) -> Element | None:
-        """The ``<pair>`` of two geoms, by their names."""
+        """Return the ``<pair>`` of two geoms, by their names."""
         for contact in self.root.sections("contact") if self.root else ():
             for pair in contact.sections("pair"):
                 if {pair.attributes.get("geom1"), pair.attributes.get("geom2")} == set(names):
@@ -166,7 +164,7 @@ class Source:
 
 
 def _bodies(element: Element, inherited: str | None) -> Iterator[tuple]:
-    """A body and those within it; frames and replicates are passed through, and a replicate counts as often as it says.
+    """Yield a body and those within it; a replicate counts as often as it says.
 
     Yields:
         Element, childclass, and the geoms of the body with their classes.

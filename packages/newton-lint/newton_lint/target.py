@@ -41,7 +41,7 @@ class TargetError(Exception):
 
 
 def found_in(names: list[str]) -> Iterator[str]:
-    """The targets, with folders replaced by the scenes within them.
+    """Yield the targets, with folders replaced by the scenes within them.
 
     Raises:
         TargetError: A folder has none.
@@ -61,7 +61,7 @@ def _is_scene(path: Path) -> bool:
 
 
 def read_target(target: str) -> Target:
-    """The model at a target; what is printed meanwhile goes to the standard error.
+    """Return the model at a target; what is printed meanwhile goes to the standard error.
 
     Raises:
         TargetError: There is no such file, module or function, or it gives no model.
@@ -87,7 +87,7 @@ def _read_file(target: str, path: Path) -> Target:
 
 
 def compiled(path: Path) -> mujoco.MjModel:
-    """A file as MuJoCo compiles it; without sensors and textures, which decide nothing, where those are what is amiss.
+    """Compile a file; without sensors and textures, which decide nothing, where those are what is amiss.
 
     Raises:
         ValueError: MuJoCo refuses it.
@@ -121,7 +121,7 @@ def _returned(target: str) -> Any:
 
 
 def _of(target: str, found: Any) -> Target:
-    """A target of what a function returns: a model, an MjSpec, or a model with its data, or what has them."""
+    """Return a target of what a function returns: a model, an MjSpec, or a model with its data, or what has them."""
     data = None
     if isinstance(found, tuple) and len(found) == 2:
         found, data = found
@@ -140,7 +140,7 @@ def _of(target: str, found: Any) -> Target:
 
 
 def newtons(target: str, module: str, function: str, *given: Any) -> Any:
-    """What the part for Newton's models has of it; it is read where it is needed, for it takes seconds to import.
+    """Ask the part for Newton's models, which takes seconds to import, and so is imported where it is needed.
 
     Raises:
         TargetError: Newton is not installed, or fails.
@@ -156,7 +156,6 @@ def newtons(target: str, module: str, function: str, *given: Any) -> Any:
 
 
 def _imported(name: str) -> ModuleType:
-    """A module by its name, or by its file."""
     if not name.endswith(".py"):
         return importlib.import_module(name)
     spec = importlib.util.spec_from_file_location(f"linted_{Path(name).stem}", name)

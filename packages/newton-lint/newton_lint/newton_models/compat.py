@@ -1,9 +1,4 @@
-"""Where Newton's releases differ, and which one changed what. All else here runs on 1.4.0 to 1.8.0 as it is.
-
-What needs nothing here: 1.5.0 adds a row to ``Model.gravity`` for what is in no world, which ``set_gravity`` knows, and
-gives a geom that collides a contype or a conaffinity, not always both; 1.8.0 reads the joints' damping from the URDF,
-and deprecates ``update_data_interval`` of ``SolverMuJoCo``, which still works.
-"""
+"""Where Newton's releases differ, and which one changed what. All else here runs on 1.4.0 to 1.8.0 as it is."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,7 +18,7 @@ in any release."""
 
 
 def release(version: str = newton.__version__) -> tuple[int, ...]:
-    """A release as numbers, up to what is no number: (1, 5, 0) for ``1.5.0`` and for ``1.5.0.dev1``."""
+    """Return a release as numbers, up to what is no number: (1, 5, 0) for ``1.5.0`` and for ``1.5.0.dev1``."""
     numbers = []
     for part in version.split("."):
         if not part.isdigit():
@@ -33,17 +28,17 @@ def release(version: str = newton.__version__) -> tuple[int, ...]:
 
 
 def kf_is_read() -> bool:
-    """Whether ``SolverMuJoCo`` of the installed release reads ``ShapeConfig.kf``."""
+    """Tell whether ``SolverMuJoCo`` of the installed release reads ``ShapeConfig.kf``."""
     return release() >= KF_RELEASE
 
 
 def warp_has_noslip() -> bool:
-    """Whether MuJoCo Warp of the installed release has the noslip pass, as the one of 1.8.0 does; C has it in all."""
+    """Tell whether MuJoCo Warp of the installed release has the noslip pass; C has it in all."""
     return any(field.name == "noslip_iterations" for field in fields(mujoco_warp.Option))
 
 
 def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = None, **options) -> SolverMuJoCo:
-    """A silent ``SolverMuJoCo``.
+    """Return a silent ``SolverMuJoCo``.
 
     Args:
         friction_timeconst_s: Timeconst [s] for the friction rows of Newton's contacts in place of the release's, or 0
@@ -63,7 +58,7 @@ def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = Non
 
 @contextmanager
 def _buffers_on_the_device() -> Iterator[None]:
-    """Within it ``mujoco_warp.put_data`` allocates room for contacts and constraint rows on the device.
+    """Return within it ``mujoco_warp.put_data`` allocates room for contacts and constraint rows on the device.
 
     By itself it makes arrays of zeros on the host and copies them: with the buffers as shipped that is 2 MB a world,
     and a minute for 16,384 of them. Each step fills them anew, all but the contacts' type, which Newton leaves alone.

@@ -52,19 +52,19 @@ class Shapes:
         return np.where(there[:, None], converted, DEFAULT_SOLREF)
 
     def option(self, name: str, default: float) -> float:
-        """An option of the engine that the model says, as one read from MJCF does."""
+        """Return an option of the engine that the model says, as one read from MJCF does."""
         array = getattr(self._attributes, name, None)
         return default if array is None else float(array.numpy().reshape(-1)[0])
 
     def names(self) -> list[str]:
-        """Body and shape of each, e.g. ``fr3_leftfinger/shape_21``; only the shape's label where that says it all."""
+        """Return body and shape of each, as ``fr3_leftfinger/shape_21``."""
         shapes = [label.rsplit("/", 1)[-1] for label in self.model.shape_label]
         bodies = [label.rsplit("/", 1)[-1] for label in self.model.body_label]
         owners = [bodies[body] if body >= 0 else label for body, label in zip(self.body, shapes, strict=True)]
         return [label if owner == label else f"{owner}/{label}" for owner, label in zip(owners, shapes, strict=True)]
 
     def inverse_mass(self) -> np.ndarray:
-        """Translational body_invweight0 of each shape's body [1/kg]: 1 / mass of one that moves freely, 0 of the world,
+        """Return translational body_invweight0 of each shape's body [1/kg]: 1 / mass of a free one, 0 of the world,
         and NaN of one with joints, whose inverse weight depends on all that it hangs on."""
         model = self.model
         held = np.zeros(model.body_count, dtype=bool)
@@ -99,19 +99,19 @@ class Contacts:
 
     @property
     def timeconst(self) -> np.ndarray:
-        """[s]; of a solref that is given as stiffness and damping, negative."""
+        """Return [s]; of a solref that is given as stiffness and damping, negative."""
         return self.solref[:, 0]
 
     @property
     def dampratio(self) -> np.ndarray:
-        """Share of critical damping, also of a solref that is given as stiffness and damping."""
+        """Return share of critical damping, also of a solref that is given as stiffness and damping."""
         first, second = self.solref.T
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
 
 
 def contacts_of(shapes: Shapes, named: bool = True) -> Contacts:
-    """The pairs of the first world, shared shapes included, that no filter keeps apart; combined as ``contact_params``
+    """Return the pairs of the first world that no filter keeps apart, combined as ``contact_params``
     of Newton's MuJoCo kernels does.
 
     Args:
@@ -156,7 +156,6 @@ PAIR_DEFAULTS = {"pair_solref": DEFAULT_SOLREF, "pair_solimp": SOLIMP, "pair_con
 
 
 def _explicit_pairs(shapes: Shapes, named: bool) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Shapes of the pairs that MJCF names, and their parameters, by the names of the solver's custom attributes."""
     attributes = getattr(shapes.model, "mujoco", None)
     arrays = {name: getattr(attributes, name, None) for name in ("pair_geom1", "pair_geom2", "pair_world")}
     if not named or any(array is None or not len(array) for array in arrays.values()):
@@ -171,12 +170,10 @@ def _explicit_pairs(shapes: Shapes, named: bool) -> tuple[np.ndarray, dict[str, 
 
 
 def _in_first_world(worlds: np.ndarray) -> np.ndarray:
-    """Whether it is the first one's, or all worlds share it."""
     return (worlds == 0) | (worlds == -1)
 
 
 def _key(pairs: np.ndarray, shapes: Shapes) -> np.ndarray:
-    """A number for each pair, whichever of its shapes comes first."""
     return pairs.min(axis=1) * shapes.model.shape_count + pairs.max(axis=1)
 
 

@@ -37,7 +37,7 @@ def dropped(scene: Scene, target: Target) -> list[Finding]:
 
 
 def _plain(label: str) -> str:
-    """A geom's name in MJCF: Newton puts the bodies before it, and its number behind."""
+    """Return a geom's name in MJCF: Newton puts the bodies before it, and its number behind."""
     return re.sub(r"_\d+$", "", label.rsplit("/", 1)[-1])
 
 
@@ -73,7 +73,6 @@ def _options(scene: Scene, theirs: mujoco.MjModel) -> Iterator[Finding]:
 
 
 def _parameters(scene: Scene, theirs: mujoco.MjModel, known: dict[int, int]) -> Iterator[Finding]:
-    """Contact parameters of geoms that both have by name."""
     for name in OF_GEOMS:
         mine, other = (getattr(model, f"geom_{name}").reshape(model.ngeom, -1) for model in (scene.model, theirs))
         for index, twin in known.items():
@@ -85,7 +84,6 @@ def _parameters(scene: Scene, theirs: mujoco.MjModel, known: dict[int, int]) -> 
 
 
 def _pairs(scene: Scene, theirs: mujoco.MjModel, known: dict[int, int]) -> Iterator[Finding]:
-    """Parameters of pairs that the file names."""
     ours = scene.model
     twins = {
         (int(a), int(b)): index for index, (a, b) in enumerate(zip(theirs.pair_geom1, theirs.pair_geom2, strict=True))

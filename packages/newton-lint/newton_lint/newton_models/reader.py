@@ -17,7 +17,7 @@ READERS = {".xml": "add_mjcf", ".urdf": "add_urdf"}
 
 @contextlib.contextmanager
 def _muted_standard_error() -> Iterator[None]:
-    """What Warp's library writes goes nowhere: of a machine without a GPU it warns, and the lint takes none."""
+    """Return what Warp's library writes goes nowhere: of a machine without a GPU it warns, and the lint takes none."""
     kept, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 2)
     try:
@@ -39,7 +39,7 @@ def is_model(found: Any) -> bool:
 
 
 def imported(path: Path) -> newton.Model:
-    """A file as Newton's importer reads it, with the attributes of ``SolverMuJoCo``."""
+    """Return a file as Newton's importer reads it, with the attributes of ``SolverMuJoCo``."""
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     getattr(builder, READERS.get(path.suffix.lower(), "add_usd"))(str(path))

@@ -38,7 +38,7 @@ def report_of(target: Target, asked: Asked) -> Report:
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
-    """Of all pairs that have friction, those alike together, in the order of the model.
+    """Return of all pairs that have friction, those alike together, in the order of the model.
 
     Left out are pairs whose solref depends on the bodies' masses, as that of shapes in force space, and those without
     damping, which nothing brakes.
@@ -67,7 +67,7 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 
 
 def inverse_weights(model: newton.Model) -> np.ndarray:
-    """Translational body_invweight0 of each body [1/kg], and a last one of the world, as the engine compiles them."""
+    """Return translational body_invweight0 of each body [1/kg], as the engine compiles it; the world's is the last."""
     weights = np.zeros(model.body_count + 1)
     solver = make_solver(model, use_mujoco_cpu=True)
     of_newton = solver.mjc_body_to_newton.numpy()[0]
@@ -77,7 +77,7 @@ def inverse_weights(model: newton.Model) -> np.ndarray:
 
 
 def _friction_solref(scene: Scene, weight: np.ndarray) -> np.ndarray:
-    """Of friction rows that kf gives a timeconst of their own; see ``compat.KF_RELEASE``."""
+    """Return of friction rows that kf gives a timeconst of their own; see ``compat.KF_RELEASE``."""
     dmax = scene.contacts.solimp[:, 1]
     with np.errstate(divide="ignore", invalid="ignore"):
         own = 2.0 / (scene.kf * weight * ((1.0 - dmax) / scene.engine.impratio + dmax))

@@ -60,7 +60,7 @@ class Scene:
 
     @cached_property
     def settled(self) -> tuple[np.ndarray, np.ndarray]:
-        """Which shapes' parameters count in a pair, and in which: both of a pair unless one outranks the other."""
+        """Return which shapes' parameters count in which pair: both unless one outranks the other."""
         contacts, priority = self.contacts, self.shapes.priority
         plain = ~contacts.explicit
         level = plain & (priority[contacts.first] == priority[contacts.second])
@@ -69,19 +69,19 @@ class Scene:
 
     @cached_property
     def kf(self) -> np.ndarray:
-        """Of each pair."""
+        """Return of each pair."""
         contacts, kf = self.contacts, self.shapes.kf
         return contacts.mix * kf[contacts.first] + (1.0 - contacts.mix) * kf[contacts.second]
 
     @cached_property
     def has_friction(self) -> np.ndarray:
-        """Whether a pair's contacts have friction rows: none with a condim of 1, nor with a kf of 0 that is read."""
+        """Tell whether a pair has friction rows: none with a condim of 1, or a kf of 0 that is read."""
         rows = self.contacts.condim > 1
         return rows if kf_unread(self.engine) else rows & (self.kf != 0.0)
 
 
 def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = ()) -> list[Finding]:
-    """Everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
+    """Return everything in a finalized model that ``SolverMuJoCo`` will not use as it was authored.
 
     Args:
         model: Any finalized model, with or without the solver's custom attributes, or without shapes.
@@ -93,14 +93,14 @@ def lint(model: newton.Model, engine: Engine, buffers: Sequence[Buffer] = ()) ->
 
 
 def findings_of(scene: Scene) -> list[Finding]:
-    """What the rules say of a scene that has shapes."""
+    """Return what the rules say of a scene that has shapes."""
     names = scene.shapes.names()
     rules = (priority, default_gap, timeconst, ke_without_kd, dampratio, friction_gain, unused)
     return [finding for rule in rules for found in rule(scene) for finding in told(found, names)]
 
 
 def read(model: newton.Model, engine: Engine) -> Scene:
-    """What the rules read of a model that has shapes."""
+    """Return what the rules read of a model that has shapes."""
     shapes = Shapes(model)
     told = {
         "cone": engine.cone or CONES[int(shapes.option("cone", 0))],
@@ -110,7 +110,7 @@ def read(model: newton.Model, engine: Engine) -> Scene:
 
 
 def priority(scene: Scene) -> Iterator[Hits]:
-    """Authored parameters of the shape of lower priority: of such a pair only the other's values are used."""
+    """Yield authored parameters of the shape of lower priority: of such a pair only the other's values are used."""
     shapes, contacts = scene.shapes, scene.contacts
     there = ~contacts.explicit & (shapes.priority[contacts.first] > shapes.priority[contacts.second])
     winner, loser = contacts.first[there], contacts.second[there]
@@ -131,13 +131,7 @@ def priority(scene: Scene) -> Iterator[Hits]:
         if name in ("ke", "kd"):
             lost &= ~raw  # they are not what the solver reads of a shape with a solref of its own
         yield hits(
-            "priority",
-            name,
-            loser[lost],
-            winner[lost],
-            values[loser[lost]],
-            values[winner[lost]],
-            OVERRULED,
+            *("priority", name, loser[lost], winner[lost], values[loser[lost]], values[winner[lost]], OVERRULED),
             severity="note",
         )
     for index, default in enumerate(DEFAULT_SOLREF):
@@ -145,19 +139,13 @@ def priority(scene: Scene) -> Iterator[Hits]:
         values, used = shapes.solref[loser, index], contacts.solref[there, index]
         lost = raw & ~same(values, default) & ~same(values, used)
         yield hits(
-            "priority",
-            f"solref[{index}]",
-            loser[lost],
-            winner[lost],
-            values[lost],
-            used[lost],
-            OVERRULED,
+            *("priority", f"solref[{index}]", loser[lost], winner[lost], values[lost], used[lost], OVERRULED),
             severity="note",
         )
 
 
 def default_gap(scene: Scene) -> Iterator[Hits]:
-    """Shapes that were left at the builder's gap although some that they can touch were not. Gaps of a pair add."""
+    """Yield shapes left at the builder's gap although some that they can touch were not. Gaps of a pair add."""
     shapes, contacts = scene.shapes, scene.contacts
     default = newton.ModelBuilder().rigid_gap
     plain = ~contacts.explicit
@@ -171,7 +159,7 @@ def default_gap(scene: Scene) -> Iterator[Hits]:
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
-    """A timeconst below two substeps, which the engine does not take."""
+    """Yield a timeconst below two substeps, which the engine does not take."""
     if not scene.engine.refsafe:
         return
     contacts, limit = scene.contacts, 2.0 * scene.engine.substep_dt
@@ -183,7 +171,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
 
 
 def ke_without_kd(scene: Scene) -> Iterator[Hits]:
-    """ke or kd of which the other is 0: neither is read, and the contact is as stiff and as damped as by default."""
+    """Yield ke or kd of which the other is 0: neither is read, and the contact has the default's solref."""
     shapes = scene.shapes
     counts, _ = scene.settled
     shape = _each(counts)
@@ -198,7 +186,7 @@ def ke_without_kd(scene: Scene) -> Iterator[Hits]:
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """A contact that rings, or that yields as the square of its damping ratio."""
+    """Yield a contact that rings, or that yields as the square of its damping ratio."""
     contacts = scene.contacts
     ratio, timeconst_s = contacts.dampratio, contacts.timeconst
     with np.errstate(invalid="ignore"):
@@ -215,7 +203,7 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 
 def friction_gain(scene: Scene) -> Iterator[Hits]:
-    """kf that was authored, and is not read, or takes the friction away, or asks for a timeconst below two substeps.
+    """Yield authored kf that is not read, takes the friction away, or asks for a timeconst below two substeps.
 
     Clamped is said of pairs of which both bodies move freely or not at all: another one's weight is not in the model.
     """
@@ -245,7 +233,7 @@ def friction_gain(scene: Scene) -> Iterator[Hits]:
 
 
 def kf_unread(engine: Engine) -> str:
-    """Why kf is not read; empty where it is."""
+    """Say why kf is not read; empty where it is."""
     if not kf_is_read():
         return "of this release"
     if engine.contacts != "newton":
@@ -254,7 +242,7 @@ def kf_unread(engine: Engine) -> str:
 
 
 def unused(scene: Scene) -> Iterator[Hits]:
-    """What no contact of a shape reads: restitution, and friction of a kind for which its condim has no rows."""
+    """Yield what no contact of a shape reads: restitution, and friction of a kind for which its condim has no rows."""
     shapes, contacts = scene.shapes, scene.contacts
     config = newton.ModelBuilder.ShapeConfig()
     shape, pair = scene.settled
@@ -270,7 +258,6 @@ def unused(scene: Scene) -> Iterator[Hits]:
 
 
 def _each(shapes: np.ndarray) -> np.ndarray:
-    """Each of the shapes once, in their order in the model."""
     return np.flatnonzero(np.bincount(shapes))
 
 
