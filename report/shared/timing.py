@@ -53,7 +53,9 @@ def as_said(results: Results, name: str, outcome: Outcome, taken: Quantity, *tim
     agree = at_most(apart, 10.0, why="the medians say the same")
     both = all_of(outcome, agree)
     reason = agree.reason or "the times do not stand in the ratio that was measured"
-    return both if agree == HOLDS else replace(both, name="unknown", reason=reason, is_opposite=False, is_near=False)
+    if agree == HOLDS:
+        return both
+    return replace(both, name="unknown", reason=reason, is_opposite=False, is_inconclusive=False)
 
 
 def world_axis(axes: Axes, counts: list[int]) -> None:

@@ -11,7 +11,7 @@ from conftest import MODULE, ROWS, TEMPLATE, Toy, git
 
 from measured_report.changes import bisect
 from measured_report.changes.bisect import Bisection, bisect_commits, bisect_releases, common_repository, first_change
-from measured_report.changes.flips import decided_flips
+from measured_report.changes.flips import flips
 from measured_report.changes.history import flip_history, history
 from measured_report.changes.query import Query
 from measured_report.commands import bisect as command
@@ -163,7 +163,7 @@ def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     assert [" ".join(line.split()) for line in lines[1:4]] == ["1.4.0 holds", "1.5.9 holds", "1.6.9 not shown flipped"]
     assert history(told, Query("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
     assert history(told, Query("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
-    (flip,) = decided_flips(told, "1.4.0")
+    (flip,) = flips(told, "1.4.0")
     said = {tuple(names): claim.outcome.said for names, claim in flip.said}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "not shown"}
     assert flip_history(told, "1.4.0").splitlines()[-1].split()[:3] == ["toy.helps", "holds", "holds"]

@@ -123,7 +123,7 @@ def test_what_is_near_the_noise_has_not_flipped(toy):
         sections = [Section(claims=[Claim("same", outcome)]) for outcome in outcomes]
         return len(flips_between(*({"toy": replace(chapter, section=section)} for section in sections)))
 
-    near, unknown = Outcome("unknown", "near", is_near=True), Outcome("unknown")
+    near, unknown = Outcome("unknown", "near", is_inconclusive=True), Outcome("unknown")
     assert flip_count(HOLDS, near) == flip_count(near, FAILS) == flip_count(HOLDS, HOLDS) == 0
     assert flip_count(HOLDS, unknown) == flip_count(HOLDS, FAILS) == 1
 

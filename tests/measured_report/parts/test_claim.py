@@ -55,8 +55,8 @@ def test_what_is_near_the_noise_cannot_tell(test, pairs):
     for sizes, expected in pairs.items():
         found = test(*map(quantity, sizes))
         assert found == expected if expected else found.name == "unknown"
-        assert found.is_near == (expected is None and test in (within, claims.beyond))
-        assert ("data-src" in found.reason) == found.is_near, "its numbers lead back to where they are from"
+        assert found.is_inconclusive == (expected is None and test in (within, claims.beyond))
+        assert ("data-src" in found.reason) == found.is_inconclusive, "its numbers lead back to where they are from"
 
 
 @pytest.mark.parametrize("noise", [0.0, None])
@@ -75,7 +75,7 @@ def test_what_is_nearer_to_a_bound_than_its_noise_cannot_tell():
             test(quantity(size, noise=0.3), 1.0, why="enough"),
             test(quantity(1.0), quantity(size, noise=0.3)),
         ):
-            assert found.said == "cannot tell" and found.is_near
+            assert found.said == "cannot tell" and found.is_inconclusive
     assert at_most(quantity(0.01, noise=0.3), 0.2, why="hardly any").said == "cannot tell", "no bound below the noise"
 
 

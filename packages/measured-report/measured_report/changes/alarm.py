@@ -6,7 +6,6 @@ docs/alarm.md says what the JSON holds.
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from measured_report.changes.compare import Comparison
@@ -24,52 +23,34 @@ MARKDOWN_LIMIT = 60_000
 """Characters; a comment on GitHub holds 65,536."""
 
 
-@dataclass(frozen=True)
-class Check:
-    """All claims of one edition, and what can't be trusted of it."""
-
-    release: str
-    faults: list[Fault]
-    claims: list[tuple[str, Claim]]
-    """With the section of each."""
-    absent: list[tuple[str, str]]
-    """Sections that nothing is said of, and why."""
-
-    @property
-    def is_alarm(self) -> bool:
-        return bool(self.faults)
-
-
-def check(edition: Edition) -> Check:
-    """Return what an edition says, each claim once."""
+def check_text(edition: Edition, form: str) -> str:
+    """Return what an edition says, each claim once, as text, markdown or json."""
+    release, faults = edition.project.release, faults_of(edition)
     claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
     absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
-    return Check(edition.project.release, faults_of(edition), claims, absent)
-
-
-def check_text(found: Check, form: str) -> str:
-    """Return the check as text, markdown or json."""
     if form == "json":
-        release = {config().package: found.release}
-        claims = [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in found.claims]
-        absent = [{"section": section, "reason": reason} for section, reason in found.absent]
-        return _json("check", found, **release, faults=list(map(vars, found.faults)), claims=claims, absent=absent)
-    said = [(f"{section}.{claim.name}", claim.outcome.said, claim.text) for section, claim in found.claims]
+        parts = {
+            "faults": list(map(vars, faults)),
+            "claims": [{"section": section, "claim": claim.name, **_claim_data(claim)} for section, claim in claims],
+            "absent": [{"section": section, "reason": reason} for section, reason in absent],
+        }
+        return _json("check", bool(faults), **{config().package: release}, **parts)
+    said = [(f"{section}.{claim.name}", claim.outcome.said, claim.text) for section, claim in claims]
     if form == "markdown":
         counts = Counter(outcome for _, outcome, _ in said)
         counted = ", ".join(f"{count} {outcome}" for outcome, count in counts.items())
         told = _table(("claim", "outcome", "says"), [line for line in said if line[1] != "holds"])
-        return _markdown(f"### {config().edition_name} {found.release}: {counted}", *_fault_table(found.faults), *told)
-    lines = [fault.text for fault in found.faults]
+        return _markdown(f"### {config().edition_name} {release}: {counted}", *_fault_table(faults), *told)
+    lines = [fault.text for fault in faults]
     lines += [f"{outcome:12} {name}: {text}" for name, outcome, text in said]
-    lines += [f"{'absent':12} {section}: {reason}" for section, reason in found.absent]
+    lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
     return "\n".join(lines)
 
 
 def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     """Return the comparison as text, markdown or json, every value that moved in it or only how many did."""
     if form == "json":
-        return _json("diff", found, **_diff_data(found))
+        return _json("diff", found.is_alarm, **_diff_data(found))
     if form == "markdown":
         return _markdown(*_diff_in_markdown(found))
     lines = [" → ".join(f"{config().package} {release}" for release in found.releases), _summary(found)]
@@ -81,14 +62,14 @@ def diff_text(found: Comparison, form: str, *, all_values: bool) -> str:
     elif found.moves:
         lines += ["VALUES=all lists them"]
     lines += ["", *(f"not compared: {note}" for note in found.notes)]
-    lines += [f"cannot ring, for there is no number in both: {', '.join(found.silent)}"] if found.silent else []
+    lines += [f"missing in one of them, so that no alarm says: {', '.join(found.missing)}"] if found.missing else []
     return "\n".join(lines).rstrip()
 
 
 def upgrade_text(found: Comparison, verdict: Sequence[str], form: str) -> str:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
     if form == "json":
-        return _json("upgrade", found, verdict=list(verdict), **_diff_data(found))
+        return _json("upgrade", found.is_alarm, verdict=list(verdict), **_diff_data(found))
     if form == "markdown":
         return _markdown(*(f"- {_escaped(line)}" for line in verdict), "", *_diff_in_markdown(found))
     return "\n".join(verdict)
@@ -101,7 +82,7 @@ def _leading(found: Comparison) -> list[str]:
 
 def _summary(found: Comparison) -> str:
     """Count what differs, in one line."""
-    near = sum(move.is_near for move in found.moves)
+    near = sum(move.is_inconclusive for move in found.moves)
     return (
         f"can't be trusted: {len(found.faults)}; alarms: {len(found.alarms)}; claims that flipped: {len(found.flips)}; "
         f"values that moved beyond the noise: {len(found.moves)}, of these near it: {near}"
@@ -153,10 +134,9 @@ def _sums(moves: Iterable[Move]) -> dict[str, dict[str, int]]:
     sums: dict[str, dict[str, int]] = {}
     for move in moves:
         found = sums.setdefault(move.section, dict.fromkeys(("moved", "better", "worse", "near"), 0))
-        found["moved"] += 1
-        found["near"] += move.is_near
-        if move.direction and not move.is_near:
-            found[move.direction] += 1
+        for name in ("moved", "near" if move.is_inconclusive else move.direction):
+            if name:
+                found[name] += 1
     return sums
 
 
@@ -201,11 +181,11 @@ def _move_data(move: Move) -> dict[str, Any]:
         "unit": move.before.unit if isinstance(move.before, Quantity) else None,
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
-        "is_near": move.is_near,
+        "is_near": move.is_inconclusive,
         "verdict": move.direction,
     }
 
 
-def _json(kind: str, found: Check | Comparison, **parts: Any) -> str:
-    said = {"schema": SCHEMA, "kind": kind, "status": int(found.is_alarm), **parts}
+def _json(kind: str, is_alarm: bool, **parts: Any) -> str:
+    said = {"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}
     return json.dumps(said, indent=1, ensure_ascii=False)

@@ -16,40 +16,39 @@ from measured_report.values.noise import NOISE, Repeats, repeats_of
 
 @dataclass(frozen=True)
 class Comparison:
-    """All that differs between two editions."""
+    """All differences between two editions."""
 
     releases: tuple[str, str]
     faults: list[Fault]
-    """What can't be trusted, so that no more can be said of it."""
     flips: list[Flip]
     cells: list[Move]
-    """All values that compare, moved or not."""
+    """Values that compare, moved or not."""
     notes: list[str]
-    """What could not be compared, and why."""
+    """Said of what could not be compared, and why."""
 
     @cached_property
     def moves(self) -> list[Move]:
-        """Those that moved beyond the noise."""
+        """Return the cells that moved beyond the noise."""
         return [cell for cell in self.cells if cell.is_real]
 
     @cached_property
     def settings(self) -> list[Move]:
-        """Defaults and options that are not the same."""
+        """Return defaults and options that are not the same."""
         return [move for move in self.moves if move.is_setting]
 
     @cached_property
     def alarms(self) -> list[Move]:
-        """Settings and named numbers that moved by more than their threshold."""
-        return [move for move in self.moves if move.rings]
+        """Return settings and named numbers that moved by more than their threshold."""
+        return [move for move in self.moves if move.exceeds_threshold]
 
     @property
-    def silent(self) -> list[str]:
-        """Names that report.toml has for numbers that ring, of which none is compared: what they say is not known."""
+    def missing(self) -> list[str]:
+        """Name the numbers with a threshold that are not in both: they can raise no alarm."""
         return [name for name in config().changes.thresholds if name not in {cell.name for cell in self.cells}]
 
     @property
     def is_alarm(self) -> bool:
-        """Whether somebody has to look at it."""
+        """Tell whether somebody has to look at it."""
         return bool(self.faults or self.flips or self.alarms)
 
 
@@ -64,7 +63,7 @@ def compare(before: Edition, after: Edition) -> Comparison:
         faults=list(dict.fromkeys([*faults_between(before, after), *faults_of(before), *faults_of(after)])),
         flips=flips_between(*sides),
         cells=[each for name in shared for each in cells_between(sides[0][name], sides[1][name], repeats)],
-        notes=[*_unshared(before, after), *_costs_apart(*sides), *_unlike_runs(*sides), *_near_claims(*sides)],
+        notes=[*_unshared(before, after), *_costs_apart(*sides), *_unlike_runs(*sides), *_inconclusive_claims(*sides)],
     )
 
 
@@ -104,12 +103,12 @@ def _unlike_runs(before: Chapters, after: Chapters) -> Iterable[str]:
             yield f"{section}: all but rates of {count} runs, for another {' or '.join(names)}"
 
 
-def _near_claims(*sides: Chapters) -> Iterable[str]:
+def _inconclusive_claims(*sides: Chapters) -> Iterable[str]:
     """Name the claims that are no flips only because one of the editions has them near the noise."""
     return dict.fromkeys(
         f"{section}.{claim.name}: near the noise"
         for side in sides
         for section, chapter in side.items()
         for claim in chapter.section.claims
-        if claim.outcome.is_near
+        if claim.outcome.is_inconclusive
     )

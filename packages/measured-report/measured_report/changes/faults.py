@@ -86,7 +86,7 @@ def _breakdown(row: Mapping[str, Any], column: str = "") -> str:
 
 def _breakdown_behind(claim: Claim, edition: Edition) -> str:
     """Name the broken run for which a claim can't be told; empty where there is none."""
-    if claim.outcome.name != "unknown" or claim.outcome.is_near:
+    if claim.outcome.name != "unknown" or claim.outcome.is_inconclusive:
         return ""
     found = (
         f"{row['case']}: {reason}"

@@ -34,7 +34,7 @@ class Flip:
 
     @property
     def claim(self) -> str:
-        """As CLAIM= says it."""
+        """Name it as CLAIM= does."""
         return f"{self.section}.{self.name}"
 
     @property
@@ -55,13 +55,13 @@ class Flip:
 
     @property
     def is_decided(self) -> bool:
-        """Whether one edition upholds it and another doesn't; or else one of them can't tell."""
+        """Tell whether one edition upholds it and another doesn't; or else one of them can't tell."""
         return len({claim.outcome.name for _, claim in self.said} - {"unknown"}) > 1
 
     @property
-    def is_near(self) -> bool:
-        """Whether one of them can't tell for being near the noise, as another measurement of the same may."""
-        return any(claim.outcome.is_near for _, claim in self.said)
+    def is_inconclusive(self) -> bool:
+        """Tell whether one of them can't tell for being near the noise, as another measurement of the same may."""
+        return any(claim.outcome.is_inconclusive for _, claim in self.said)
 
 
 def flips(releases: Releases, shown: str) -> Iterator[Flip]:
@@ -74,11 +74,11 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
     sections = set().union(*releases.values())
     claims = {release: _claims(chapters) for release, chapters in releases.items()}
     for section, name in dict.fromkeys(pair for those in claims.values() for pair in those):
+        asked = {release: those[section, name] for release, those in claims.items() if (section, name) in those}
         answers = {
             release: claim
-            for release, those in claims.items()
-            if (claim := those.get((section, name)))
-            and (claim.outcome.name != "unknown" or claim.outcome.is_near or len(releases[release]) == len(sections))
+            for release, claim in asked.items()
+            if not _is_for_want(claim) or len(releases[release]) == len(sections)
         }
         terms = {release: terms_of(section, claim, releases[release]) for release, claim in answers.items()}
         here = terms.get(shown, next(iter(terms.values()), None))
@@ -88,6 +88,11 @@ def flips(releases: Releases, shown: str) -> Iterator[Flip]:
             said = [(group, answers[shown if shown in group else group[-1]]) for group in groups]
             chapter = next(chapters[section] for chapters in releases.values() if section in chapters)
             yield Flip(section, name, chapter.results.label, chapter.page, said, answers)
+
+
+def _is_for_want(claim: Claim) -> bool:
+    """Tell whether it can't tell, maybe for want of a section."""
+    return claim.outcome.name == "unknown" and not claim.outcome.is_inconclusive
 
 
 def _claims(chapters: Chapters) -> dict[tuple[str, str], Claim]:
@@ -102,12 +107,7 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     """
     is_whole = set(before) == set(after)
     found = flips({"before": before, "after": after}, "after")
-    return [flip for flip in found if not flip.is_near and (flip.is_decided or is_whole)]
-
-
-def decided_flips(releases: Releases, shown: str) -> list[Flip]:
-    """Return the claims that one edition upholds and another doesn't, as the edition ``shown`` words them."""
-    return [flip for flip in flips(releases, shown) if flip.is_decided]
+    return [flip for flip in found if not flip.is_inconclusive and (flip.is_decided or is_whole)]
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class FlipList:
     shown: str
     """The edition of the page, whose own sentences stand where they belong."""
     sections: Collection[str]
-    """Those of that edition, to link to."""
+    """Sections of that edition, to link to."""
 
     def __html__(self) -> Markup:
         by_page = {page: [flip for flip in self.flips if flip.page == page] for page in PAGES}

@@ -1,12 +1,12 @@
 """History: a number or a claim over all editions, with the noise, and what each does against the edition before."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from measured_report.changes.flips import decided_flips
+from measured_report.changes.flips import flips
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Answer, Query
 from measured_report.deriving.chapters import Chapters, Releases
+from measured_report.editions.status import aligned
 from measured_report.records.columns import column_of
 from measured_report.values.noise import NOISE, noisiest
 from measured_report.values.quantities import Quantity
@@ -14,19 +14,19 @@ from measured_report.values.quantities import Quantity
 
 @dataclass(frozen=True)
 class Point:
-    """What one edition answers."""
+    """The answer of one edition."""
 
     release: str
     answer: Answer
     noise: float | None
-    """How far apart two runs of it come out; None where nobody knows, or where it is no number."""
+    """Difference between two runs; None where nobody knows, or where it is no number."""
     said: str
     mark: str = ""
-    """What it is against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
+    """Against the answer before: better, worse, moved or flipped; empty where it is the same, or first."""
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The number less its noise, and with it."""
+        """Return the number less its noise, and with it."""
         off = self.noise or 0.0
         return float(self.answer) - off, float(self.answer) + off
 
@@ -62,7 +62,7 @@ def history(releases: Releases, query: Query) -> str:
         for release, chapters in releases.items()
         if (why := _reason(query, chapters)) or release in found
     ]
-    return "\n".join([query.text, *(_aligned(lines) or ["no edition can tell"])])
+    return "\n".join([query.text, aligned(lines) or "no edition can tell"])
 
 
 def _reason(query: Query, chapters: Chapters) -> str:
@@ -76,12 +76,7 @@ def _reason(query: Query, chapters: Chapters) -> str:
 def flip_history(releases: Releases, shown: str) -> str:
     """Return a line for each claim that flips, with what each edition says to it; none where that can't compare."""
     lines = []
-    for flip in decided_flips(releases, shown):
+    for flip in (flip for flip in flips(releases, shown) if flip.is_decided):
         said = {release: claim.outcome.said for names, claim in flip.said for release in names}
         lines.append((flip.claim, *(said.get(release, "") for release in releases)))
-    return "\n".join(["claims that flip", *_aligned([("", *releases), *lines])]) if lines else "no claim flips"
-
-
-def _aligned(lines: Sequence[Sequence[str]]) -> list[str]:
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in lines]
+    return "\n".join(["claims that flip", aligned([("", *releases), *lines])]) if lines else "no claim flips"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from measured_report.changes.compare import Comparison
-from measured_report.changes.moves import Move, percent
+from measured_report.changes.moves import Move
 from measured_report.files.config import config
 from measured_report.parts.claim import NEAR_NOISE
 from measured_report.records.columns import column_of
@@ -25,17 +25,17 @@ class Group:
     """Moves of one column that go the same way."""
 
     lead: Move
-    """The largest of those that ring, or else of all."""
+    """The largest of those that exceed their thresholds, or else of all."""
     shares: Sequence[float | None]
-    """Of all of them, from the least to the largest; None where there is a number in one edition alone."""
+    """Changes from the least to the largest; None where there is a number in one edition alone."""
     row_count: int
-    """In so many rows the column compares."""
+    """Count of the rows in which the column compares."""
     others: list[str] = field(default_factory=list)
     """Columns that moved as much in the leading row."""
 
     @property
     def text(self) -> str:
-        """One line: before, after, by how much, and where."""
+        """Say in a line what it was before and after, by how much, and where."""
         lead, count = self.lead, len(self.shares)
         ends = [] if lead.share is None else list(dict.fromkeys(map(percent, (self.shares[0], self.shares[-1]))))
         places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
@@ -45,11 +45,12 @@ class Group:
         places += [f"alike: {', '.join(self.others)}"] if self.others else []
         said = f"{column_of(lead.column).words} {lead.ends}"
         said += "" if lead.share is None else f", {percent(lead.share)}"
-        return f"{'alarm: ' if lead.rings else ''}{said}{f' {lead.direction}'.rstrip()} ({'; '.join(places)})"
+        alarm = "alarm: " if lead.exceeds_threshold else ""
+        return f"{alarm}{said}{f' {lead.direction}'.rstrip()} ({'; '.join(places)})"
 
 
 def largest(found: Comparison) -> list[Group]:
-    """Return the groups that lead, those that ring first; the others by what of the change is surely no noise.
+    """Return the groups that lead, alarms first; the others by what of the change is surely no noise.
 
     What the deciding sections measured goes before the rest: they have the scene that the report is about.
     """
@@ -73,17 +74,18 @@ def largest(found: Comparison) -> list[Group]:
 
 
 def _is_told(move: Move) -> bool:
-    """Whether it may lead: a number that changed or is gone by now, or what rings; settings are told by themselves."""
+    """Tell whether it may lead: a number that changed or is gone, or an alarm; settings are told by themselves."""
     is_setting, is_lost = move.is_setting or column_of(move.column).is_setting, move.is_gone and move.values[1] is None
-    return not (is_setting or move.is_near) and bool(move.share or is_lost or (move.is_real and move.rings))
+    is_alarm = move.is_real and move.exceeds_threshold
+    return not (is_setting or move.is_inconclusive) and bool(move.share or is_lost or is_alarm)
 
 
 def _rank(move: Move) -> tuple[bool, bool, float]:
-    return move.rings, move.section in config().changes.deciding, move.sure_share
+    return move.exceeds_threshold, move.section in config().changes.deciding, move.sure_share
 
 
 def _one_cause(a: Move, b: Move) -> bool:
-    if b.rings or (a.section, a.place) != (b.section, b.place):
+    if b.exceeds_threshold or (a.section, a.place) != (b.section, b.place):
         return False
     if a.share is None or b.share is None:
         return a.share is b.share
@@ -91,8 +93,9 @@ def _one_cause(a: Move, b: Move) -> bool:
 
 
 def settings_text(settings: Sequence[Move]) -> str:
-    """Name the settings that changed, those that ring first, and those that only one edition has."""
-    changed = sorted((move for move in settings if None not in move.values), key=lambda move: not move.rings)
+    """Name the settings that changed, alarms first, and those that only one edition has."""
+    changed = [move for move in settings if None not in move.values]
+    changed.sort(key=lambda move: not move.exceeds_threshold)
     told = [few([move.setting for move in changed], 2 * NAMED)] if changed else []
     for word, index in (("new", 0), ("gone", 1)):
         if names := [move.place["case"] for move in settings if move.values[index] is None]:
@@ -119,3 +122,10 @@ def power(found: Comparison) -> str:
     unseen = {column_of(name.rpartition(".")[2]).words for name in named} - least.keys()
     told = [", ".join(f"{words} from {100 * share:.2g} %" for words, share in least.items()) or "nothing that is named"]
     return "; ".join(told + ([f"not measured in both: {', '.join(sorted(unseen))}"] if unseen else []))
+
+
+def percent(share: float) -> str:
+    """Write a change in percent, with its sign; of what was nothing before there is none."""
+    if not math.isfinite(share):
+        return "from nothing"
+    return f"{100 * share:+.{0 if abs(share) >= 0.1 else 1}f} %".replace("-", "−")

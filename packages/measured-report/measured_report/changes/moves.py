@@ -16,7 +16,7 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
 CHOSEN_SHARE = 0.1
-"""What counts as noise where none was measured: this share of the value."""
+"""Chosen: the share of a value that counts as noise where none was measured."""
 
 
 @dataclass(frozen=True)
@@ -26,14 +26,14 @@ class Move:
     column: str
     before: Any
     after: Any
-    """Each a number, a Quantity, a text, or yes and no; None where an edition lacks a setting."""
+    """A number, a Quantity, a text, or yes and no, as the other; None where an edition lacks a setting."""
     noise: float | None = None
     """None for what is no number."""
     is_chosen: bool = False
-    """Whether that noise was not measured."""
+    """The noise was not measured."""
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)
-    """What tells its row apart, by column."""
+    """Columns that tell its row apart."""
 
     @property
     def values(self) -> tuple[Any, Any]:
@@ -41,21 +41,21 @@ class Move:
 
     @property
     def name(self) -> str:
-        """As VALUE= says it."""
+        """Name it as VALUE= does."""
         return ".".join(filter(None, (self.section, self.place.get("case", ""), self.column)))
 
     @property
     def is_setting(self) -> bool:
-        """Whether it is a default or an option, which is compared exactly."""
+        """Tell whether it is a default or an option, which is compared exactly."""
         return self.place.get("kind") in config().changes.settings
 
     @property
     def least(self) -> float:
-        """What a difference has to exceed to be one: the noise, or what the column resolves."""
+        """Return what a difference has to exceed: the noise, or what the column resolves."""
         return max(self.noise or 0.0, column_of(self.column).resolution)
 
     def is_beyond(self, times: float) -> bool:
-        """Whether the values differ, by more than so many times that where they are numbers, and than rounding."""
+        """Tell whether the values differ; numbers by more than so many times the noise, and than rounding."""
         before, after = self.values
         if self.is_setting or None in (self.noise, before, after):
             return before != after
@@ -63,17 +63,16 @@ class Move:
 
     @property
     def is_real(self) -> bool:
-        """Whether the values differ by more than the noise."""
         return self.is_beyond(1.0)
 
     @property
-    def is_near(self) -> bool:
-        """Whether by less than NEAR_NOISE times a measured noise, which another measurement of the same may do too."""
+    def is_inconclusive(self) -> bool:
+        """Tell whether another measurement of the same may differ as much: by less than NEAR_NOISE times its noise."""
         return self.is_real and not self.is_chosen and not self.is_beyond(NEAR_NOISE)
 
     @property
     def share(self) -> float | None:
-        """The change as a share of the older value; None for what is no number."""
+        """Return the change as a share of the older value; None for what is no number."""
         before, after = self.values
         if None in (self.noise, before, after):
             return None
@@ -81,7 +80,7 @@ class Move:
 
     @property
     def sure_share(self) -> float:
-        """What of the change is beyond the noise, as a share of the larger value; all of what is gone."""
+        """Return what of the change is beyond the noise, as a share of the larger value; all of what is gone."""
         if self.share is None:
             return 1.0
         before, after = self.values
@@ -89,10 +88,10 @@ class Move:
         return max(0.0, abs(after - before) - self.least) / larger if larger else 0.0
 
     @property
-    def rings(self) -> bool:
-        """Whether it is a setting, or a number that report.toml names, that moved by more than its threshold.
+    def exceeds_threshold(self) -> bool:
+        """Tell whether a setting, or a number that report.toml names, moved by more than its threshold.
 
-        So does such a number that one edition alone has, and whether its run was lost.
+        So does such a number that one edition alone has, or whose run was lost.
         """
         rules, run = config().changes, self.name.rpartition(".")[0]
         if "loss" in column_of(self.column).kinds:
@@ -104,13 +103,13 @@ class Move:
 
     @property
     def is_gone(self) -> bool:
-        """Whether it is a number that was asked for in both editions and is there in one."""
+        """Tell whether it is a number that was asked for in both editions and is there in one."""
         sides = self.before, self.after
         return all(isinstance(side, Quantity) for side in sides) and self.values.count(None) == 1
 
     @property
     def direction(self) -> str:
-        """``better`` or ``worse``, where one can say so."""
+        """Say ``better`` or ``worse``, where one can."""
         (before, after), better = self.values, column_of(self.column).better
         if None in (before, after) or not better:
             return ""
@@ -118,20 +117,20 @@ class Move:
 
     @property
     def mark(self) -> str:
-        """``better``, ``worse`` or ``moved`` where it is clearly more than the noise; otherwise empty."""
-        return (self.direction or "moved") if self.is_real and not self.is_near else ""
+        """Say ``better``, ``worse`` or ``moved`` where it is clearly more than the noise."""
+        return (self.direction or "moved") if self.is_real and not self.is_inconclusive else ""
 
     @property
     def text(self) -> str:
         untold = config().changes.untold_keys
         name = " ".join(str(part) for column, part in self.place.items() if column not in untold)
         noise = "" if self.noise is None else f"  (noise {self.noise:.2g}{', chosen' if self.is_chosen else ''})"
-        words = ["near the noise"] if self.is_near else [self.direction] if self.direction else []
+        words = ["near the noise"] if self.is_inconclusive else [self.direction] if self.direction else []
         return "  ".join([f"{name}  {self.column}: {self.ends}{noise}", *words])
 
     @property
     def ends(self) -> str:
-        """Before and after, the unit once; of a setting as many digits as tell them apart."""
+        """Write before and after, the unit once; of a setting as many digits as tell them apart."""
         if self.is_setting:
             return " → ".join("none" if value is None else f"{value:.7g}" for value in self.values)
         if isinstance(self.before, Quantity) and None not in self.values:
@@ -140,7 +139,7 @@ class Move:
 
     @property
     def setting(self) -> str:
-        """What is said of a setting: what it is called, before and after."""
+        """Name a setting, before and after."""
         kind = config().changes.settings[self.place["kind"]]
         name = self.place["case"].removeprefix(f"{self.place['kind']}-")
         return f"{kind} {name} {self.ends}"
@@ -180,22 +179,18 @@ def unlike(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def is_like(column: str, before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
-    """Whether a number of two runs compares: they were set alike, or it is a rate and only not as much was run."""
-    kinds = [column_of(name).kinds for name in unlike(before, after)]
-    return (
-        not kinds or column_of(column).is_setting or (column_of(column).is_rate and all("setting" in k for k in kinds))
-    )
-
-
 def _compares(column: str, *cells: Mapping[str, Any], has_same_terms: bool) -> bool:
-    """Whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
-    rules, kinds, lost = config().changes, column_of(column).kinds, list(map(is_lost, cells))
-    if column in (*rules.keys, *rules.untold_keys) or "chance" in kinds or column.endswith((REASON, *EDGES)):
+    """Tell whether a column of two rows is compared; ``has_same_terms`` says whether costs in them are."""
+    rules, about, lost = config().changes, column_of(column), list(map(is_lost, cells))
+    if column in (*rules.keys, *rules.untold_keys) or "chance" in about.kinds or column.endswith((REASON, *EDGES)):
         return False
     if any(isinstance(cell[column], str | bool) for cell in cells):
-        return not (all(lost) and "loss" in kinds)
-    return not any(lost) and is_like(column, *cells) and (has_same_terms or "cost" not in kinds)
+        return not (all(lost) and "loss" in about.kinds)
+    if any(lost) or ("cost" in about.kinds and not has_same_terms):
+        return False
+    # Of runs that were not set alike nothing compares, and of those that ran for longer or shorter rates alone.
+    other = [column_of(name).kinds for name in unlike(*cells)]
+    return not other or about.is_setting or (about.is_rate and all("setting" in kinds for kinds in other))
 
 
 def _noise(
@@ -239,10 +234,3 @@ def _said(cell: Any) -> str:
     if isinstance(cell, Quantity):
         return f"{cell} ({cell.reason})" if cell.value is None else str(cell)
     return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))
-
-
-def percent(share: float) -> str:
-    """A change in percent, with its sign; of what was nothing before there is none."""
-    if not math.isfinite(share):
-        return "from nothing"
-    return f"{100 * share:+.{0 if abs(share) >= 0.1 else 1}f} %".replace("-", "−")

@@ -112,7 +112,7 @@ def _advice(found: Comparison, before: Edition, after: Edition) -> str:
         minutes = max(1, round(seconds_expected(after.project, device, [query.section]) / 60))
         ends = " ".join(map(shlex.quote, _bisect_ends(before.project, after.project)))
         return f"make bisect {asked} {ends} finds which change did it, in about {minutes} min a step; {lists}"
-    if any(not move.is_near for move in found.moves):
+    if any(not move.is_inconclusive for move in found.moves):
         return f"see whether what moved was meant to: {lists}"
     return "nothing; make report measures the rest"
 

@@ -2,7 +2,8 @@
 
 import argparse
 
-from measured_report.changes import alarm
+from measured_report.changes.alarm import check_text
+from measured_report.changes.faults import faults_of
 from measured_report.commands.options import add_options, refuse_unmeasured
 from measured_report.commands.page import say_damage
 from measured_report.deriving.editions import editions_of
@@ -20,7 +21,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print the claims; 1 where a record is damaged."""
     refuse_unmeasured(project, arguments.release.asked)
     edition = editions_of(project, Templates(project.templates))[project.release]
-    found = alarm.check(edition)
-    print(alarm.check_text(found, arguments.format))
+    print(check_text(edition, arguments.format))
     damaged = say_damage(edition.left_out)
-    return int(damaged or (arguments.strict and found.is_alarm))
+    return int(damaged or (arguments.strict and bool(faults_of(edition))))

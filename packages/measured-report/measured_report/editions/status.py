@@ -115,7 +115,7 @@ def status_matrix(project: Project) -> str:
     lines = [("section", *(f"{config().package} {release}" for release in columns))]
     for section in sections(project.root):
         lines.append((section, *(column.get(section, "–") for column in columns.values())))
-    return _aligned(lines)
+    return aligned(lines)
 
 
 def status_table(states: Sequence[State], profile: str) -> str:
@@ -130,7 +130,7 @@ def status_table(states: Sequence[State], profile: str) -> str:
         own = in_words(note for note in state.notes if not any(note in notes for notes in shared))
         lines.append((state.section, state.kind, where, when, profile, " ".join([*marks, own])))
     said = [f"{mark} {in_words(notes)}" for mark, notes in numbered.items()]
-    return "\n".join([_aligned(lines), *(["", *said] if said else [])])
+    return "\n".join([aligned(lines), *(["", *said] if said else [])])
 
 
 def _shared_changes(states: Sequence[State]) -> list[list[str]]:
@@ -151,6 +151,7 @@ def in_words(notes: Iterable[str]) -> str:
     return "; ".join(f"{kind}: {', '.join(found)}" if found else kind for kind, found in kinds.items())
 
 
-def _aligned(lines: Sequence[Sequence[str]]) -> str:
+def aligned(lines: Sequence[Sequence[str]]) -> str:
+    """Write lines of cells as columns."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

@@ -47,7 +47,7 @@ class Outcome:
     name: str
     reason: str = ""
     """Says why it is unknown."""
-    is_near: bool = False
+    is_inconclusive: bool = False
     """Unknown for being near the noise, so that the same measured again may be decided."""
     is_opposite: bool = field(default=False, compare=False)
     """Fails because the opposite is shown, and not for want of what would show it."""
@@ -148,7 +148,7 @@ def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float
         # Where they are less apart than their noise, measured again it may be on the other side.
         if abs(a.value - bound.value) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
             reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
-            return Outcome("unknown", reason, is_near=True)
+            return Outcome("unknown", reason, is_inconclusive=True)
         return HOLDS if keeps(a.value, bound.value) else FAILS
 
     return _judged(judge, a, bound, why=why)
@@ -256,7 +256,7 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     if not found:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
-        near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_near=True)
+        near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_inconclusive=True)
         found = OPPOSITE if abs(difference.value) > NEAR_NOISE * noise.value else near
     return found.having_read(difference, noise)
 
