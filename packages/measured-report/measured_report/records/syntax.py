@@ -1,12 +1,12 @@
 """Syntax: what each definition of a module says, in a form that does not change with its place, name and layout."""
 
 import ast
-import copy
 import hashlib
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 ASSETS = ("assets/", "experiments/")
@@ -84,11 +84,8 @@ class Reader:
         """What defines the name that a statement binds at this place."""
         nodes = _walk(node)
         inner = {name: what for each in nodes for name, what, _ in self._named(each)}
-        tree, scope = Canonical(), self._names | inner.keys()
-        if isinstance(node, DEFINING):
-            text = [part for part in tree.plain(node, scope) if part != ("name", repr(node.name))]
-        else:
-            text = tree.plain(node, scope, frozenset(_bound(node)))
+        tree = Canonical(self._names | inner.keys(), {**self._imports, **inner})
+        text = tree.statement(node)
         decorators = (_chain(getattr(each, "func", each)) for each in getattr(node, "decorator_list", ()))
         return Definition(
             tree=digest_of([text, place]),
@@ -135,20 +132,32 @@ def _walk(node: ast.AST) -> list[ast.AST]:
 
 
 IMPORTS = (ast.Import, ast.ImportFrom)
-FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+DECLARING = (*IMPORTS, ast.Global, ast.Nonlocal)
 DEFINING = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+BINDING = {ast.ExceptHandler: "name", ast.MatchAs: "name", ast.MatchStar: "name", ast.MatchMapping: "rest"}
+"""Field by kind of node, of a name that it binds and that is no node itself."""
+
+
+def _here(node: ast.AST) -> Iterator[ast.AST]:
+    """Find a node and those below it that are in no scope of their own."""
+    yield node
+    if isinstance(node, COMPREHENSIONS):
+        yield from (each.target for each in ast.walk(node) if isinstance(each, ast.NamedExpr))
+    elif not isinstance(node, (*DEFINING, ast.Lambda)):
+        for child in ast.iter_child_nodes(node):
+            yield from _here(child)
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
-    """The names that a statement binds where it stands, and not in a scope of its own."""
-    if isinstance(node, DEFINING):
-        yield node.name
-    elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-        yield node.id
-    elif not isinstance(node, (*COMPREHENSIONS, ast.Lambda)):
-        for child in ast.iter_child_nodes(node):
-            yield from _bound(child)
+    """Find the names that a statement binds where it stands."""
+    for each in _here(node):
+        if isinstance(each, DEFINING):
+            yield each.name
+        elif _is_bound(each):
+            yield each.id
+        elif name := getattr(each, BINDING.get(type(each), ""), None):
+            yield name
 
 
 def _imports_alone(node: ast.AST) -> bool:
@@ -160,7 +169,7 @@ def _imports_alone(node: ast.AST) -> bool:
 
 def _is_text(node: Any) -> bool:
     # Any string that stands alone does nothing, wherever it stands: field docstrings are left out as well.
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+    return isinstance(node, ast.Expr) and _is_string(node.value)
 
 
 def _is_aside(node: ast.AST) -> bool:
@@ -179,73 +188,217 @@ def _chain(node: ast.AST) -> str:
     return ".".join([node.id, *reversed(attributes)]) if isinstance(node, ast.Name) else ""
 
 
-class Canonical:
-    """Makes plain tuples of a syntax tree, without comments, docstrings and positions.
+SAID = {"print", "warnings.warn", "tqdm.tqdm.write", "tqdm.auto.tqdm.write"}
+SAID |= {
+    f"{logger}.{level}"
+    for logger in ("logging", "logger")
+    for level in ("debug", "info", "warning", "error", "exception", "critical")
+}
+"""Functions whose texts are only printed."""
+BARS = {"tqdm.tqdm", "tqdm.auto.tqdm"}
+"""Progress bars: what they go through counts, and not how they show it."""
+PARSERS = {"ArgumentParser", "add_argument", "add_parser", "add_subparsers"}
+HELP = {"help", "metavar", "description", "epilog", "usage", "prog"}
+NOTHING = ("nothing",)
+"""Stands for a statement that only prints texts."""
 
-    Fields that are empty or that only some Python versions know are left out: a record measured under one Python has
-    to be fresh under another.
+
+@dataclass(frozen=True)
+class Scope:
+    """Names as they are bound around a place."""
+
+    local: Mapping[str, int] = field(default_factory=dict)
+    """Number by name, of what functions bind."""
+    attributes: Collection[str] = ()
+    """Names that the class binds whose body this is."""
+
+
+class Canonical:
+    """Makes plain tuples of a syntax tree, without comments, docstrings, positions and texts that are only printed.
+
+    What a function binds is numbered in order of binding; a parameter that can be passed by name keeps it in the
+    signature. Fields that are empty or that only some Python versions know are left out: a record measured under one
+    Python has to be fresh under another.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, names: Collection[str] = (), imports: Mapping[str, str] | None = None):
+        """Make those of one statement; the ``names`` of its module become gaps, of which ``imports`` are imported."""
         self.gaps: list[str] = []
+        self._names, self._imports = names, imports or {}
+        self._own: Collection[str] = ()
+        self._local_count = 0
+        self._is_spelled = False
+        self._is_silent = False
 
-    def plain(self, node: Any, scope: Collection[str], own: Collection[str] = ()) -> Any:
-        """Tuples for a node, whose ``own`` names do not count; those in ``scope`` become gaps."""
+    def statement(self, node: ast.stmt) -> Any:
+        """Make tuples of a statement at the top of its module; the names that it defines do not count."""
+        self._own = frozenset(_bound(node))
+        self._is_spelled = any(map(_asks_for_names, _walk(node)))
+        return self.plain(node, Scope())
+
+    def plain(self, node: Any, scope: Scope) -> Any:
         if isinstance(node, list):
-            kept = (each for each in node if not (_is_text(each) or isinstance(each, IMPORTS)))
-            return tuple(self.plain(each, scope, own) for each in kept)
+            kept = (each for each in node if not (_is_text(each) or isinstance(each, DECLARING)))
+            return tuple(made for made in (self.plain(each, scope) for each in kept) if made != NOTHING)
         if not isinstance(node, ast.AST):
             return repr(node)
-        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
-            return GAP if node.id in own else ("Name", node.id)
-        if isinstance(node, (ast.Name, ast.Attribute)) and (chain := _chain(node)).partition(".")[0] in scope:
-            self.gaps.append(chain)
-            return GAP, type(node.ctx).__name__, *chain.split(".")[1:]
-        if isinstance(node, ast.Raise):
-            # What is raised, without what it says.
-            raised = _Silence().visit(copy.deepcopy(node.exc)) if isinstance(node.exc, ast.Call) else node.exc
-            return "Raise", self.plain(raised, scope), self.plain(node.cause, scope)
-        if isinstance(node, ast.Assert):
-            return "Assert", self.plain(node.test, scope)
-        if isinstance(node, ast.JoinedStr):
-            # Python 3.12 and later put an empty text behind a nested format specification.
-            node = ast.JoinedStr([part for part in node.values if getattr(part, "value", None) != ""])
-        if isinstance(node, COMPREHENSIONS):
-            return self._comprehension(node, scope)
-        inner = _inner(node, scope)
+        return getattr(self, f"visit_{type(node).__name__}", self._fields)(node, scope)
+
+    def _fields(self, node: ast.AST, scope: Scope, **instead: Any) -> Any:
+        """Make tuples of the fields of a node, some of which have others ``instead``."""
         fields = [
-            (name, self.plain(value, inner if name == "body" else scope, own))
+            (name, instead[name] if name in instead else self.plain(value, scope))
             for name, value in ast.iter_fields(node)
             if name != "kind"
         ]
         return type(node).__name__, *(pair for pair in fields if pair[1] not in ("None", ()))
 
-    def _comprehension(self, node: Any, scope: Collection[str]) -> Any:
-        """One whose variables hide names of the module, but for what its first part goes through."""
+    def visit_Name(self, node: ast.Name, scope: Scope) -> Any:
+        name = node.id
+        is_attribute = name in scope.attributes
+        if not isinstance(node.ctx, ast.Load):
+            return "Name", self._stands_for(name, scope)
+        if is_attribute or name in scope.local:
+            # A class may read the module's name before its own is bound, and a function what it imports.
+            outside = name in (self._names if is_attribute else self._imports)
+            return "Name", self._stands_for(name, scope), *(self._gap(name) if outside else ())
+        return self._gap(name) if name in self._names else ("Name", name)
+
+    def visit_Attribute(self, node: ast.Attribute, scope: Scope) -> Any:
+        asked = _chain(node)
+        first = asked.partition(".")[0]
+        if first not in self._names or first in scope.local or first in scope.attributes:
+            return self._fields(node, scope)
+        return *self._gap(asked), type(node.ctx).__name__
+
+    def _gap(self, asked: str) -> tuple[str, ...]:
+        self.gaps.append(asked)
+        return GAP, *asked.split(".")[0 if self._is_spelled else 1 :]
+
+    def _stands_for(self, name: str, scope: Scope) -> Any:
+        """Return what stands for a name where it is bound."""
+        if name in scope.attributes:
+            return name
+        if name in scope.local:
+            return (scope.local[name], name) if self._is_spelled else scope.local[name]
+        return GAP if name in self._own else name
+
+    def _binding(self, node: ast.AST, scope: Scope) -> Any:
+        where = BINDING[type(node)]
+        name = getattr(node, where)
+        return self._fields(node, scope, **{where: self._stands_for(name, scope) if name else "None"})
+
+    visit_ExceptHandler = visit_MatchAs = visit_MatchStar = visit_MatchMapping = _binding
+
+    def visit_ClassDef(self, node: ast.ClassDef, scope: Scope) -> Any:
+        inner = Scope(scope.local, frozenset(name for each in node.body for name in _bound(each)))
+        return self._fields(node, scope, name=self._stands_for(node.name, scope), body=self.plain(node.body, inner))
+
+    def _function(self, node: Any, scope: Scope) -> Any:
+        body = node.body if isinstance(node.body, list) else [node.body]
+        declared = [each for part in body for each in _here(part) if isinstance(each, ast.Global | ast.Nonlocal)]
+        others = {name for each in declared for name in each.names}
+        parameters = (each.arg for each in ast.iter_child_nodes(node.args) if isinstance(each, ast.arg))
+        bound = [*parameters, *(name for part in body for name in _bound(part) if name not in others)]
+        globals_ = {name for each in declared if isinstance(each, ast.Global) for name in each.names}
+        instead = {"body": self.plain(node.body, self._within(scope, bound, globals_))}
+        if not isinstance(node, ast.Lambda):
+            instead["name"] = self._stands_for(node.name, scope)
+        return self._fields(node, scope, **instead)
+
+    visit_FunctionDef = visit_AsyncFunctionDef = visit_Lambda = _function
+
+    def visit_arguments(self, node: ast.arguments, scope: Scope) -> Any:
+        def unnamed(each: ast.arg | None) -> Any:
+            return (GAP, self.plain(each.annotation, scope)) if each else "None"
+
+        positional = tuple(map(unnamed, node.posonlyargs))
+        return self._fields(node, scope, posonlyargs=positional, vararg=unnamed(node.vararg), kwarg=unnamed(node.kwarg))
+
+    def _comprehension(self, node: Any, scope: Scope) -> Any:
         targets = (each for part in node.generators for each in ast.walk(part.target))
-        inner = frozenset(scope) - {each.id for each in targets if isinstance(each, ast.Name)}
+        inner = self._within(scope, [each.id for each in targets if _is_bound(each)])
         first, *rest = node.generators
         found = [getattr(node, name, None) for name in ("elt", "key", "value")]
         parts = [first.target, first.ifs, rest, found]
         return type(node).__name__, self.plain(first.iter, scope), *(self.plain(part, inner) for part in parts)
 
+    visit_ListComp = visit_SetComp = visit_DictComp = visit_GeneratorExp = _comprehension
 
-def _inner(node: ast.AST, scope: Collection[str]) -> Collection[str]:
-    """What of the names means the same within a function: not its parameters, nor what it binds itself."""
-    if not isinstance(node, FUNCTIONS):
-        return scope
-    body = node.body if isinstance(node.body, list) else []
-    parameters = {each.arg for each in _walk(node.args) if isinstance(each, ast.arg)}
-    outside = {name for each in _walk(node) if isinstance(each, ast.Global) for name in each.names}
-    return frozenset(scope) - ((parameters | {name for each in body for name in _bound(each)}) - outside)
+    def _within(self, scope: Scope, bound: Iterable[str], without: Collection[str] = ()) -> Scope:
+        """Return the scope within one, where other names are bound."""
+        local = {name: number for name, number in scope.local.items() if name not in without}
+        for name in dict.fromkeys(bound):
+            local[name] = self._local_count
+            self._local_count += 1
+        return Scope(local)
+
+    def visit_Raise(self, node: ast.Raise, scope: Scope) -> Any:
+        self._is_silent = isinstance(node.exc, ast.Call)
+        raised = self.plain(node.exc, scope)
+        self._is_silent = False
+        return "Raise", raised, self.plain(node.cause, scope)
+
+    def visit_Assert(self, node: ast.Assert, scope: Scope) -> Any:
+        return "Assert", self.plain(node.test, scope)
+
+    def visit_Constant(self, node: ast.Constant, scope: Scope) -> Any:
+        return "Constant", repr("" if self._is_silent and isinstance(node.value, str) else node.value)
+
+    def visit_JoinedStr(self, node: ast.JoinedStr, scope: Scope) -> Any:
+        if self._is_silent:
+            return "Constant", repr("")
+        # Python 3.12 and later put an empty text behind a nested format specification.
+        parts = [part for part in node.values if getattr(part, "value", None) != ""]
+        return "JoinedStr", self.plain(parts, scope)
+
+    def visit_Expr(self, node: ast.Expr, scope: Scope) -> Any:
+        made = self.plain(node.value, scope)
+        return made if made == NOTHING else ("Expr", made)
+
+    def visit_Call(self, node: ast.Call, scope: Scope) -> Any:
+        called, keywords = self._called(node.func, scope), node.keywords
+        if called in SAID and all(self._is_shown(each, scope) for each in keywords):
+            parts = chain(*(each.values if isinstance(each, ast.JoinedStr) else [each] for each in node.args))
+            made = self.plain([part for part in parts if not _is_string(part)], scope)
+            return ("Said", called, made) if made else NOTHING
+        if called in BARS:
+            through = [each for each in keywords if each.arg in (None, "iterable")]
+            return self._fields(node, scope, args=self.plain(node.args[:1], scope), keywords=self.plain(through, scope))
+        if called.rpartition(".")[2] in PARSERS:
+            keywords = [each for each in keywords if each.arg not in HELP]
+            return self._fields(node, scope, keywords=self.plain(keywords, scope))
+        return self._fields(node, scope)
+
+    def _called(self, function: ast.expr, scope: Scope) -> str:
+        """Name what is called as it is known elsewhere; empty where that is not so."""
+        first, dot, rest = _chain(function).partition(".")
+        if first in scope.local or first in scope.attributes:
+            return dot + rest
+        if first in self._imports:
+            return self._imports[first] + dot + rest
+        return first + dot + rest if dot or first not in self._names else ""
+
+    def _is_shown(self, keyword: ast.keyword, scope: Scope) -> bool:
+        """Tell whether what is printed so is lost: not with a file of one's own, nor with what is not known."""
+        if keyword.arg == "file":
+            return self._called(keyword.value, scope) in ("sys.stderr", "sys.stdout")
+        return keyword.arg is not None
 
 
-class _Silence(ast.NodeTransformer):
-    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        return ast.Constant("") if isinstance(node.value, str) else node
+def _is_bound(node: ast.AST) -> bool:
+    return isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
 
-    def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.Constant:
-        return ast.Constant("")
+
+def _is_string(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def _asks_for_names(node: ast.AST) -> bool:
+    """Tell whether a node reads what something is called, which then counts."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
+    return isinstance(node, ast.Attribute) and node.attr in ("__name__", "__qualname__") and bool(_chain(node))
 
 
 def _named_assets(nodes: Iterable[ast.AST]) -> Iterator[str]:
