@@ -6,7 +6,7 @@ from tqdm import tqdm
 
 from experiments.scenes.capsule import SECONDS, Pinch, columns, run
 from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from measured_report.measuring.measurement import Conditions, Measurement, absent
 from newton_lint.newton_models.compat import warp_has_noslip
 
 CREEPS = ("creep_mm_s", "steady_creep_mm_s", "predicted_creep_mm_s", "forecast_creep_mm_s")

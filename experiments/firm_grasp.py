@@ -7,7 +7,7 @@ from math import log1p, sqrt
 from tqdm import tqdm
 
 from experiments.scenes.hand import LOST_M, SECONDS, WEIGHT_N, Grasp, Swung, swing
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from measured_report.measuring.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""

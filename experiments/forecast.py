@@ -4,7 +4,7 @@ from itertools import product
 
 from experiments.scenes.slope import Slope, creep_mm_s
 from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from measured_report.measuring.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""

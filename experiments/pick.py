@@ -9,7 +9,7 @@ from tqdm import tqdm
 
 from experiments.scenes.pick import END_S, HOLD_S, OBJECTS, Held, Pick, Picked, hold, shake
 from experiments.simulation.c_warnings import RunFailed
-from experiments.simulation.measurement import Conditions, Measurement, absent
+from measured_report.measuring.measurement import Conditions, Measurement, absent
 
 NEEDS_GPU = False
 """Read by ``measured_report.editions.devices``: a small scene, which a CPU measures in minutes."""

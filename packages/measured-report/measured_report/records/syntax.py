@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Any
+from typing import Any, TypeGuard
 
 ASSETS = ("assets/", "experiments/")
 """Where files lie that a program reads or starts by their path."""
@@ -227,13 +227,14 @@ class Canonical:
         self._names, self._imports = names, imports or {}
         self._own: Collection[str] = ()
         self._local_count = 0
-        self._is_spelled = False
+        self._locals_count = self._names_count = False
         self._is_silent = False
 
     def statement(self, node: ast.stmt) -> Any:
         """Make tuples of a statement at the top of its module; the names that it defines do not count."""
         self._own = frozenset(_bound(node))
-        self._is_spelled = any(map(_asks_for_names, _walk(node)))
+        nodes = _walk(node)
+        self._locals_count, self._names_count = any(map(_reads_locals, nodes)), any(map(_reads_a_name, nodes))
         return self.plain(node, Scope())
 
     def plain(self, node: Any, scope: Scope) -> Any:
@@ -273,14 +274,14 @@ class Canonical:
 
     def _gap(self, asked: str) -> tuple[str, ...]:
         self.gaps.append(asked)
-        return GAP, *asked.split(".")[0 if self._is_spelled else 1 :]
+        return GAP, *asked.split(".")[0 if self._names_count else 1 :]
 
     def _stands_for(self, name: str, scope: Scope) -> Any:
         """Return what stands for a name where it is bound."""
         if name in scope.attributes:
             return name
         if name in scope.local:
-            return (scope.local[name], name) if self._is_spelled else scope.local[name]
+            return (scope.local[name], name) if self._locals_count else scope.local[name]
         return GAP if name in self._own else name
 
     def _binding(self, node: ast.AST, scope: Scope) -> Any:
@@ -386,7 +387,7 @@ class Canonical:
         return keyword.arg is not None
 
 
-def _is_bound(node: ast.AST) -> bool:
+def _is_bound(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load)
 
 
@@ -394,10 +395,15 @@ def _is_string(node: ast.AST) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
-def _asks_for_names(node: ast.AST) -> bool:
-    """Tell whether a node reads what something is called, which then counts."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-        return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
+def _reads_locals(node: ast.AST) -> bool:
+    """Tell whether a node may find what its function binds by name, which then counts."""
+    if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+        return False
+    return node.func.id in ("locals", "eval", "exec") or (node.func.id in ("vars", "dir") and not node.args)
+
+
+def _reads_a_name(node: ast.AST) -> bool:
+    """Tell whether a node asks what a definition is called, which then counts."""
     return isinstance(node, ast.Attribute) and node.attr in ("__name__", "__qualname__") and bool(_chain(node))
 
 
