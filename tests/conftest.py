@@ -264,9 +264,9 @@ def kernels(tmp_path_factory) -> None:
     wp.config.enable_backward = False
 
     def make(_: Path) -> None:
-        from experiments.simulation.kernels import compile_for
+        from experiments.simulation.kernels import compile_first
 
-        compile_for(wp.get_device("cpu"))
+        compile_first(wp.get_device("cpu"))
 
     made_once(tmp_path_factory, "kernels", make)
 

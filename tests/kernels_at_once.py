@@ -28,8 +28,7 @@ if __name__ == "__main__":
     wp.init()
     here = partial(double.module.load, "cpu", 1)
     for_a_gpu = partial(wp.compile_aot_module, factorize.module, arch=90, module_dir=sys.argv[1])  # which takes none
-    load_all([here], partial(print, "nothing for a GPU"))
-    load_all([here, for_a_gpu], partial(print, "once"))
+    load_all([here, for_a_gpu])
     numbers = wp.array(np.arange(3.0, dtype=np.float32), device="cpu")
     wp.launch(double, dim=3, inputs=[numbers], device="cpu")
     print(numbers.numpy().tolist())

@@ -1,6 +1,5 @@
 """What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
 
-from functools import partial
 from importlib.metadata import version
 
 import warp as wp
@@ -11,7 +10,6 @@ from measured_report.editions.devices import NO_CUDA
 from measured_report.files.errors import ReportError
 from measured_report.measuring.error_text import NOT_COMPILED
 from measured_report.measuring.host import Device
-from measured_report.measuring.pool import processes
 from measured_report.records.provenance import package_versions
 
 __all__ = ["Conditions", "be_quiet", "device", "explained", "prepare", "settle"]
@@ -46,10 +44,7 @@ def prepare(kind: str) -> None:
 
     tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or so.")
     found = warp_device(kind)
-    with processes(1) as beside:
-        compile_beside = partial(beside.submit, kernels.compile_beside)
-        reason = kernels.too_old(found) or kernels.compile_first(found, compile_beside)
-    if reason:
+    if reason := kernels.too_old(found) or kernels.compile_first(found):
         newton, oldest = package_versions()["newton"], ".".join(map(str, kernels.OLDEST))
         raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
 

@@ -4,7 +4,6 @@ Which modules a run needs shows only when it launches their kernels, so a first 
 launched, and what would have been compiled for it is compiled in parallel.
 """
 
-import os
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -41,7 +40,7 @@ LONGEST_FIRST = (
 
 
 def too_old(device: wp.Device) -> str:
-    """Why a release that is older than the oldest can't build the scene, before minutes go into its kernels."""
+    """Return why a release older than the oldest can't build the scene, before minutes go into its kernels."""
     try:
         if release() < OLDEST:
             build_scene([AS_SHIPPED] * (WORLDS_BUILT + 1), device)
@@ -50,16 +49,15 @@ def too_old(device: wp.Device) -> str:
     return ""
 
 
-def compile_first(device: wp.Device, meanwhile: Callable = lambda: None) -> str:
-    """Compile what all sections need on all cores; why the scene can't be run at all, where it can't.
-
-    Where anything is compiled for a GPU, ``meanwhile`` is called.
+def compile_first(device: wp.Device) -> str:
+    """Compile what all sections need, on all cores; return why the scene can't be run at all, where it can't.
 
     What else goes wrong here is said, and left to the measurement.
     """
     start = time.perf_counter()
     try:
-        count = compile_for(device, meanwhile)
+        wanted = modules_of(device, AS_SHIPPED)
+        load_all([partial(module.load, device, block_dim) for module, block_dim in wanted])
     except Exception as error:  # a new release may build its kernels in another way
         try:
             simulations.Simulation([replace(AS_SHIPPED, frame_count=1)], device)
@@ -67,27 +65,8 @@ def compile_first(device: wp.Device, meanwhile: Callable = lambda: None) -> str:
             return " ".join(str(missing).split())[:200]
         print(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}", file=sys.stderr)
         return ""
-    tqdm.write(f"{count} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
+    tqdm.write(f"{len(wanted)} modules of kernels are ready after {time.perf_counter() - start:.0f} s")
     return ""
-
-
-def compile_beside() -> None:
-    """Compile for the CPU what runs there beside a GPU, in a process of its own, on cores that a GPU's leave idle.
-
-    Each of the processes that run there would otherwise do so by itself, 20 to 50 s of a core.
-    """
-    os.nice(10)
-    compile_for(wp.get_device("cpu"))
-
-
-def compile_for(device: wp.Device, meanwhile: Callable = lambda: None) -> int:
-    """Compile the kernels of a frame, or load them from the cache, and return how many modules they are in.
-
-    What does not compile here is compiled when it is met, and fails there with a message of its own.
-    """
-    wanted = modules_of(device, AS_SHIPPED)
-    load_all([partial(module.load, device, block_dim) for module, block_dim in wanted], meanwhile)
-    return len(wanted)
 
 
 def modules_of(device: wp.Device, case: Case) -> list[tuple[Module, int | None]]:
