@@ -17,7 +17,7 @@ NEEDS_GPU = False
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """A row for the run, and one for each default."""
+    """Return a row for the run, and one for each default."""
     case = own_case()
     [trace] = conditions.simulate([case], title="defaults")
     run = {"kind": "run", "name": case.name, **summarize(case, trace)}
@@ -25,7 +25,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def own_case() -> Case:
-    """The scene as shipped, with the contact parameters and the gap that this release has by default."""
+    """Return the scene as shipped, with the contact parameters and the gap that this release has by default."""
     builder = newton.ModelBuilder()
     own = builder.ShapeConfig()
     pads = {"pad_ke": own.ke, "pad_kd": own.kd, "pad_kf": own.kf, "pad_mu": own.mu}
@@ -33,7 +33,8 @@ def own_case() -> Case:
 
 
 def default_rows() -> list[dict[str, object]]:
-    """A row for each option of a solver that was given none, and for each number of a joint that was given none."""
+    """Return a row for each option of a solver that was given none, and for each number of a joint that was given
+    none."""
     builder = newton.ModelBuilder()
     builder.add_shape_box(builder.add_body(), hx=0.1, hy=0.1, hz=0.1)
     engine = SolverMuJoCo(builder.finalize(device="cpu")).mjw_model

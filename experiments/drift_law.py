@@ -34,8 +34,8 @@ class Slopes:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """A row for each case of section stiffness: its parts, their sum, and how far it drifts once rounding takes nothing
-    from its positions."""
+    """Return a row for each case of section stiffness: its parts, their sum, and how far it drifts once rounding takes
+    nothing from its positions."""
     shaken = replace(AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
     cases = [replace(case, **POSITIONS["kept"]) for case in stiffness.cases(conditions.profile)]
     with processes(1) as pool:
@@ -48,7 +48,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def measure_slopes(case: Case) -> Slopes:
-    """From one run of a case through MuJoCo's C engine."""
+    """Measure the slopes in one run of a case through MuJoCo's C engine."""
     run = watched(case)
     if run.failure:
         return Slopes(*[np.nan] * 5, failure=run.failure)
@@ -62,7 +62,8 @@ def measure_slopes(case: Case) -> Slopes:
 
 
 def predicted_columns(case: Case, slopes: Slopes) -> dict[str, object]:
-    """What a case of section stiffness is predicted to drift, and what time its friction rows take to respond."""
+    """Return what a case of section stiffness is predicted to drift, and what time its friction rows take to
+    respond."""
     columns: dict[str, object] = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd}
     if slopes.failure:
         return columns | absent(("response_s", *PREDICTED), slopes.failure)

@@ -34,7 +34,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
-    """All cells of a map, one side after the other; ``size`` amplitudes by as many frequencies."""
+    """Return all cells of a map, one side after the other; ``size`` amplitudes by as many frequencies."""
     grid = [(a, f) for a in np.geomspace(*AMPLITUDES_M, size) for f in np.geomspace(*FREQUENCIES_HZ, size)]
     return [
         shaken(case, f"{side}-map-{index}", float(a), float(f))
@@ -44,13 +44,13 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
 
 
 def map_table(sides: Mapping[str, Case], summaries: Sequence[dict]) -> dict[str, np.ndarray]:
-    """The results of all cells of a map."""
+    """Return the results of all cells of a map."""
     table = {"side": np.repeat(list(sides), len(summaries) // len(sides))}
     return table | {name: np.array([row[name] for row in summaries]) for name in COLUMNS}
 
 
 def measure_points(conditions: Conditions) -> list[dict]:
-    """A row for each of the points."""
+    """Return a row for each of the points."""
     points = [
         shaken(case, f"{side}-{cm}cm-{hz:g}hz", 1e-2 * cm, hz) for side, case in SIDES.items() for cm, hz in POINTS
     ]
@@ -59,7 +59,7 @@ def measure_points(conditions: Conditions) -> list[dict]:
 
 
 def measure_map(conditions: Conditions, cells: list[Case]) -> tuple[dict, dict[str, np.ndarray]]:
-    """All cells of the map as one batch: a row with how many lose the cube, and a table of the results."""
+    """Return all cells of the map as one batch: a row with how many lose the cube, and a table of the results."""
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [summarize(case, trace) for case, trace in zip(cells, traces, strict=True)]
     row = {"case": "map", "world_count": len(cells), "frame_count": len(traces[0].phase)}

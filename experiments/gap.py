@@ -24,7 +24,8 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def contact_columns(trace: Trace) -> dict[str, object]:
-    """Contacts through the shake: mean number, mean number that carry force, distances of those that don't."""
+    """Return the contacts through the shake: mean number, mean number that carry force, distances of those that
+    don't."""
     shaking = trace.phase == metrics.SHAKE
     near, far = trace.column("unloaded_near_m")[shaking], trace.column("unloaded_far_m")[shaking]
     columns: dict[str, object] = {

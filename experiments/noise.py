@@ -91,7 +91,7 @@ class Deterministic(Simulation):
 
 
 def engine_has_it() -> bool:
-    """Whether MuJoCo Warp of the installed release has ``Option.deterministic``."""
+    """Tell whether MuJoCo Warp of the installed release has ``Option.deterministic``."""
     return any(field.name == "deterministic" for field in fields(mujoco_warp.Option))
 
 

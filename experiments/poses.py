@@ -59,13 +59,14 @@ class KeptSimulation(Simulation):
         self.frame_count += 1
 
     def kept(self) -> list[np.ndarray]:
-        """Joint positions and the cube's pose of each world, shape [frames, len(JOINTS) + len(CUBE_POSE)]."""
+        """Return the joint positions and the cube's pose of each world, shape [frames, len(JOINTS) +
+        len(CUBE_POSE)]."""
         worlds = self.coordinates.numpy().reshape(self.case.frame_count, self.world_count, -1)
         return list(worlds.swapaxes(0, 1))
 
 
 def left_grasp(trace: Trace) -> dict[str, object]:
-    """When in the shake the cube is first too far from the TCP to be held; None when it never is."""
+    """Say when in the shake the cube is first too far from the TCP to be held; None when it never is."""
     shaken = trace.poses[trace.phase == metrics.SHAKE]
     distance = np.linalg.norm(metrics.relative_position(shaken, metrics.CUBE, metrics.TCP), axis=1)
     far = np.flatnonzero(distance > metrics.DROP_DISTANCE)
@@ -75,15 +76,16 @@ def left_grasp(trace: Trace) -> dict[str, object]:
 
 
 def drawing_columns(case: Case, frame_step: int) -> dict[str, object]:
-    """What a picture needs beside the poses: where the robot stands, the cube's size, and which frames are kept."""
+    """Return what a picture needs beside the poses: where the robot stands, the cube's size, and which frames are
+    kept."""
     base = dict(zip(("base_x_m", "base_y_m", "base_z_m"), ROBOT_POSITION, strict=True))
     return base | {"cube_edge_m": case.cube_edge_m, "frame_rate_hz": FRAME_RATE, "kept_frame_step": frame_step}
 
 
 def pose_table(trace: Trace, coordinates: np.ndarray, frame_step: int) -> dict[str, np.ndarray]:
-    """Every ``frame_step``-th frame, so that the last is among them: coordinates as they are, in single precision, the
-    displacement of the cube in the TCP frame since the first frame of the shake (NaN before it), and what the contacts
-    carry."""
+    """Return every ``frame_step``-th frame, so that the last is among them: coordinates as they are, in single
+    precision, the displacement of the cube in the TCP frame since the first frame of the shake (NaN before it), and
+    what the contacts carry."""
     frames = np.arange(len(trace.phase))[(len(trace.phase) - 1) % frame_step :: frame_step]
     moved = np.full((len(trace.phase), 3), np.nan)
     moved[trace.phase == metrics.SHAKE] = 1e3 * metrics.displacement(trace).vector_m

@@ -33,7 +33,7 @@ def measure_runs(conditions: Conditions) -> Measurement:
 
 
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Wall time of the same case alone and as every world of a batch.
+    """Return the wall time of the same case alone and as every world of a batch.
 
     On the CPU also without graphs: there launching costs more than computing, and a batch shares the launches.
     """

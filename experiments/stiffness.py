@@ -24,7 +24,7 @@ def cases(profile: str) -> list[Case]:
 
 
 def name(ke: float) -> str:
-    """2500.0 as ``2.5e3``."""
+    """Write 2500.0 as ``2.5e3``."""
     return f"{ke:.1e}".replace("e+0", "e")
 
 

@@ -38,7 +38,7 @@ ENGINE_ARRAYS = (
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Rows of runs, with their contacts in the middle of the shake, and of settings."""
+    """Return rows of runs, with their contacts in the middle of the shake, and of settings."""
     cases = [*RUNS, *(KF_RUNS if compat.kf_is_read() else ())]
     traces = conditions.simulate(cases, contact_frames=conditions.contact_frames()[1:2], title="upgrade")
     rows = [
@@ -51,7 +51,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def row_columns(contacts: ContactRows) -> dict[str, object]:
-    """The live contacts of a frame: how many, and the rows of the one that carries most force.
+    """Return the live contacts of a frame: how many, and the rows of the one that carries most force.
 
     ``friction_damping_per_s`` is what the friction rows do rather than what is stored for them: they aim at the
     acceleration -b v, and this is b, from the one of the two that moves faster.
@@ -66,7 +66,7 @@ def row_columns(contacts: ContactRows) -> dict[str, object]:
 
 
 def unread(case: Case) -> dict[str, object]:
-    """A row without numbers, for a run that would only repeat the one without the parameter."""
+    """Return a row without numbers, for a run that would only repeat the one without the parameter."""
     reason = f"the contact solver of newton {newton.__version__} does not read kf"
     columns = (*SHAKE_COLUMNS, "friction_timeconst_s", "friction_damping_per_s")
     row = {"kind": "run", "case": case.name, "pad_kf": case.pad_kf}
@@ -74,7 +74,7 @@ def unread(case: Case) -> dict[str, object]:
 
 
 def setting_rows(device: str) -> list[dict[str, object]]:
-    """A row for each setting that the scene as shipped does not make itself.
+    """Return a row for each setting that the scene as shipped does not make itself.
 
     Those are the options that the solver ends up with, the defaults of a shape, and sums over the engine's arrays, in
     which a change of how the scene is converted shows.

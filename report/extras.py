@@ -35,7 +35,7 @@ class Extras(extras.Extras):
 
     @cached_property
     def clips(self) -> Clips | None:
-        """Its clips; None when there are none that can be shown."""
+        """Return its clips; None when there are none that can be shown."""
         return Clips(self.edition.project, self._clips_state) if self._clips_state.record else None
 
     @cached_property
@@ -56,7 +56,7 @@ class Extras(extras.Extras):
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
-        """The runs of its replay; None where not all of them are kept and whole."""
+        """Return the runs of its replay; None where not all of them are kept and whole."""
         if "poses" not in self.edition.chapters:
             return None
         project, results = self.edition.project, self.edition.chapters["poses"].results
@@ -92,7 +92,7 @@ class Extras(extras.Extras):
 
     @property
     def files(self) -> Mapping[str, Path]:
-        """The program of the lab."""
+        """Return the program of the lab."""
         if "lab" not in self.edition.chapters:
             return {}
         return {f"lab/{file.name}": file for file in (*LAB.glob("dist/*"), LAB / "lab.css")}

@@ -66,7 +66,7 @@ def verify_lab(edition: Edition) -> tuple[str, bool]:
 
 
 def agrees(row: Mapping[str, Any], tracked: Any) -> bool:
-    """Whether the class is the same and, of a cube that is kept, the slip."""
+    """Tell whether the class is the same and, of a cube that is kept, the slip."""
     if row["class"] != str(tracked["class"]):
         return False
     slip = tracked.slip_mm.value

@@ -74,7 +74,7 @@ RULES = _rules()
 
 @cache
 def name_of(case: str) -> str:
-    """What a case is called; a case that no rule knows keeps its own name, with spaces."""
+    """Return what a case is called; a case that no rule knows keeps its own name, with spaces."""
     if case in WHOLE:
         return WHOLE[case]
     rest, names = case, []
@@ -90,7 +90,7 @@ def name_of(case: str) -> str:
 
 
 def number_of(text: str) -> str:
-    """A number of a case's name as one reads it: ``2.5e6`` as 2.5×10⁶ and ``0.2`` as it is."""
+    """Return a number of a case's name as one reads it: ``2.5e6`` as 2.5×10⁶ and ``0.2`` as it is."""
     mantissa, _, power = text.partition("e")
     if not power:
         return text
@@ -101,25 +101,25 @@ def number_of(text: str) -> str:
 
 
 def worlds_name(count: int) -> str:
-    """What a batch of so many worlds is called."""
+    """Return what a batch of so many worlds is called."""
     return f"{format_number(count)} world{'s' * (count > 1)}"
 
 
 def listed(names: Sequence[str]) -> str:
-    """These as a sentence lists them."""
+    """Return these as a sentence lists them."""
     return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
 def case_html(case: str) -> Markup:
-    """The name of a case, its code name in the title."""
+    """Return the name of a case, its code name in the title."""
     return Markup('<span class="case" title="{}">{}</span>').format(case, name_of(case))
 
 
 def some_html(names: Sequence[Markup]) -> Markup:
-    """As many of these as a sentence can hold, and that there are others."""
+    """Return as many of these as a sentence can hold, and that there are others."""
     return Markup("; ").join(names[:NAMED_COUNT]) + (" and others" if len(names) > NAMED_COUNT else "")
 
 
 def cases_html(cases: Iterable[str]) -> Markup:
-    """Names of cases in a sentence; ``none`` where there are none."""
+    """Return the names of cases in a sentence; ``none`` where there are none."""
     return Markup("; ").join(map(case_html, cases)) or Markup("none")

@@ -35,7 +35,7 @@ class Repeat:
 
     @property
     def difference(self) -> Quantity:
-        """Its size."""
+        """Return its size."""
         reasons = [each.reason for each in (self.here, self.tracked) if each.value is None]
         return absent("mm", reasons[0]) if reasons else Quantity(abs(self.here.value - self.tracked.value), "mm", "")
 
@@ -45,7 +45,7 @@ class Repeat:
 
     @property
     def agrees(self) -> bool:
-        """Whether nothing says that they differ; a run that fails where the tracked one did not differs."""
+        """Tell whether nothing says that they differ; a run that fails where the tracked one did not differs."""
         return self.outcome.name != "fails" and self.difference.value is not None
 
     @property

@@ -17,7 +17,8 @@ DOUBLE_STEP = replace(AS_SHIPPED, name="double-step", substeps=AS_SHIPPED.subste
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Rows of five kinds: contacts of a frame, rows of one contact, slide over the run, what explains it, the proof."""
+    """Return rows of five kinds: contacts of a frame, rows of one contact, slide over the run, what explains it, the
+    proof."""
     cases = (AS_SHIPPED, STIFF_PADS)
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
     restored = (*cases, DOUBLE_STEP)
@@ -30,7 +31,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
-    """The live contacts of each case, and what their velocities add up to."""
+    """Return the live contacts of each case, and what their velocities add up to."""
     traces = conditions.simulate(cases, contact_frames=conditions.contact_frames(), title="contacts")
     rows = []
     tables = {}
@@ -53,7 +54,7 @@ def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
 
 
 def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]:
-    """The three rows of the contact that carries most force."""
+    """Return the three rows of the contact that carries most force."""
     strongest = int(contacts.force_n[:, 0].argmax())
     if contacts.force_n[strongest, 0] <= 0.0:
         return []
@@ -73,7 +74,7 @@ def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]
 
 
 def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
-    """Every live contact of a frame, a row each."""
+    """Return every live contact of a frame, a row each."""
     return {
         "geom_1": contacts.geom[:, 0],
         "geom_2": contacts.geom[:, 1],

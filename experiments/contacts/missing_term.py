@@ -20,7 +20,8 @@ TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
 
 
 def predicted_row(case: Case) -> dict[str, object]:
-    """How much slide the term would give that the engine's contact rows leave out, next to the slide that they show.
+    """Say how much slide the term would give that the engine's contact rows leave out, next to the slide that they
+    show.
 
     A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity and b = 2 / (dmax timeconst)
     (MuJoCo documentation, "Computation", constraint model). The contact's real acceleration is J q̈ + J̇ q̇. Where the
@@ -39,7 +40,7 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 
 def restored_row(case: Case) -> dict[str, object]:
-    """The same run with the term put back: every contact row asks for -b v - J̇ q̇."""
+    """Return the same run with the term put back: every contact row asks for -b v - J̇ q̇."""
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
@@ -69,7 +70,7 @@ def _motion(trace: Trace) -> dict[str, object]:
 
 
 def mean_along_shake_m_s2(simulation: Simulation) -> float:
-    """J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
+    """Return J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
     engine, data = simulation.solver.mj_model, simulation.solver.mj_data
     cube, now = simulation.recorder.cube_geom, _at_end_of_step(engine, data)
     found = []
@@ -81,7 +82,8 @@ def mean_along_shake_m_s2(simulation: Simulation) -> float:
 
 
 def _at_end_of_step(engine: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjData:
-    """The same state with the kinematics that belong to it: after a step ``data`` still has those of its beginning."""
+    """Return the same state with the kinematics that belong to it: after a step ``data`` still has those of its
+    beginning."""
     now = mujoco.MjData(engine)
     now.qpos[:], now.qvel[:] = data.qpos, data.qvel
     mujoco.mj_kinematics(engine, now)

@@ -164,7 +164,7 @@ WORLD_FIELDS = (
 
 
 def batch_key(case: Case) -> Case:
-    """What must be equal for two cases to be worlds of the same simulation."""
+    """Return what must be equal for two cases to be worlds of the same simulation."""
     baseline = Case(name="")
     return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
 
@@ -174,13 +174,13 @@ RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
 
 
 def build_key(case: Case) -> Case:
-    """What must be equal for two cases to be run by one simulation, one after the other."""
+    """Return what must be equal for two cases to be run by one simulation, one after the other."""
     baseline = Case(name="")
     return replace(case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS})
 
 
 def differences(case: Case) -> dict[str, object]:
-    """Parameters in which ``case`` differs from the scene as shipped, by name."""
+    """Return the parameters in which ``case`` differs from the scene as shipped, by name."""
     baseline = Case(name="")
     names = (field.name for field in fields(case) if field.name != "name")
     return {name: getattr(case, name) for name in names if getattr(case, name) != getattr(baseline, name)}

@@ -22,7 +22,7 @@ GROWTH_SPEED_RATIO = 0.1
 
 
 def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
-    """The first of CLASSES that fits.
+    """Return the first of CLASSES that fits.
 
     Args:
         creep_floor_mm_s: Rate of creep that cannot be told from none [mm/s].
@@ -39,31 +39,33 @@ def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
 
 
 def is_finite(trace: Trace) -> bool:
-    """Whether every pose of every frame is."""
+    """Tell whether every pose of every frame is finite."""
     return bool(np.isfinite(trace.poses).all())
 
 
 def drive_peak_m_s(case: Case) -> float:
-    """Largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped."""
+    """Return the largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped."""
     shaken = case if case.shake_amplitude_m > 0.0 else AS_SHIPPED
     rate = 2.0 * np.pi * shaken.shake_frequency_hz
     return float(shaken.shake_amplitude_m * rate * np.linalg.norm(DRIVE_SHAPE))
 
 
 def is_exploded(case: Case, trace: Trace) -> bool:
-    """Whether the cube is far faster than the drive, or its energy grows over a cycle while it is in the grasp."""
+    """Tell whether the cube is far faster than the drive, or its energy grows over a cycle while it is in the grasp."""
     peak = drive_peak_m_s(case)
     return bool(excess_speed_m_s(case, trace).max() > DRIVE_RATIO * peak or is_energy_growing(case, trace))
 
 
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
-    """Speed of the cube in the world [m/s] less what falling from its first frame explains, shape [frames - 1]."""
+    """Return the speed of the cube in the world [m/s] less what falling from its first frame explains, shape [frames -
+    1]."""
     energy = excess_energy(trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt)
     return np.sqrt(2.0 * energy)
 
 
 def excess_energy(position_m: np.ndarray, gravity_m_s2: float, frame_dt: float) -> np.ndarray:
-    """Kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0; shape [frames - 1].
+    """Return the kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0; shape
+    [frames - 1].
 
     What falls freely has none: 1/2 v² = g h. A body that gravity slows counts with its kinetic energy alone.
 
@@ -78,7 +80,7 @@ def excess_energy(position_m: np.ndarray, gravity_m_s2: float, frame_dt: float) 
 
 
 def is_energy_growing(case: Case, trace: Trace) -> bool:
-    """Whether the cube's energy against the hand at least doubles from the last but one shake cycle to the last.
+    """Tell whether the cube's energy against the hand at least doubles from the last but one shake cycle to the last.
 
     Only while it is in the grasp in both, and not for motion that is slow against the drive.
     """
@@ -96,7 +98,7 @@ def is_energy_growing(case: Case, trace: Trace) -> bool:
 
 
 def creep_mm_s(case: Case, trace: Trace) -> float:
-    """How fast the cube moves in the grasp [mm/s]: its displacement over the last whole period of the shake.
+    """Say how fast the cube moves in the grasp [mm/s]: its displacement over the last whole period of the shake.
 
     The period is 2/f, after which all three axes of the target are where they were, so what the cube only swings drops
     out; when the shake is shorter than that, all of it counts.
@@ -110,7 +112,8 @@ def creep_mm_s(case: Case, trace: Trace) -> float:
 
 
 def cycle_increments(time_s: np.ndarray, along: np.ndarray, frequency_hz: float) -> np.ndarray:
-    """Change along the shake's main axis over each full shake cycle, at the phase of the first frame, shape [cycles].
+    """Return the change along the shake's main axis over each full shake cycle, at the phase of the first frame, shape
+    [cycles].
 
     Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
 

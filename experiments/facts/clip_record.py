@@ -25,12 +25,12 @@ MESHES = "assets/visual"
 
 
 def media_path(project: Project, case: str, suffix: str) -> Path:
-    """Where a clip, its poster or the still lies, beside its record."""
+    """Say where a clip, its poster or the still lies, beside its record."""
     return project.results / f"{CLIPS}.{case}.{suffix}"
 
 
 def clips_identity(project: Project) -> Identity:
-    """What the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
+    """Return what the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
     own = identity_at("experiments.media.clips", project.profile, project.root, packages={})
     poses = [trace_path(project.record_path("poses"), run) for runs in RUNS.values() for run in runs]
     files = [*(project.root / MESHES).glob("*.*"), *poses]
@@ -44,7 +44,7 @@ def sha256(path: Path) -> str:
 
 
 def clips_state(project: Project) -> State:
-    """Whether the clips are there, whole, and made from what there is now."""
+    """Tell whether the clips are there, whole, and made from what there is now."""
     path = project.record_path(CLIPS)
     if not path.exists():
         return State(CLIPS, "missing")

@@ -41,33 +41,34 @@ class KeptRun:
 
     @property
     def slip_mm(self) -> np.ndarray:
-        """Length of the displacement, shape [frames]; NaN before the shake."""
+        """Return the length of the displacement, shape [frames]; NaN before the shake."""
         return np.linalg.norm(self.moved_mm, axis=1)
 
     @property
     def shake_start(self) -> int:
-        """The first kept frame of the shake."""
+        """Return the first kept frame of the shake."""
         return int(np.argmax(np.isfinite(self.slip_mm)))
 
     @property
     def begin_in_hand(self) -> np.ndarray:
-        """Pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4, 4]."""
+        """Return pose of the cube in the TCP frame when the shake began, which need not be a kept frame, shape [4,
+        4]."""
         pose = self.cube_in_hand[self.shake_start].copy()
         pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
         return pose
 
     @property
     def start(self) -> np.ndarray:
-        """Where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
+        """Say where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
         return self.links[TCP] @ self.begin_in_hand
 
     def in_grasp(self) -> np.ndarray:
-        """Whether the cube is still in the grasp, shape [frames]."""
+        """Tell whether the cube is still in the grasp, shape [frames]."""
         return self.time_s < (np.inf if self.left_grasp_s is None else self.left_grasp_s)
 
 
 def kept_run(row: Mapping[str, Any], poses: pd.DataFrame, description: Path = DESCRIPTION) -> KeptRun:
-    """The run of a row of section poses, with the trace that lies beside its record."""
+    """Return the run of a row of section poses, with the trace that lies beside its record."""
     joints = poses[list(JOINTS)].to_numpy()
     links = link_poses(read_joints(description), joints, np.array([row[f"base_{axis}_m"] for axis in "xyz"]))
     cube = quaternion_matrices(poses[list(CUBE_PLACE)].to_numpy(), poses[list(CUBE_TURN)].to_numpy())

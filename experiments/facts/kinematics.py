@@ -23,7 +23,7 @@ class Joint:
 
 
 def read_joints(path: Path) -> tuple[Joint, ...]:
-    """The joints of a URDF file, each after the one that carries it."""
+    """Return the joints of a URDF file, each after the one that carries it."""
     return tuple(
         Joint(
             parent=element.find("parent").get("link"),
@@ -37,7 +37,7 @@ def read_joints(path: Path) -> tuple[Joint, ...]:
 
 
 def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray) -> dict[str, np.ndarray]:
-    """Poses [m] of all links in the world, shape [frames, 4, 4] each.
+    """Return the poses [m] of all links in the world, shape [frames, 4, 4] each.
 
     Args:
         positions: Of the joints that move, in the order of the description [rad or m], shape [frames, joints].
@@ -53,7 +53,7 @@ def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray)
 
 
 def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
-    """A pose as URDF writes it: turned about the fixed x, then y, then z [rad], then moved [m]; shape [4, 4]."""
+    """Return a pose as URDF writes it: turned about the fixed x, then y, then z [rad], then moved [m]; shape [4, 4]."""
     result = np.eye(4)
     for axis, angle in zip(np.eye(3), rpy, strict=True):
         result[:3, :3] = _turns(axis, np.array([angle]))[0] @ result[:3, :3]
@@ -62,12 +62,12 @@ def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
 
 
 def relative_poses(poses: np.ndarray, frame: np.ndarray) -> np.ndarray:
-    """Poses as seen from another frame, both in the world; shapes [frames, 4, 4]."""
+    """Return the poses as seen from another frame, both in the world; shapes [frames, 4, 4]."""
     return np.linalg.inv(frame) @ poses
 
 
 def quaternion_matrices(position: np.ndarray, quaternion: np.ndarray) -> np.ndarray:
-    """Poses of positions [m] and unit quaternions (x, y, z, w), shapes [frames, 3] and [frames, 4]."""
+    """Return the poses of positions [m] and unit quaternions (x, y, z, w), shapes [frames, 3] and [frames, 4]."""
     quaternion = quaternion.astype(np.float64)
     cross = _cross_matrices(quaternion[:, :3])
     result = np.tile(np.eye(4), (len(position), 1, 1))
@@ -86,14 +86,12 @@ def _motion(joint: Joint, value: np.ndarray) -> np.ndarray:
 
 
 def _turns(axis: np.ndarray, angle: np.ndarray) -> np.ndarray:
-    """Rotations about a unit axis, shape [angles, 3, 3] (Rodrigues)."""
     cross = _cross_matrices(axis[None])[0]
     sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
     return np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
 
 
 def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """What multiplies by the cross product, shape [vectors, 3, 3]."""
     x, y, z = vectors.T
     zero = np.zeros_like(x)
     return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)

@@ -26,7 +26,7 @@ def rotate_inverse(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
 
 
 def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
-    """Position [m] of ``body`` in the frame of another body, shape [frames, 3].
+    """Return the position [m] of ``body`` in the frame of another body, shape [frames, 3].
 
     Args:
         poses: Position and quaternion of each body, shape [frames, bodies, 7].
@@ -48,7 +48,8 @@ class Displacement:
 
 
 def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displacement:
-    """Displacement of ``body`` in the frame of another body over the shake; empty if the shake was never reached."""
+    """Return the displacement of ``body`` in the frame of another body over the shake; empty if the shake was never
+    reached."""
     poses = trace.poses[trace.phase == SHAKE].astype(np.float64)
     if len(poses) == 0:
         return Displacement(np.zeros(0), np.zeros((0, 3)), np.zeros(0))
@@ -59,34 +60,35 @@ def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displaceme
 
 
 def slip_mm(moved: Displacement) -> float:
-    """Length of the displacement in the last frame [mm]."""
+    """Return the length of the displacement in the last frame [mm]."""
     return 1e3 * float(np.linalg.norm(moved.vector_m[-1]))
 
 
 def fit_line(moved: Displacement) -> tuple[float, float]:
-    """Least-squares slope [m/s] and value at time 0 [m] of the component along the main axis."""
+    """Return the least-squares slope [m/s] and value at time 0 [m] of the component along the main axis."""
     slope, offset = np.polyfit(moved.time_s, moved.along_m, 1)
     return float(slope), float(offset)
 
 
 def drift_mm_s(moved: Displacement) -> float:
-    """Least-squares slope of the component along the main axis over the whole shake [mm/s]."""
+    """Return the least-squares slope of the component along the main axis over the whole shake [mm/s]."""
     return 1e3 * fit_line(moved)[0]
 
 
 def oscillation_mm(moved: Displacement) -> float:
-    """Root mean square of what is left about the fitted line [mm]."""
+    """Return the root mean square of what is left about the fitted line [mm]."""
     slope, offset = fit_line(moved)
     return 1e3 * float(np.sqrt(np.mean((moved.along_m - slope * moved.time_s - offset) ** 2)))
 
 
 def wander_mm(moved: Displacement) -> float:
-    """Largest distance from the position in the first frame of the shake [mm]."""
+    """Return the largest distance from the position in the first frame of the shake [mm]."""
     return 1e3 * float(np.linalg.norm(moved.vector_m, axis=1).max())
 
 
 def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
-    """Length of the mean change in position over a shake cycle, the first cycle and an odd last one left out [mm].
+    """Return the length of the mean change in position over a shake cycle, the first cycle and an odd last one left out
+    [mm].
 
     The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
     only pairs of cycles count. NaN when there is no pair after the first cycle.
@@ -100,34 +102,34 @@ def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
 
 
 def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
-    """Root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
+    """Return the root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
     return 1e3 * float(np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1))))
 
 
 def cube_height_m(trace: Trace) -> float:
-    """Height of the cube's centre in the last frame [m]."""
+    """Return the height of the cube's centre in the last frame [m]."""
     return float(trace.poses[-1, CUBE, 2])
 
 
 def is_dropped(trace: Trace) -> bool:
-    """Whether the cube ends far from the TCP, or on the ground."""
+    """Tell whether the cube ends far from the TCP, or on the ground."""
     cube, tcp = trace.poses[-1, CUBE, :3].astype(np.float64), trace.poses[-1, TCP, :3].astype(np.float64)
     on_ground = cube[2] < SPAWN_HEIGHT + SPAWN_HEIGHT_TOLERANCE
     return bool(np.linalg.norm(cube - tcp) > DROP_DISTANCE or on_ground)
 
 
 def shake_mean(trace: Trace, column: str) -> float:
-    """Mean of a frame statistic over the shake; NaN frames are left out."""
+    """Return the mean of a frame statistic over the shake; NaN frames are left out."""
     return float(np.nanmean(trace.column(column)[trace.phase == SHAKE]))
 
 
 def slide_mm(trace: Trace) -> float:
-    """What the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
+    """Return what the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
     return 1e3 * float(trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt)
 
 
 def total_drift_mm(moved: Displacement) -> float:
-    """Length of the fitted drift of all three components over the whole shake [mm]."""
+    """Return the length of the fitted drift of all three components over the whole shake [mm]."""
     slope = np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     return 1e3 * float(np.linalg.norm(slope) * moved.time_s[-1])
 

@@ -93,12 +93,12 @@ class Trace:
     """Wall time of the whole batch: all frames, without building, compiling and capturing."""
 
     def column(self, name: str) -> np.ndarray:
-        """One of FRAME_COLUMNS over time, shape [frames]."""
+        """Return one of FRAME_COLUMNS over time, shape [frames]."""
         return self.contacts[:, FRAME_COLUMNS.index(name)]
 
 
 def first_failure(poses: np.ndarray, seen: Failure | None) -> Failure | None:
-    """The earlier of what the recorder saw and the first frame with a pose that is not finite.
+    """Return the earlier of what the recorder saw and the first frame with a pose that is not finite.
 
     Args:
         poses: Shape [frames, bodies, 7].

@@ -42,8 +42,8 @@ CREEP_COLUMNS = (*(f"creep_{axis}_mm_s" for axis in "xyz"), "increment_first_mm"
 
 
 def creep(trace: Trace) -> dict[str, object]:
-    """Rates of all three axes, and how far the cube goes in the first and the last whole second, in the direction in
-    which it ends up; None without a whole second."""
+    """Return the rates of all three axes, and how far the cube goes in the first and the last whole second, in the
+    direction in which it ends up; None without a whole second."""
     moved = metrics.displacement(trace)
     if trace.failure or len(moved.time_s) <= FRAME_RATE:
         reason = str(trace.failure or "the time after the lift is shorter than a second")

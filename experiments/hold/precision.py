@@ -31,7 +31,8 @@ class Held:
     arm_rad_s: list[np.ndarray] = field(default_factory=list)
 
     def columns(self) -> dict[str, object]:
-        """Rates [mm/s] of the cube, and of the arm's fastest joint how much of its velocity its position follows."""
+        """Return the rates [mm/s] of the cube, and of the arm's fastest joint how much of its velocity its position
+        follows."""
         seconds = len(self.cube_m) - 1
         rate = 1e3 * (self.cube_m[-1] - self.cube_m[0]) / seconds
         velocity = np.mean(self.arm_rad_s, axis=0)
@@ -49,7 +50,8 @@ class Held:
 
 
 def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
-    """MuJoCo Warp, and MuJoCo's C engine on its own with positions kept in double and rounded to single precision."""
+    """Measure MuJoCo Warp, and MuJoCo's C engine on its own with positions kept in double and rounded to single
+    precision."""
     seconds = SECONDS[conditions.profile]
     hold = replace(HOLD, frame_count=1, **ENGINES_AGREE)
     in_c = _settled(replace(hold, backend="mujoco"), "cpu")
@@ -81,7 +83,7 @@ def _in_warp(simulation: Simulation, seconds: int) -> Held:
 
 
 def _in_c(simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjData], None]) -> Held:
-    """A copy is stepped without Newton, which would hand its state over in single precision at every step."""
+    """Step a copy without Newton, which would hand its state over in single precision at every step."""
     engine, data = simulation.solver.mj_model, copy.copy(simulation.solver.mj_data)
     cube = engine.geom_bodyid[simulation.recorder.cube_geom]
     tcp = next(body for body in range(engine.nbody) if engine.body(body).name.endswith("fr3_hand_tcp"))

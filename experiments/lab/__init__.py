@@ -44,7 +44,7 @@ CASES = [*SHOWN, NEARBY, WITH_MIDPHASE]
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """The scene, and a row for each case."""
+    """Return the scene, and a row for each case."""
     cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in CASES]
     traces = {}
     for case in tqdm(cases, "lab", unit="run", delay=3.0):
@@ -56,21 +56,21 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
-    """Its metrics, and in which class it ended."""
+    """Return its metrics, and in which class it ended."""
     row = summarize(case, trace) | {"backend": "mujoco-c", "class": classify(case, trace, floor_mm_s)}
     use = float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max())
     return row | {"cone_use": use, "creep_floor_mm_s": floor_mm_s, "has_midphase": case.name == WITH_MIDPHASE.name}
 
 
 def scene_rows() -> list[dict[str, str]]:
-    """The MJCF of the scene, in parts as long as a record's texts may be, one after the other."""
+    """Return the MJCF of the scene, in parts as long as a record's texts may be, one after the other."""
     text = scene_mjcf()
     parts = [text[start : start + TEXT_LENGTH] for start in range(0, len(text), TEXT_LENGTH)]
     return [{"case": f"scene-{number}", "mjcf": part} for number, part in enumerate(parts, start=1)]
 
 
 def scene_mjcf() -> str:
-    """The scene as shipped, less what changes no slip, with the TCP as a site."""
+    """Return the scene as shipped, less what changes no slip, with the TCP as a site."""
     simulation = Simulation([replace(LEAN, backend="mujoco")], wp.get_device("cpu"))
     link = simulation.scene.links["fr3_hand_tcp"]
     body = simulation.solver.mjc_body_to_newton.numpy()[0].tolist().index(link.body)

@@ -33,7 +33,7 @@ class DoubleShake(NativeShake):
         self.newton_bodies = self.simulation.solver.mjc_body_to_newton.numpy()[0]
 
     def run(self) -> Trace:
-        """All frames: poses and cone use."""
+        """Return all frames: poses and cone use."""
         frame_count = self.case.frame_count
         poses, phase = np.zeros((frame_count, len(self.bodies), 7)), np.zeros(frame_count, dtype=int)
         contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)

@@ -63,12 +63,12 @@ class Clip:
 
     @property
     def fall_s(self) -> float:
-        """When in the shake the first cube is out of the grasp; infinite when none ever is."""
+        """Say when in the shake the first cube is out of the grasp; infinite when none ever is."""
         return min(np.inf if run.left_grasp_s is None else run.left_grasp_s for run in self.runs)
 
     @cached_property
     def frames(self) -> np.ndarray:
-        """The kept frame that each frame of the clip shows, the last one as long as it stays."""
+        """Return the kept frame that each frame of the clip shows, the last one as long as it stays."""
         time_s = self.runs[0].time_s
         step = round(1.0 / (FRAME_RATE * (time_s[1] - time_s[0])))
         last = int(np.searchsorted(time_s, self.fall_s + FALL_S)) - 1
@@ -76,15 +76,15 @@ class Clip:
         return np.append(moving, np.full(round(STAY_S * FRAME_RATE), last))
 
     def readout(self) -> dict[str, np.ndarray]:
-        """What stands in each frame of the clip: time since the shake began and the displacements; NaN where none is
-        read out, before the shake and once the cube is out of the grasp."""
+        """Return what stands in each frame of the clip: time since the shake began and the displacements; NaN where
+        none is read out, before the shake and once the cube is out of the grasp."""
         found = {"time_s": self.runs[0].time_s[self.frames]}
         for name, run in zip(self.names, self.runs, strict=True):
             found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
         return found
 
     def camera(self, frame: int) -> Camera:
-        """The view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
+        """Return the view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
         run = self.runs[0]
         time_s = run.time_s[frame]
         near = _smooth(1.0 + time_s / APPROACH_S) * _smooth(1.0 - (time_s - self.fall_s) / APPROACH_S)
@@ -98,13 +98,12 @@ class Clip:
 
 
 def _smooth(share: float) -> float:
-    """From 0 to 1, slow at both ends."""
     share = np.clip(share, 0.0, 1.0)
     return float(share * share * (3.0 - 2.0 * share))
 
 
 def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
-    """The frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits."""
+    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits."""
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
     overlay = Overlay(clip)
     picture = None
@@ -135,7 +134,7 @@ def write_image(path: Path, picture: np.ndarray) -> None:
 
 
 def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
-    """Where everything is; the edges that mark the cube's start are there once the shake has begun."""
+    """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
     found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
     return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
 
@@ -155,7 +154,7 @@ class Overlay:
             self.curves.append(axes.plot([], [], clip_on=False, **style)[0])
 
     def on(self, panels: np.ndarray, number: int) -> np.ndarray:
-        """The picture of a frame, shape [HEIGHT, WIDTH, 3], 8 bits; ``panels`` as in ``Sheet.on``."""
+        """Return the picture of a frame, shape [HEIGHT, WIDTH, 3], 8 bits; ``panels`` as in ``Sheet.on``."""
         time_s = self.readout["time_s"][: number + 1]
         for name, label, curve in zip(self.names, self.labels, self.curves, strict=True):
             values = self.readout[f"{name}_mm"][: number + 1]
@@ -191,7 +190,7 @@ class Sheet:
         self.canvas = FigureCanvasAgg(self.figure)
 
     def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
-        """Text of ``size`` whose baseline begins at a place [pixels]."""
+        """Return text of ``size`` whose baseline begins at a place [pixels]."""
         place = left / self.width, 1.0 - top / self.height
         return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
 
@@ -202,7 +201,7 @@ class Sheet:
         return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
 
     def on(self, panels: np.ndarray) -> np.ndarray:
-        """The whole picture, shape [height, width, 3], 8 bits.
+        """Return the whole picture, shape [height, width, 3], 8 bits.
 
         Args:
             panels: The two panels, shape [2, PANEL_HEIGHT, width / 2, 3], from 0 to 1.
@@ -218,12 +217,13 @@ class Sheet:
 
 
 def reading(slip_mm: float) -> str:
-    """The displacement as it is read out."""
+    """Return the displacement as it is read out."""
     return "fell out" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
 
 
 def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
-    """The hand as when the shake begins; the cube as then, and in every second cycle, counted from the last kept frame.
+    """Return the hand as when the shake begins; the cube as then, and in every second cycle, counted from the last
+    kept frame.
 
     Displacements are drawn MAGNIFIED times as large. Shape [STILL height, STILL width, 3], 8 bits.
     """
@@ -249,7 +249,7 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
 
 
 def _magnified(run: KeptRun, start: int, frame: int) -> dict[str, np.ndarray]:
-    """The links as at ``start``, and the cube, with its edges, where it is in the hand at ``frame``."""
+    """Return the links as at ``start``, and the cube, with its edges, where it is in the hand at ``frame``."""
     in_hand = run.cube_in_hand[frame].copy()
     origin = run.begin_in_hand[:3, 3]
     in_hand[:3, 3] = origin + MAGNIFIED * (in_hand[:3, 3] - origin)

@@ -89,14 +89,14 @@ def make_clips(project: Project, device: wp.Device) -> None:
 
 
 def kept_clip(project: Project, poses: Record, case: str) -> Clip:
-    """The clip ``case`` of the kept runs that it shows."""
+    """Return the clip ``case`` of the kept runs that it shows."""
     path = project.record_path("poses")
     left, right = (kept_run(row_of(poses, run), load_trace(trace_path(path, run))) for run in shown.RUNS[case])
     return Clip((left, right), shown.RUNS[shown.FIRST])
 
 
 def readout_table(clip: Clip) -> pd.DataFrame:
-    """What is read out in each frame, over the clip's own time."""
+    """Return what is read out in each frame, over the clip's own time."""
     table = pd.DataFrame(clip.readout()).round(5)
     return table.assign(time_s=np.arange(len(table)) / FRAME_RATE)
 

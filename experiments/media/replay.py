@@ -39,11 +39,11 @@ class Replay:
         self.viewer.end_frame()
 
     def test_final(self) -> None:
-        """There is nothing to fail: what was kept is shown as it is."""
+        """Return there is nothing to fail: what was kept is shown as it is."""
 
 
 def load_poses(path: Path) -> pd.DataFrame:
-    """The kept poses of a run; CaseError when the file holds none."""
+    """Return the kept poses of a run; CaseError when the file holds none."""
     try:
         poses = load_trace(path)
     except RecordError as error:

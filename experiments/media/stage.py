@@ -48,7 +48,7 @@ class Camera:
 
     @property
     def pose(self) -> np.ndarray:
-        """Pose of the camera, which looks along its −z, shape [4, 4]."""
+        """Return pose of the camera, which looks along its −z, shape [4, 4]."""
         back = self.eye - self.target
         back = back / np.linalg.norm(back)
         right = np.cross((0.0, 0.0, 1.0), back)
@@ -56,8 +56,8 @@ class Camera:
         return np.vstack([np.stack([right, np.cross(back, right), back, self.eye], axis=1), (0, 0, 0, 1)])
 
     def rays(self, x: np.ndarray, y: np.ndarray, width: int, height: int) -> np.ndarray:
-        """Origins and directions, seen from the camera, of rays through places of the picture [pixels]; for arrays of
-        any one shape, shape [..., 2, 3]."""
+        """Return the origins and directions, seen from the camera, of rays through places of the picture [pixels]; for
+        arrays of any one shape, shape [..., 2, 3]."""
         reach = np.tan(np.radians(self.height_deg) / 2)
         direction = np.stack(
             [(2 * x - width) / height * reach, (1 - 2 * y / height) * reach, np.full(x.shape, -1.0)], axis=-1
@@ -88,7 +88,7 @@ class Stage:
         self.model.bvh_refit_shapes(self.state)
 
     def picture(self, camera: Camera, width: int, height: int) -> np.ndarray:
-        """What is seen of each world, linear colours, shape [worlds, height, width, 3]."""
+        """Return what is seen of each world, linear colours, shape [worlds, height, width, 3]."""
         x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
         colour, shape = self._trace(camera, camera.rays(x, y, width, height))
         edge = _is_edge(display(colour).mean(axis=-1), shape)
@@ -100,7 +100,8 @@ class Stage:
         return colour
 
     def _trace(self, camera: Camera, rays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Linear colour and shape that each ray meets in each world; ``rays`` has shape [rows, columns, 2, 3]."""
+        """Return the linear colour and shape that each ray meets in each world; ``rays`` has shape [rows, columns, 2,
+        3]."""
         size = (self.world_count, 1, *rays.shape[:2])
         device = self.model.device
         colour, depth, shape = (wp.zeros(size, dtype=dtype, device=device) for dtype in (wp.vec3f, float, wp.uint32))
@@ -119,7 +120,8 @@ class Stage:
 
 
 def display(linear: np.ndarray) -> np.ndarray:
-    """Linear colours as displayed (sRGB), from 0 to 1; those that are nearly white, and brighter, keep some shades."""
+    """Return the linear colours as displayed (sRGB), from 0 to 1; those that are nearly white, and brighter, keep some
+    shades."""
     knee = 0.7
     over = np.maximum(linear - knee, 0.0)
     soft = np.where(linear > knee, knee + (1 - knee) * over / (over + 1 - knee), linear)
@@ -127,17 +129,17 @@ def display(linear: np.ndarray) -> np.ndarray:
 
 
 def display_mean(linear: np.ndarray) -> np.ndarray:
-    """Mean of a pixel's samples, shape [..., samples, 3], in which one that is too bright counts as white."""
+    """Return the mean of a pixel's samples, shape [..., samples, 3], in which one that is too bright counts as
+    white."""
     return np.minimum(linear, 1.0).mean(axis=-2)
 
 
 def transform(matrix: np.ndarray) -> wp.transformf:
-    """A pose, shape [4, 4], as Warp has it."""
+    """Return a pose, shape [4, 4], as Warp has it."""
     return wp.transformf(wp.vec3f(*matrix[:3, 3]), wp.quat_from_matrix(wp.mat33f(*matrix[:3, :3].reshape(-1))))
 
 
 def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -> ModelBuilder:
-    """Bodies that only have a place and a look."""
     parts = [
         (part, newton.Mesh(part.corners, np.arange(len(part.corners)), normals=part.normals, compute_inertia=False))
         for part in robot_parts()
@@ -175,7 +177,6 @@ def _add_box(builder: ModelBuilder, body: int, centre, size, look: ModelBuilder.
 
 
 def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Centre and half extents of a thin box along each edge of a cube."""
     found = []
     for axis in range(3):
         for first in (-half, half):
@@ -187,7 +188,7 @@ def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
-    """Pixels that differ from one beside them in any world; shape [height, width]."""
+    """Return the pixels that differ from one beside them in any world; shape [height, width]."""
     edge = np.zeros(brightness.shape, dtype=bool)
     for axis in (1, 2):
         ahead = [slice(None)] * 3
@@ -201,6 +202,6 @@ def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
 
 
 def _spread(count: int) -> np.ndarray:
-    """Places in a pixel, evenly spread in it, shape [count, 2]: the R2 sequence (M. Roberts, 2018)."""
+    """Return the places in a pixel, evenly spread in it, shape [count, 2]: the R2 sequence (M. Roberts, 2018)."""
     step = np.array([0.7548776662466927, 0.5698402909980532])
     return (0.5 + np.arange(count)[:, None] * step) % 1.0

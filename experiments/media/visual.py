@@ -32,7 +32,7 @@ class Part:
 
 
 def robot_parts() -> Iterator[Part]:
-    """The parts of every link."""
+    """Return the parts of every link."""
     listing = json.loads((FOLDER / "visual.json").read_text(encoding="utf-8"))
     for link, mesh in LINKS.items():
         for part in listing[mesh]:
@@ -41,14 +41,14 @@ def robot_parts() -> Iterator[Part]:
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices [m], shape [vertices, 3], and triangles as indices of them, shape [triangles, 3]."""
+    """Return the vertices [m], shape [vertices, 3], and triangles as indices of them, shape [triangles, 3]."""
     lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
     vertices = np.array([line[1:] for line in lines if line[0] == "v"], dtype=np.float32)
     return vertices, np.array([line[1:] for line in lines if line[0] == "f"], dtype=np.int32) - 1
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """The normal of each corner: the mean, by area, of the faces about its vertex that meet at no edge, shape
+    """Return the normal of each corner: the mean, by area, of the faces about its vertex that meet at no edge, shape
     [3 * triangles, 3]."""
     sides = vertices[faces[:, 1:]] - vertices[faces[:, :1]]
     area = np.cross(sides[:, 0], sides[:, 1])

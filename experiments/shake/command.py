@@ -19,7 +19,7 @@ LARGEST = {"world_count": 65536, "substeps": 4096, "num_frames": 1_000_000}
 
 
 def create_parser():
-    """Newton's example arguments and the scene's own."""
+    """Return Newton's example arguments and the scene's own."""
     parser = newton.examples.create_parser()
     newton.examples.add_world_count_arg(parser)
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
@@ -42,7 +42,7 @@ def create_parser():
 
 
 def case_of(args) -> Case:
-    """The case that the command line describes; CaseError when a value makes no sense."""
+    """Return the case that the command line describes; CaseError when a value makes no sense."""
     if args.backend == "mujoco" and args.world_count != 1:
         raise CaseError(f"--world-count must be 1 with --backend mujoco, got {args.world_count}")
     for name, largest in LARGEST.items():
@@ -66,7 +66,7 @@ def case_of(args) -> Case:
 
 
 def check_device(name: str | None) -> None:
-    """CaseError when warp has no such device."""
+    """Raise CaseError when warp has no such device."""
     try:
         wp.get_device(name)
     except (ValueError, RuntimeError):
@@ -75,13 +75,13 @@ def check_device(name: str | None) -> None:
 
 
 def check_viewer(name: str) -> None:
-    """CaseError when the viewer can't open a window."""
+    """Raise CaseError when the viewer can't open a window."""
     if name == "gl" and importlib.util.find_spec("pyglet") is None:
         raise CaseError("--viewer gl needs pyglet, which comes with newton[examples]; --viewer null opens no window")
 
 
 def check_json(path: Path | None) -> None:
-    """CaseError when no file can be written there, which would be found out only at the end."""
+    """Raise CaseError when no file can be written there, which would be found out only at the end."""
     if path and (
         (path.exists() and not path.is_file()) or not os.access(path if path.exists() else path.parent, os.W_OK)
     ):
@@ -103,7 +103,7 @@ def main() -> int:
 
 
 def refuse(message: str) -> None:
-    """CaseError with what the command line can't be."""
+    """Raise CaseError with what the command line can't be."""
     raise CaseError(" ".join(message.split()))
 
 

@@ -41,13 +41,13 @@ class Example:
         self.viewer.end_frame()
 
     def summaries(self) -> list[dict[str, object]]:
-        """The measured summary of each world so far."""
+        """Return the measured summary of each world so far."""
         frame_count = min(self.frame_count, self.case.frame_count)
         traces = self.simulation.recorder.traces(self.simulation.frame_dt, frame_count, wall_s=0.0)
         return [summary_of(self.case, trace) for trace in traces]
 
     def test_final(self) -> None:
-        """The cube must still be in the grasp, in every world; TestFailed when it is not."""
+        """Raise TestFailed where the cube of any world is not in the grasp any more."""
         for world, summary in enumerate(self.summaries()):
             if summary["failure"]:
                 raise TestFailed(f"world {world}: {summary['failure']}")
@@ -58,7 +58,8 @@ class Example:
 
 
 def summary_of(case: Case, trace: Trace) -> dict[str, object]:
-    """The row of a trace, in which a cube that was not shaken, and perhaps not grasped yet, is not called dropped."""
+    """Return the row of a trace, in which a cube that was not shaken, and perhaps not grasped yet, is not called
+    dropped."""
     row = summarize(case, trace)
     del row["wall_s"]  # nothing is timed here
     reason = row.get("slip_mm_reason")
@@ -66,12 +67,12 @@ def summary_of(case: Case, trace: Trace) -> dict[str, object]:
 
 
 def headline(summary: dict[str, object]) -> str:
-    """The summary in a line."""
+    """Return the summary in a line."""
     if summary["slip_mm"] is None:
         return f"no slip: {summary['slip_mm_reason']}"
     return f"slip {summary['slip_mm']:.3g} mm, drift {summary['drift_mm_s']:.3g} mm/s"
 
 
 def plain(row: dict[str, object]) -> dict[str, object]:
-    """The row with numpy's scalars turned into Python's."""
+    """Return the row with numpy's scalars turned into Python's."""
     return {name: value.item() if isinstance(value, np.generic) else value for name, value in row.items()}

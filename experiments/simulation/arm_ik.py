@@ -33,7 +33,7 @@ def residual(
     angles: wp.array3d[float],
     columns: wp.array3d[wp.spatial_vector],
 ):
-    """How far the TCP is off, in place and as a rotation vector; its Jacobian goes into ``columns``."""
+    """Say how far the TCP is off, in place and as a rotation vector; its Jacobian goes into ``columns``."""
     pose = wp.transform_identity()
     for joint in range(axis.shape[0]):
         pose = pose * parent_pose[joint]
@@ -63,7 +63,7 @@ def residual(
 
 @wp.func
 def solved(matrix: wp.spatial_matrix, right: wp.spatial_vector):
-    """The x for which ``matrix`` x = ``right``, by Cholesky's decomposition."""
+    """Return the x for which ``matrix`` x = ``right``, by Cholesky's decomposition."""
     lower = wp.spatial_matrix()
     for i in range(6):
         for j in range(i + 1):
@@ -175,7 +175,7 @@ class ArmSolver:
 def arm_solver(
     robot: newton.Model, body: int, tip: wp.transform, target_position: wp.array, target_rotation: wp.array
 ) -> ArmSolver:
-    """The solver for the pose ``tip`` in ``body`` of ``robot``.
+    """Return the solver for the pose ``tip`` in ``body`` of ``robot``.
 
     Raises:
         ValueError: A joint before that body neither turns nor is fixed.

@@ -21,7 +21,7 @@ class RunFailed(Exception):
 
 
 def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
-    """What the engine has warned of by frame ``frame``."""
+    """Return what the engine has warned of by frame ``frame``."""
     found = next((failure for kind, failure in FAILURES.items() if data.warning[kind].number), None)
     return Failure(found[0], frame, found[1]) if found else None
 

@@ -16,7 +16,7 @@ __all__ = ["Conditions", "be_quiet", "device", "explained", "prepare", "settle"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
-    """The Warp device to measure on; ReportError when it is not there.
+    """Return the Warp device to measure on; ReportError when it is not there.
 
     Args:
         kind: ``cuda``, ``cpu``, or None for CUDA where there is one.
@@ -33,7 +33,7 @@ def warp_device(kind: str | None) -> wp.Device:
 
 
 def device(kind: str | None) -> Device:
-    """The device to measure on; see ``warp_device``."""
+    """Return the device to measure on; see ``warp_device``."""
     found = warp_device(kind)
     return Device("cuda", found.name, found.uuid) if found.is_cuda else Device("cpu")
 
@@ -50,7 +50,7 @@ def prepare(kind: str) -> None:
 
 
 def be_quiet() -> None:
-    """In a process beside others Warp warns no second time, and finds the kernels that were compiled before."""
+    """Let Warp, in a process beside others, warn no second time, and find the kernels that were compiled before."""
     wp.config.log_level = wp.LOG_ERROR
     wp.config.enable_backward = False
 
@@ -64,7 +64,7 @@ def settle() -> bool:
 
 
 def explained(error: Exception) -> str:
-    """What an error of Warp means, in a line; it has printed what the compiler says."""
+    """Return what an error of Warp means, in a line; it has printed what the compiler says."""
     said = " ".join(str(error).split())
     found = NOT_COMPILED.search(said)
     return f"its kernels can't be compiled by Warp {version('warp-lang')} ({said:.200})" if found else ""

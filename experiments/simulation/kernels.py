@@ -70,7 +70,7 @@ def compile_first(device: wp.Device) -> str:
 
 
 def modules_of(device: wp.Device, case: Case) -> list[tuple[Module, int | None]]:
-    """The modules, with their block sizes, whose kernels a frame of ``case`` launches; none is launched."""
+    """Return the modules, with their block sizes, whose kernels a frame of ``case`` launches; none is launched."""
     wanted: dict[tuple[Module, int | None], None] = {}
 
     def note(module: Module, device: wp.Device, block_dim: int | None = None) -> None:
@@ -94,7 +94,8 @@ def _rank(name: str) -> int:
 
 @contextmanager
 def _no_launches(note: Callable) -> Iterator[None]:
-    """Within it a launch notes the module that it needs and does nothing, and a conditional part is queued once."""
+    """Let a launch within it only note the module that it needs, and a conditional part be queued
+    once."""
 
     def once(condition: wp.array, body: Callable | None = None, stream: wp.Stream | None = None, **arguments) -> None:
         (body or arguments.pop("while_body"))(**arguments)

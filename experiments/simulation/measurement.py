@@ -25,27 +25,27 @@ class Conditions(conditions.Conditions):
     """How a section is to be measured."""
 
     def frame_count(self, full: int) -> int:
-        """``full``, or fewer frames when quick."""
+        """Return ``full``, or fewer frames when quick."""
         return min(full, QUICK_FRAME_COUNT) if self.quick else full
 
     def contact_frames(self, full: int = AS_SHIPPED.frame_count) -> tuple[int, ...]:
-        """Three frames in the middle of the shake of a run of ``full`` frames."""
+        """Return three frames in the middle of the shake of a run of ``full`` frames."""
         middle = (SETUP_FRAME_COUNT + self.frame_count(full)) // 2
         return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
 
     def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
-        """``simulation.simulate`` on this device, with the runs cut short when quick."""
+        """Return ``simulation.simulate`` on this device, with the runs cut short when quick."""
         cases = [replace(case, frame_count=self.frame_count(case.frame_count)) for case in cases]
         return simulate(cases, device=self.device, **options)
 
     def measure(self, cases: Sequence[Case], title: str) -> Measurement:
-        """The plain kind of section: a row for each case, and nothing else."""
+        """Return the plain kind of section: a row for each case, and nothing else."""
         traces = self.simulate(cases, title=title)
         return Measurement([summarize(case, trace) for case, trace in zip(cases, traces, strict=True)])
 
 
 def summarize(case: Case, trace: Trace) -> dict[str, object]:
-    """One row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
+    """Return one row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
 
     A number that does not exist is None, with a reason under ``<name>_reason``.
     """
@@ -96,7 +96,8 @@ def _cycle_numbers(increments_mm: np.ndarray) -> dict[str, float]:
 
 
 def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
-    """Displacement of the cube in the TCP frame [mm] over the shake, a column for each axis and one along the shake."""
+    """Return the displacement of the cube in the TCP frame [mm] over the shake, a column for each axis and one along
+    the shake."""
     moved = metrics.displacement(trace)
     vector = 1e3 * moved.vector_m
     return {
@@ -109,7 +110,7 @@ def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
 
 
 def grasp_columns(rows: ContactRows) -> dict[str, object]:
-    """``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
+    """Return ``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
     found = metrics.grasp(rows)
     if found is not None:
         return asdict(found)

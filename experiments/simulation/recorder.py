@@ -50,7 +50,7 @@ def watch_substep(
 
 @wp.func
 def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elliptic: bool, mu: float) -> wp.vec3:
-    """Normal and two tangential forces of a contact from its constraint rows.
+    """Return the normal and two tangential forces of a contact from its constraint rows.
 
     With a pyramidal cone the rows are the pyramid's edges: their sum is the normal force and each tangential force is
     mu times the difference of two opposite edges (MuJoCo documentation, "Computation", friction cones).
@@ -70,7 +70,7 @@ def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elli
 
 @wp.func
 def row_slide(velocity: wp.array2d[float], world: int, address: int, elliptic: bool, mu: float) -> wp.vec2:
-    """Velocities of the two friction rows; from a pyramid's edges as in ``row_force``."""
+    """Return the velocities of the two friction rows; from a pyramid's edges as in ``row_force``."""
     result = wp.vec2(velocity[world, address + 1], velocity[world, address + 2])
     if not elliptic:
         first = velocity[world, address] - velocity[world, address + 1]
@@ -250,7 +250,7 @@ class Recorder:
         return result
 
     def _contact_count(self) -> tuple[wp.array, int]:
-        """Where the generator of the contacts counts them, and the most that is sure to be all of them.
+        """Say where the generator of the contacts counts them, and the most that is sure to be all of them.
 
         Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer. That one
         may have lost some as soon as it is full: the narrow phase then stops, and counts no further.
@@ -277,7 +277,7 @@ class Recorder:
 
 
 def summarize_contacts(rows: ContactRows) -> np.ndarray:
-    """What ``record_contacts`` adds up on the device, for one set of contacts; shape [len(FRAME_COLUMNS)]."""
+    """Return what ``record_contacts`` adds up on the device, for one set of contacts; shape [len(FRAME_COLUMNS)]."""
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
@@ -363,7 +363,6 @@ class _HostContacts:
 
 
 def _geom_names(scene: Scene, solver: SolverMuJoCo) -> list[str]:
-    """The body that each geom of a world belongs to, e.g. ``fr3_leftfinger 2``."""
     shapes = solver.mjc_geom_to_newton_shape.numpy()[0]
     shape_body, labels = scene.model.shape_body.numpy(), scene.model.body_label
     names, seen = [], {}

@@ -35,7 +35,7 @@ class Start:
 
 
 def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
-    """A world for each case, run to where the shake begins in all of them.
+    """Return a world for each case, run to where the shake begins in all of them.
 
     Raises:
         RuntimeError: The shake was not reached within SETUP_FRAME_LIMIT frames.
@@ -50,7 +50,8 @@ def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
 
 
 def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
-    """The state of each of the pilot's worlds, and the targets of the frames that follow: for these it is run on.
+    """Return the state of each of the pilot's worlds, and the targets of the frames that follow: for these it is run
+    on.
 
     In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
     """
@@ -95,7 +96,8 @@ class NativeShake:
         self.frame_index += 1
 
     def run(self) -> Trace:
-        """The next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last substep."""
+        """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each frame's last
+        substep."""
         frame_count = self.case.frame_count
         poses = np.zeros((frame_count, len(BODIES), 7))
         contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
@@ -117,11 +119,10 @@ class NativeShake:
 
     @property
     def pad_timeconst_s(self) -> float:
-        """Time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
+        """Return the time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
         return float(self.model.geom_solref[self.pad, 0])
 
     def _poses(self) -> np.ndarray:
-        """Poses of BODIES, in float64; shape [bodies, 7]."""
         # A step ends with new joint positions; the bodies are still where they were before it.
         mujoco.mj_kinematics(self.model, self.data)
         poses, quaternion = np.zeros((len(self.bodies), 7)), np.zeros(4)
@@ -132,7 +133,7 @@ class NativeShake:
         return poses
 
     def _cone_use(self) -> float:
-        """Largest tangential force over friction times normal force of a contact (1 = sliding)."""
+        """Return the largest tangential force over friction times normal force of a contact (1 = sliding)."""
         force, largest = np.zeros(6), 0.0
         for index in range(self.data.ncon):
             mujoco.mj_contactForce(self.model, self.data, index, force)

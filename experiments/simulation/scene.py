@@ -41,7 +41,7 @@ FIXED_BODIES = ("base", "fr3_link0")
 
 
 def body_index(builder_or_model, name: str) -> int:
-    """Index of the first body whose label ends with ``name``; KeyError if there is none."""
+    """Return the index of the first body whose label ends with ``name``; KeyError if there is none."""
     for index, label in enumerate(builder_or_model.body_label):
         if label.rsplit("/", 1)[-1] == name:
             return index
@@ -75,7 +75,8 @@ class Scene:
 
 
 def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
-    """The arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority; and its links."""
+    """Return the arm as it is shipped: targets, limits, gravity compensation, finger solimp and priority; and its
+    links."""
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = Case(name="").robot_gap_m
@@ -118,7 +119,7 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
 
 
 def _find_links(builder: ModelBuilder, *, merge: bool) -> dict[str, Link]:
-    """The tracked links of the robot; with ``merge`` links that are fixed to one another become one body."""
+    """Return the tracked links of the robot; with ``merge`` links that are fixed to one another become one body."""
     names = TRACKED_BODIES[1:]
     bodies = {name: body_index(builder, name) for name in names}
     if not merge:
@@ -132,7 +133,7 @@ def _find_links(builder: ModelBuilder, *, merge: bool) -> dict[str, Link]:
 
 
 def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
-    """Shapes of the two fingers that collide."""
+    """Return the shapes of the two fingers that collide."""
     fingers = {body_index(builder, name) for name in FINGERS}
     return tuple(
         shape
@@ -179,7 +180,7 @@ class _World:
 
 
 def _world_builder(case: Case) -> _World:
-    """The arm and the cube; ``_apply_world_parameters`` then says what each case has for itself."""
+    """Return the arm and the cube; ``_apply_world_parameters`` then says what each case has for itself."""
     robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
@@ -205,7 +206,8 @@ class _Worlds:
         return np.array([getattr(case, name) for case in self.cases], dtype=np.float32)
 
     def rows(self, array: wp.array) -> np.ndarray:
-        """A copy of ``array`` on the host, shape [worlds, …]; what belongs to no world, as the ground, is left out."""
+        """Return a copy of ``array`` on the host, shape [worlds, …]; what belongs to no world, as the ground, is left
+        out."""
         host, count = array.numpy(), len(self.cases)
         return host[: host.shape[0] // count * count].reshape(count, -1, *host.shape[1:])
 
@@ -252,7 +254,8 @@ def _apply_world_parameters(scene: Scene, cases: list[Case], cube_body: int) -> 
 
 
 def _scale_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
-    """Size, mass and inertia: the builder made the cube with the edge and the density of the scene as shipped."""
+    """Scale size, mass and inertia: the builder made the cube with the edge and the density of the scene as
+    shipped."""
     model, shape = scene.model, (scene.cube,)
     size = worlds.column("cube_edge_m") / np.float32(CUBE_EDGE)
     mass = worlds.column("cube_density_kg_m3") / Case(name="").cube_density_kg_m3 * size**3
@@ -283,7 +286,7 @@ def _place_cube(scene: Scene, worlds: _Worlds, cube_body: int) -> None:
 
 
 def cube_start(case: Case) -> tuple[float, float, float]:
-    """Position of the cube's centre [m] before the first frame."""
+    """Return the position of the cube's centre [m] before the first frame."""
     x, y, z = CUBE_IN_HAND
     if not case.cube_in_hand:
         x, y, _ = CUBE_POSITION
@@ -297,7 +300,6 @@ def _set(builder: ModelBuilder, name: str, values: dict[int, object]) -> None:
 
 
 def _robot_source(case: Case) -> str:
-    """Path of the robot description, or its text where a part of it is left out."""
     if case.asset == "upstream":
         path = newton.utils.download_asset("franka_emika_panda") / "urdf/fr3_franka_hand.urdf"
     else:

@@ -204,12 +204,11 @@ class Simulation:
 
 
 def _options(solver: SolverMuJoCo) -> tuple:
-    """The options of the engine in C, and of the one in Warp where there is one."""
     return (solver.mj_model.opt, getattr(solver, "mjw_model", solver.mj_model).opt)
 
 
 def _update_data_interval(case: Case) -> int:
-    """Only by being written at every step does Newton's start reach MuJoCo's C engine."""
+    """Return how often the state is written: at every step where MuJoCo's C engine is to start as Newton does."""
     return 1 if case.state_sync or case.backend == "mujoco" else 0
 
 
@@ -247,7 +246,7 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
 
 
 def is_due(frame: int, count: int, longest: int) -> bool:
-    """Whether frame ``frame`` of the longest simulation is one for a simulation of ``count`` frames too.
+    """Tell whether frame ``frame`` of the longest simulation is one for a simulation of ``count`` frames too.
 
     The first frame of all is not: it is run before.
     """
@@ -286,7 +285,8 @@ def simulate(
 
 
 def batches(cases: Sequence[Case]) -> list[list[int]]:
-    """Indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one each."""
+    """Return the indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one
+    each."""
     found: dict[object, list[int]] = {}
     for index, case in enumerate(cases):
         found.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
@@ -331,7 +331,7 @@ def run_batch(cases: Sequence[Case], device: str) -> list[Trace]:
 
 
 def captured(queue: Callable[[], None]) -> Callable[[], None]:
-    """What replays ``queue`` as a graph on the current stream."""
+    """Return what replays ``queue`` as a graph on the current stream."""
     with wp.ScopedCapture() as capture:
         queue()
     return partial(wp.capture_launch, capture.graph)

@@ -23,7 +23,8 @@ class UnequalWorlds(ValueError):
 
 
 def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.Model:
-    """The model that ``build(world_count)`` makes: built for a few worlds, worked out from two such models for more.
+    """Return the model that ``build(world_count)`` makes: built for a few worlds, worked out from two such models for
+    more.
 
     What belongs to no world must have been added after the worlds. Rays cannot be cast in what is worked out.
 
@@ -42,7 +43,6 @@ def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.M
 
 
 def _extended(two: object, three: object, count: int, name: str) -> object:
-    """What two and three worlds have, for ``count`` worlds."""
     if isinstance(three, wp.array):
         if three.shape == two.shape:
             return three
@@ -70,7 +70,7 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
 
 
 def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -> np.ndarray:
-    """The rows of each world one after the other, then those of none; shape [count * rows per world + rest, …].
+    """Return the rows of each world one after the other, then those of none; shape [count * rows per world + rest, …].
 
     Integers may grow from world to world and with the number of worlds; all else must be the same in all worlds.
     """
@@ -83,7 +83,7 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
     )
 
     def at(world_count: int) -> tuple[np.ndarray, np.ndarray]:
-        """The rows of ``world_count`` worlds, and the rest."""
+        """Return the rows of ``world_count`` worlds, and the rest."""
         first, end, more = worlds[0], rest, world_count - WORLDS_BUILT
         if not is_index:
             return np.broadcast_to(first, (world_count, *first.shape)), end
@@ -99,7 +99,6 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
 
 
 def _extended_list(two: list, three: list, count: int, name: str) -> list:
-    """Labels and sources, which are the same in every world."""
     stride = len(three) - len(two)
     world, rest = three[:stride], three[WORLDS_BUILT * stride :]
     if three != world * WORLDS_BUILT + rest:
@@ -108,6 +107,5 @@ def _extended_list(two: list, three: list, count: int, name: str) -> list:
 
 
 def _cut(rows: np.ndarray, world_count: int, stride: int) -> tuple[np.ndarray, np.ndarray]:
-    """The rows of the worlds, shape [worlds, stride, …], and the rest."""
     split = world_count * stride
     return rows[:split].reshape(world_count, stride, *rows.shape[1:]), rows[split:]

@@ -52,7 +52,7 @@ FREED_FRAMES = 30
 
 
 def measure(conditions: Conditions) -> Plan:
-    """The long run takes as long as all others together, which have the GPU."""
+    """Measure the long run beside all others: it takes as long as they together, and they have the GPU."""
     (rows, floor), (long, trace) = yield [
         Batch("others", measure_others, (conditions,)),
         Batch("long", measure_long, (conditions,)),
@@ -63,7 +63,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], float]:
-    """A row for each case but the long run, and what creep cannot be told from none [mm/s]."""
+    """Return a row for each case but the long run, and what creep cannot be told from none [mm/s]."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     runs = [replace_frames(found, frame_count) for found in stability_families.probes(conditions.profile)]
     runs += stability_families.buffers(frame_count)
@@ -80,7 +80,7 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
 
 
 def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
-    """The long run and its trace."""
+    """Return the long run and its trace."""
     long = stability_families.long_run(conditions.profile)
     [trace] = simulate([long.case], device=conditions.device, title="stability, long run")
     return long, trace
@@ -91,7 +91,7 @@ def replace_frames(run: Probe, frame_count: int) -> Probe:
 
 
 def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) -> list[list[tuple[Case, Trace]]]:
-    """Every repeat of every run, all of them side by side.
+    """Return every repeat of every run, all of them side by side.
 
     What explodes does so at once, and then costs the most solver iterations that there are, of which all worlds of its
     batch wait for the last. So the runs that may are tried for some frames first, and not run on where that is enough.
@@ -118,7 +118,7 @@ def simulate_repeats(conditions: Conditions, runs: Sequence[Probe], title: str) 
 
 
 def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
-    """The starts of a run's repeats; what is as certain as an overflow has one."""
+    """Return the starts of a run's repeats; what is as certain as an overflow has one."""
     if run.family == SINGLE_FAMILY:
         return (0.0,)
     offsets = OFFSETS_M[conditions.profile]
@@ -126,12 +126,12 @@ def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
 
 
 def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
-    """How far apart the repeats of one case come out at most [mm/s]."""
+    """Say how far apart the repeats of one case come out at most [mm/s]."""
     return max(max(group) - min(group) for group in groups)
 
 
 def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
-    """What is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
+    """Return what is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
     kind = classify(case, trace, floor)
     finite = is_finite(trace)
     row = {"class": kind, "finite": finite, "failure": str(trace.failure) if trace.failure else None}
@@ -168,22 +168,22 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, object]:
 
 
 def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
-    """The value of each function under its name; with a reason, None for each and the reason beside it."""
+    """Return the value of each function under its name; with a reason, None for each and the reason beside it."""
     if not reason:
         return {name: function() for name, function in functions.items()}
     return absent(functions, reason)
 
 
 def worst(run: Probe, observed: Sequence[Mapping[str, object]]) -> dict[str, object]:
-    """One row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
+    """Return one row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
     ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
     row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0]}
     return row | {"repeat_count": len(observed), "classes": ", ".join(found["class"] for found in ranked)}
 
 
 def exit_speed_m_s(case: Case, trace: Trace) -> float:
-    """Largest speed [m/s] of the cube on its way out of what it starts in, √(v² + 2 g h) where it has risen by h above
-    contact."""
+    """Return the largest speed [m/s] of the cube on its way out of what it starts in, √(v² + 2 g h) where it has risen
+    by h above contact."""
     start = np.array(cube_start(case))
     touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
     position = np.vstack([start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)])
@@ -193,8 +193,8 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 
 
 def grip_force_n(trace: Trace) -> float:
-    """Sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube is then
-    sliding out already."""
+    """Return the sum of the normal forces of both pads [N] at the end of the hold, or in the first frame when the cube
+    is then sliding out already."""
     place = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
     is_gone = np.linalg.norm(place[-1] - place[0]) > GONE_M
     force = trace.column("normal_force_n")
@@ -202,14 +202,14 @@ def grip_force_n(trace: Trace) -> float:
 
 
 def hand_sink_m(trace: Trace) -> float:
-    """How far the hand comes down [m] in the time of the hold, in which it should not move."""
+    """Say how far the hand comes down [m] in the time of the hold, in which it should not move."""
     height = trace.poses[:HOLD_FRAME_COUNT, metrics.TCP, 2].astype(np.float64)
     return float(height[0] - height[-1])
 
 
 def freed_columns(trace: Trace) -> dict[str, object]:
-    """How fast a freed cube is when the fingers have opened and at the end, root mean square, and how many times its
-    kinetic energy grows in between; a cube that lies still has no energy to compare with."""
+    """Say how fast a freed cube is when the fingers have opened and at the end, root mean square, and how many times
+    its kinetic energy grows in between; a cube that lies still has no energy to compare with."""
     position = trace.poses[trace.phase == metrics.SHAKE][:, metrics.CUBE, :3].astype(np.float64)
     energy = (np.diff(position, axis=0) ** 2).sum(axis=1)
     first, last = energy[FREED_FRAMES : 2 * FREED_FRAMES].mean(), energy[-FREED_FRAMES:].mean()
@@ -224,7 +224,7 @@ def freed_columns(trace: Trace) -> dict[str, object]:
 
 
 def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
-    """How far the cube creeps per cycle in the first and in the last tenth of the long run.
+    """Say how far the cube creeps per cycle in the first and in the last tenth of the long run.
 
     The first two cycles, in which the cube settles, are left out.
     """
@@ -243,7 +243,7 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
 
 
 def long_table(trace: Trace) -> dict[str, np.ndarray]:
-    """The long run once a second."""
+    """Return the long run once a second."""
     moved = metrics.displacement(trace)
     every = slice(None, None, FRAME_RATE)
     vector = 1e3 * moved.vector_m[every]
@@ -254,7 +254,8 @@ def long_table(trace: Trace) -> dict[str, np.ndarray]:
 
 
 def bracket(stable: Mapping[int, bool]) -> tuple[int, int] | None:
-    """The number of substeps that fails last and the next that was seen to hold, from what was found for some numbers.
+    """Return the number of substeps that fails last and the next that was seen to hold, from what was found for some
+    numbers.
 
     0 for the first when even the least number holds; None when the largest does not.
     """
@@ -267,7 +268,7 @@ def bracket(stable: Mapping[int, bool]) -> tuple[int, int] | None:
 
 
 def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) -> list[dict[str, object]]:
-    """For each stiffness of the grids, the least number of substeps that holds the cube, by bisection.
+    """Find for each stiffness of the grids the least number of substeps that holds the cube, by bisection.
 
     All stiffnesses are searched together: one round is one ``simulate``.
     """
@@ -292,7 +293,7 @@ def search_steps(conditions: Conditions, rows: Sequence[Mapping], floor: float) 
 
 
 def largest_step_row(family: str, ke: float, found: Mapping[int, Mapping]) -> dict[str, object]:
-    """The run with the largest step that holds, and by which step the next larger one that was tried fails."""
+    """Return the run with the largest step that holds, and by which step the next larger one that was tried fails."""
     ends = bracket({count: row["class"] in STABLE for count, row in found.items()})
     least = ends[1] if ends else max(found)
     row = dict(found[least]) | {"case": f"largest-step-{family}-{ke:.3g}", "family": "largest-step", "of": family}

@@ -72,7 +72,7 @@ def probe(family: str, name: str, changes: Mapping[str, object], **parameters) -
 
 
 def probes(profile: str) -> list[Probe]:
-    """All families, but for the search of the largest step, which builds on the grids."""
+    """Return all families, but for the search of the largest step, which builds on the grids."""
     return [
         *steps(profile),
         *grids(profile),
@@ -111,7 +111,7 @@ def grid_cell(family: str, ke: float, substeps: int) -> Probe:
 
 
 def without_clamp(profile: str) -> list[Probe]:
-    """Damping ratio 1 and a timeconst of so many steps, once with the clamp off and once as a direct solref."""
+    """Return damping ratio 1 and a timeconst of so many steps, once with the clamp off and once as a direct solref."""
     found = []
     for way, changes in (("off", {"refsafe": False}), ("direct", {"pad_direct": True})):
         for count in TIMECONST_STEPS[profile]:
@@ -161,7 +161,7 @@ def masses(profile: str) -> list[Probe]:
 
 
 def sizes(profile: str) -> list[Probe]:
-    """Cubes of one density, in the grip as shipped and in one that goes with their mass."""
+    """Return cubes of one density, in the grip as shipped and in one that goes with their mass."""
     found = []
     as_shipped_n = TARGET_KE * (0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m)
     for edge in EDGES_M[profile]:
@@ -173,7 +173,8 @@ def sizes(profile: str) -> list[Probe]:
 
 
 def overlaps(profile: str) -> list[Probe]:
-    """Too deep in both pads, or in the ground with the cube as shipped and with one that makes the contact springy."""
+    """Start too deep in both pads, or in the ground with the cube as shipped and with one that makes the contact
+    springy."""
     starts = {f"pads-{pads}": changes for pads, changes in PADS.items()}
     if profile == "full":  # a quick run ends before a cube from the ground is shaken
         starts["ground"] = {"cube_in_hand": False}
@@ -203,7 +204,7 @@ def gravities(profile: str) -> list[Probe]:
 
 
 def long_run(profile: str) -> Probe:
-    """One world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
+    """Return one world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
     changes = PADS["stiff"] | room | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
     return probe("long", "stiff", changes, run_on="cpu")
@@ -223,11 +224,11 @@ def buffers(frame_count: int) -> list[Probe]:
 
 
 def carrying_force_n(mass_kg: float) -> float:
-    """Force [N] of each finger that has friction carry ``mass_kg`` twice over in the shake as shipped, and a bit more;
-    no more than the fingers' effort limit."""
+    """Return the force [N] of each finger that has friction carry ``mass_kg`` twice over in the shake as shipped, and a
+    bit more; no more than the fingers' effort limit."""
     return min(mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N, EFFORT_LIMIT[-1])
 
 
 def closed_m(edge_m: float, force_n: float) -> float:
-    """Position target [m] with which a finger presses on a cube of that edge with ``force_n``."""
+    """Return the position target [m] with which a finger presses on a cube of that edge with ``force_n``."""
     return 0.5 * edge_m + PAD_FACE - force_n / TARGET_KE

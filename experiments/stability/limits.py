@@ -16,18 +16,18 @@ def step_s(case: Case) -> float:
 
 
 def solref(ke: float, kd: float) -> tuple[float, float]:
-    """timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd and kd / (2 √ke) (newton's MuJoCo solver,
-    ``convert_solref``)."""
+    """Return timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd and kd / (2 √ke) (newton's MuJoCo
+    solver, ``convert_solref``)."""
     return 2.0 / kd, 0.5 * kd / ke**0.5
 
 
 def is_clamped(case: Case) -> bool:
-    """Whether the engine lengthens the timeconst to two steps (mujoco_warp, ``_efc_row``)."""
+    """Tell whether the engine lengthens the timeconst to two steps (mujoco_warp, ``_efc_row``)."""
     return case.refsafe and not case.pad_direct and solref(case.pad_ke, case.pad_kd)[0] < 2.0 * step_s(case)
 
 
 def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX) -> float:
-    """k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
+    """Return k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
 
     k = 1 / (dmax² timeconst² dampratio²): MuJoCo documentation, "Modeling", solver parameters.
     """
@@ -39,7 +39,8 @@ def cube_mass_kg(case: Case) -> float:
 
 
 def target_demand_m_s2(case: Case) -> float:
-    """Largest acceleration [m/s²] that friction would have to give a cube that follows the target of the shake.
+    """Return the largest acceleration [m/s²] that friction would have to give a cube that follows the target of the
+    shake.
 
     The pads press along y. Friction carries the two other axes: |(a_x, g + a_z)|.
     """
@@ -50,7 +51,7 @@ def target_demand_m_s2(case: Case) -> float:
 
 
 def demand_m_s2(case: Case, trace: Trace) -> float:
-    """The same for the motion that the hand made, in the last whole period of the shake.
+    """Return the same for the motion that the hand made, in the last whole period of the shake.
 
     The acceleration of the TCP is the second difference of its positions. What it has along the line on which the pads
     press, the y axis of the hand, they carry by pressing.
@@ -64,7 +65,7 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
 
 
 def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
-    """Friction that is needed over what two pads can give, m |a| / (μ Σ N); above 1 the cube slides.
+    """Return the friction that is needed over what two pads can give, m |a| / (μ Σ N); above 1 the cube slides.
 
     Coulomb's law, which the engine's elliptic cone imposes on each contact (MuJoCo documentation, "Computation",
     friction cones); the pads have priority, so their coefficient counts alone.
@@ -73,7 +74,7 @@ def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
 
 
 def exit_bound_m_s(case: Case) -> float:
-    """Speed [m/s] at which an undamped spring throws the cube out of ``start_overlap_m``: overlap √k."""
+    """Return the speed [m/s] at which an undamped spring throws the cube out of ``start_overlap_m``: overlap √k."""
     parts = [(case.pad_ke, case.pad_kd)]
     if not case.cube_in_hand:
         # Cube and ground have the same priority: the engine takes the mean of their solrefs.

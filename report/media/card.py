@@ -14,7 +14,7 @@ TITLE = "Slip of a shaken cube, Newton's contacts"
 
 
 def draw_card(slips: Mapping[str, Mapping[str, Quantity | None]]) -> bytes:
-    """The picture as PNG, of 1200 × 630 pixels; ``slips`` are by release, and by what they are of."""
+    """Draw the picture as PNG, of 1200 × 630 pixels; ``slips`` are by release, and by what they are of."""
     with own_style({"figure.facecolor": "#fdfdfc", "savefig.facecolor": "#fdfdfc"}):
         drawing = Drawing(figsize=(12, 6.3), dpi=100)
         axes = drawing.subplots()

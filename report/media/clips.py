@@ -27,11 +27,11 @@ class Clips:
 
     @property
     def files(self) -> list[Path]:
-        """What the site has to carry, the record first."""
+        """Return what the site has to carry, the record first."""
         return [self.results.path, *(self.project.results / name for name, _ in files_of(self.state.record))]
 
     def video(self, case: str, caption: Markup) -> Markup:
-        """A clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
+        """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
         size, files = (row.width_px.value, row.height_px.value), map(self._address, (row.poster, row.file))
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
@@ -41,7 +41,7 @@ class Clips:
         ).format(*size, *files, label, self._sources(row), self._marked(caption))
 
     def still(self, link: str, caption: Markup) -> Markup:
-        """The long exposure, which leads to ``link``, where there is one."""
+        """Return the long exposure, which leads to ``link``, where there is one."""
         row, first = self.results.row[STILL], self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
         image = Markup('<img src="{}" width="{}" height="{}" alt="{}"{} loading="lazy">').format(
@@ -53,7 +53,7 @@ class Clips:
 
     @property
     def picture(self) -> str:
-        """Address of the long exposure, seen from the pages of its release."""
+        """Return the address of the long exposure, seen from the pages of its release."""
         return self._address(self.results.row[STILL].file)
 
     def _marked(self, caption: Markup) -> Markup:
@@ -61,7 +61,6 @@ class Clips:
         return caption + Markup(' <span class="badge" title="{}">stale</span>').format(notes) if notes else caption
 
     def _moved(self, row: Row) -> dict[str, Quantity]:
-        """The runs of a clip, and how far the cube has moved at its end."""
         return {CASES[name]: row[f"{name.replace('-', '_')}_mm"] for name in RUNS[FIRST]}
 
     def _sources(self, row: Row) -> Markup:

@@ -24,7 +24,7 @@ COLUMNS = (
 
 
 def packed_runs(results: Results) -> dict[str, Any]:
-    """All runs of the page, as assets/replay/src/runs.js reads them."""
+    """Return all runs of the page, as assets/replay/src/runs.js reads them."""
     rows = {row["case"]: row for row in results.record.rows}
     first = rows[next(iter(SHAKES["3 cm"]))]
     shakes = [
@@ -36,8 +36,8 @@ def packed_runs(results: Results) -> dict[str, Any]:
 
 
 def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
-    """A run, sampled so that its last frame is among the samples; each column in 16 bits between its least and largest
-    value."""
+    """Return a run, sampled so that its last frame is among the samples; each column in 16 bits between its least and
+    largest value."""
     run = kept_run(row, load_trace(trace_path(record, row["case"])))
     step = max(1, round(row["frame_rate_hz"] / row["kept_frame_step"] / SAMPLE_RATE_HZ))
     chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
@@ -64,7 +64,8 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
 
 
 def quaternions(poses: np.ndarray) -> np.ndarray:
-    """Unit quaternions (x, y, z, w) of poses, shape [frames, 4], none the negative of what would follow from the last.
+    """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4], none the negative of what would follow from
+    the last.
 
     Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
     from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).

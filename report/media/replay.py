@@ -49,5 +49,5 @@ def replay_page(
 
 
 def script(root: Path = ROOT) -> str:
-    """The one script that a page of this site may run."""
+    """Return the one script that a page of this site may run."""
     return (root / SCRIPT).read_text(encoding="utf-8")

@@ -132,7 +132,8 @@ def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
 
 
 def draw_maps(frame: pd.DataFrame, sides: Mapping[str, str]) -> Drawing:
-    """The slip of every cell, and which of them lose the cube, a panel for each of the ``sides``, which have labels."""
+    """Draw the slip of every cell, and which of them lose the cube, a panel for each of the ``sides``, which have
+    labels."""
     drawing, panels = new_figure(7.2, 4.0, ncols=len(sides), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)
     for axes, (side, label) in zip(panels, sides.items(), strict=True):

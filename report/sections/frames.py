@@ -39,7 +39,7 @@ def _cube_moves_in_fingers(results: Results) -> Claim:
 
 
 def _robot_is_still(results: Results) -> Claim:
-    """By the larger of drift and displacement: what creeps and what only comes to rest elsewhere."""
+    """Judge by the larger of drift and displacement: what creeps and what only comes to rest elsewhere."""
     rows = [results.row[case] for case in ROBOT]
     formula = "largest drift or displacement between two bodies of the robot"
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
@@ -51,7 +51,6 @@ def _robot_is_still(results: Results) -> Claim:
 
 
 def _draw(rows: list[Row]) -> Drawing:
-    """A bar for each pair, parts of the robot in grey."""
     there = [row for row in rows if row.displacement_mm.value is not None]
     drawing, axes = new_figure(7.2, 2.6)
     for place, row in enumerate(there):

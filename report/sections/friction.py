@@ -18,7 +18,6 @@ def derive(results: Results) -> Section:
 
 
 def _not_sliding(results: Results, variants: Variants, low: Row, high: Row) -> Claim:
-    """Sliding friction would let go sooner the lower the coefficient."""
     formula = "highest over lowest coefficient of the pads"
     factor = ratio(results, "coefficient_factor", formula, high.pad_mu, low.pad_mu)
     formula = "slip with the lowest coefficient of the pads less that with the highest"

@@ -30,7 +30,6 @@ def derive(results: Results) -> Section:
 
 
 def _repeats(results: Results) -> Claim:
-    """Whether a start that is hardly another gives the same slip."""
     slips = [_cell(results, case, "slip_mm", "mm") for case in ("as-shipped", NEARBY)]
     formula = "slip as shipped, less that of a start hardly aside, in size"
     apart = results.value("apart", formula, lambda a, b: abs(a - b), *slips, unit="mm", is_noise=True)
@@ -42,7 +41,7 @@ def _repeats(results: Results) -> Claim:
 
 
 def _loses_contacts(results: Results) -> Claim:
-    """Whether the cube is lost with the engine's midphase on, where it is kept with it off."""
+    """Tell whether the cube is lost with the engine's midphase on, where it is kept with it off."""
     off, on = results.row["impratio-1"], results.row[MIDPHASE]
     slip = _cell(results, "impratio-1", "slip_mm", "mm")
     kept, lost = decided(bool(off) and not off.dropped, slip), decided(bool(on) and on.dropped, slip)

@@ -91,7 +91,7 @@ def _of_case(groups: Sequence[Group], case: str, metric: str) -> list[Quantity]:
 
 
 def _floor(results: Results, groups: Sequence[Group], metric: str) -> Value:
-    """How far apart two runs of one case may come out in ``metric``, or the least resolved.
+    """Say how far apart two runs of one case may come out in ``metric``, or the least resolved.
 
     On a CPU all runs are alike to the last bit, but a change that only rounds differently is no finding there either.
     """
@@ -132,7 +132,6 @@ def _noise_is_small(results: Results, groups: Sequence[Group], floors: Mapping[s
 
 
 def _batch_or_alone(results: Results, groups: Sequence[Group], means: Mapping, spreads: Mapping) -> Claim:
-    """Of the first case, which is there both ways."""
     kinds = [group.kind for group in groups]
     places = kinds.index("batch"), kinds.index("alone")
     batch, alone = (means["slip"][place] for place in places)

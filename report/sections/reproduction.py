@@ -90,7 +90,8 @@ def _increment(results: Results, name: str, which: str, part: Callable, cells: S
 
 
 def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
-    """Of the cycles after the first as many early and late ones, each an even number, since odd and even differ."""
+    """Compare, of the cycles after the first, as many early and late ones, each an even number, since odd and even
+    differ."""
 
     def half(later: np.ndarray) -> int:
         return len(later) // 4 * 2
@@ -110,7 +111,6 @@ def _steady(results: Results, shipped: Row, trace: Series) -> Claim:
 
 
 def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
-    """In all directions, where the drift is that along the shake's main axis."""
     formula = "slip with the arm held still, of the slip with shipped pads"
     total = arithmetic.size_share(results, "hold_slip_share", formula, hold.slip_mm, shipped.slip_mm)
     bound = results.chosen("hold_slip_share_bound", *arithmetic.NO_DRIFT, unit="%")
@@ -118,7 +118,8 @@ def _moves_little_when_held(results: Results, shipped: Row, hold: Row) -> Claim:
 
 
 def _same_on_both_engines(results: Results, slips: Claim) -> Claim:
-    """On each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told to agree."""
+    """Compare each engine, and MuJoCo Warp on each device, that was measured; one without a slip can't be told
+    to agree."""
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     places |= {suffix: name for suffix, name in OTHER_PLACES.items() if f"as-shipped{suffix}" in results.row}
 
@@ -159,7 +160,6 @@ def _mean(increments: np.ndarray) -> float:
 
 
 def _cycle_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
-    """In mm, shape [cycles]."""
     return cycle_increments(frame["time_s"].to_numpy(), frame["along_mm"].to_numpy(), frequency_hz)
 
 

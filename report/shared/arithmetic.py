@@ -56,7 +56,7 @@ def total(results: Results, name: str, formula: str, cells: Iterable[Quantity]) 
 
 
 def log_slope(below: Sequence[float], above: Sequence[float]) -> float:
-    """Slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
+    """Return slope of the line of least squares through the logarithms of ``above`` over those of ``below``.
 
     Each sum is exact before it is rounded, so that it is the same number with every Python and NumPy.
     """
@@ -80,24 +80,25 @@ def _range(*found: float) -> float:
 def extreme(
     results: Results, name: str, formula: str, choose: Callable[..., float], cells: Sequence[Quantity]
 ) -> Value:
-    """``choose``, max or min, of the cells that there are; without a number when there is none."""
+    """Return ``choose``, max or min, of the cells that there are; without a number when there is none."""
     there = [cell for cell in cells if cell.value is not None]
     unit = there[0].unit if there else "1"
     return results.value(name, formula, choose, *there, unit=unit)
 
 
 def cell_count(results: Results, name: str, formula: str, cells: Sequence[Quantity]) -> Value:
-    """How many cells there are, as a value that points to them."""
+    """Say how many cells there are, as a value that points to them."""
     return results.value(name, formula, lambda *found: len(found), *cells)
 
 
 def noise_floor(results: Results, name: str) -> Quantity:
-    """``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
+    """Return ``slip_floor`` [mm] or ``drift_floor`` [mm/s]: how far apart identical runs may come out."""
     return other_value(results, "noise", name, unit={"slip_floor": "mm", "drift_floor": "mm/s"}[name])
 
 
 def needs_shaking(name: str, results: Results, held: Quantity, shaken: Quantity) -> Claim:
-    """That there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and ``share``.
+    """Claim that there is no drift to speak of with the arm held still, in words with ``held``, ``shaken`` and
+    ``share``.
 
     What drifts the other way when held is no part of the drift when shaken, but a cause that takes no shake.
     """
@@ -120,14 +121,14 @@ def settles(before: Quantity, after: Quantity) -> Outcome:
 
 
 def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
-    """Whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
+    """Tell whether the noise is small enough to see whether a bound is kept; otherwise that can't be told."""
     found = at_most(noise, bound, why=why)
     reason = "the noise is larger than what is looked for"
     return replace(found, name="unknown", reason=reason) if found == FAILS else found
 
 
 def other_value(results: Results, section: str, name: str, *, unit: str = "1") -> Quantity:
-    """A value that an earlier section derived; without a number, and with a reason, when it isn't there."""
+    """Return a value that an earlier section derived; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
     if not other:
         return absent(unit, f"section {section} has no results here")
@@ -135,7 +136,8 @@ def other_value(results: Results, section: str, name: str, *, unit: str = "1") -
 
 
 def told(found: Quantity, numbers: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
-    """What a wording can name where a claim turns on ``found``; without that nothing can be told of the others."""
+    """Return what a wording can name where a claim turns on ``found``; without that nothing can be told of the
+    others."""
     if found.value is not None:
         return numbers
     return {name: absent(number.unit, found.reason) for name, number in numbers.items()}
@@ -194,23 +196,24 @@ def cells_of(rows: Sequence[Row], columns: Mapping[str, Column]) -> dict[str, li
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
-    """List the rows that have something in each of these columns, by which the parts of a section tell their rows."""
+    """Return list the rows that have something in each of these columns, by which the parts of a section tell their
+    rows."""
     return [row for row in results.rows if all(row.plain.get(column) not in (None, "") for column in columns)]
 
 
 def friction_rows_differ(contacts: Results | None) -> bool:
-    """Whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
+    """Tell whether friction rows have a time constant of their own, by what section contacts found; C's never have."""
     rows = contacts.rows if contacts else []
     return any("friction_timeconst_s" in row and row.friction_timeconst_s.value for row in rows)
 
 
 def other_cell(results: Results, section: str, case: str, column: str, *, unit: str) -> Quantity:
-    """What an earlier section measured; without a number, and with a reason, when it isn't there."""
+    """Return what an earlier section measured; without a number, and with a reason, when it isn't there."""
     other = results.others.get(section)
     reason = f"section {section} {'does not say' if other else 'has no results here'}"
     return cell_or_absent(other.row.get(case) if other else None, column, unit, reason)
 
 
 def cell_or_absent(row: Row | None, column: str, unit: str, reason: str = "it was not measured") -> Quantity:
-    """A cell that not every record has; without a number, and with the reason, when it isn't there."""
+    """Return a cell that not every record has; without a number, and with the reason, when it isn't there."""
     return row[column] if row and column in row else absent(unit, reason)

@@ -20,7 +20,7 @@ FINGER_MM = (22.0, 20.0)  # of the part above it
 
 
 def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> Drawing:
-    """The cube at the end of the shake, seen along the line between the fingers and to scale, for each case."""
+    """Draw the cube at the end of the shake, seen along the line between the fingers and to scale, for each case."""
     there = {case: trace.value for case, trace in traces.items() if trace.value is not None}
     drawing, panels = new_figure(7.2, 3.0, ncols=len(there), squeeze=False)
     for number, (axes, (case, frame)) in enumerate(zip(panels[0], there.items(), strict=True)):
@@ -32,7 +32,7 @@ def draw_still(traces: Mapping[str, Series], slips: Mapping[str, Quantity]) -> D
 
 
 def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
-    """Cube at the start and in the end, behind a finger; [mm], the tool points down."""
+    """Draw cube at the start and in the end, behind a finger; [mm], the tool points down."""
     half, (x, y) = EDGE_MM / 2, end
     corner, edges = (x - half, y - half), (EDGE_MM, EDGE_MM)
     axes.add_patch(Rectangle(corner, *edges, facecolor=colour, alpha=0.28, linewidth=0))
@@ -55,7 +55,7 @@ def _draw_grasp(axes: Axes, end: tuple[float, float], colour: str) -> None:
 
 
 def draw_suspects(shares: Mapping[str, Quantity], remedy: str, bound: Quantity, noise: Quantity) -> Drawing:
-    """The largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
+    """Draw the largest change in slip that each suspect makes, in percent, on a logarithmic axis; the remedy last."""
     there = {name: share for name, share in shares.items() if share.value}
     values = [share.value for share in there.values()]
     drawing, axes = new_figure(7.2, 1.1 + 0.3 * len(there))
@@ -88,7 +88,7 @@ def _name_above(axes: Axes, x: float, text: str, side: str) -> None:
 
 
 def draw_mechanism() -> Drawing:
-    """What a contact row leaves out, and what its friction does about it: a drawing of no data, not to scale."""
+    """Draw what a contact row leaves out, and what its friction does about it: a drawing of no data, not to scale."""
     drawing, (left, right) = new_figure(7.2, 2.5, ncols=2)
     _draw_arc(left)
     _draw_brake(right)
@@ -99,7 +99,6 @@ def draw_mechanism() -> Drawing:
 
 
 def _draw_arc(axes: Axes) -> None:
-    """A pad that the arm's joints carry along a curve."""
     axes.set_title("1. The pad follows a curve")
     joint, radius, angle = np.array([0.0, 0.0]), 3.0, np.radians(58)
     outward, along = np.array([np.cos(angle), np.sin(angle)]), np.array([np.sin(angle), -np.cos(angle)])
@@ -120,7 +119,7 @@ def _draw_arc(axes: Axes) -> None:
 
 
 def _draw_brake(axes: Axes) -> None:
-    """Pad and cube with the friction row between them, which is a damper and no spring."""
+    """Draw pad and cube with the friction row between them, which is a damper and no spring."""
     axes.set_title("2. Friction brakes, and nothing pulls back")
     axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, facecolor=SERIES[0], alpha=0.3, edgecolor=SERIES[0]))
     axes.annotate("pad, on its curve", (1.2, 2.47), fontsize=9, ha="center", va="center")

@@ -154,7 +154,7 @@ def _is_smaller(results: Results, name: str, small: Quantity, large: Quantity) -
 
 
 def _rest_is_creep(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    """What the rows' slide leaves over is the motion that is there without any slide."""
+    """Claim that what the rows' slide leaves over is the motion that is there without any slide."""
     formula = "size of: measured displacement less slide of the rows, less the displacement with the term put back"
     rests = [
         results.value(
@@ -185,7 +185,8 @@ def _rest_goes_with_step(results: Results, shipped: Row) -> Claim:
 
 
 def _slide_falls_with_timeconst(results: Results, left_out: list[Row], restored: list[Row]) -> Claim:
-    """What stiff pads really gain: the displacement also has the creep, which hides a part of what still slides."""
+    """Return what stiff pads really gain: the displacement also has the creep, which hides a part of what still
+    slides."""
     (shipped, stiff), (_, creep) = left_out, restored
     formula = "slide of the friction rows as shipped, over that with stiff pads"
     slide = ratio(results, "slide_gain", formula, shipped.slide_mm, stiff.slide_mm)

@@ -12,7 +12,8 @@ PADS = {"shipped pads": SHIPPED, "stiff pads": STIFF}
 
 
 def draw_slide(bars: Sequence[tuple[Quantity, Quantity, Quantity]]) -> Drawing:
-    """For each pads three bars: slide from the left-out term, slide of the rows, and that with the term put back."""
+    """Draw for each pads three bars: slide from the left-out term, slide of the rows, and that with the term put
+    back."""
     drawing, axes = new_figure(7.2, 2.6)
     names: list[str] = []
     for (pads, colour), cells in zip(PADS.items(), bars, strict=True):

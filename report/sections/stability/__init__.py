@@ -103,7 +103,6 @@ def derive(results: Results) -> Section:
 
 
 def _holds_stiffest(rows: Sequence[Row]) -> bool:
-    """Whether a run with the largest ke keeps the cube."""
     most = max((row.pad_ke.value for row in rows), default=None)
     return any(is_stable(row) for row in rows if row.pad_ke.value == most)
 

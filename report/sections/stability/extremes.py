@@ -51,7 +51,7 @@ def friction(results: Results) -> Claim:
 
 
 def masses(results: Results) -> Iterator[Claim]:
-    """Which masses are held, and whether the drift goes with the mass."""
+    """Say which masses are held, and whether the drift goes with the mass."""
     rows = sorted(family(results, "mass"), key=lambda row: row.cube_mass_kg.value)
     held = list(filter(is_stable, rows))
     light = least(results, "mass_least", "least mass that is held", held, "cube_mass_kg")
@@ -103,7 +103,7 @@ def overlap(results: Results) -> Claim:
 
 
 def gravity(results: Results) -> Iterator[Claim]:
-    """Which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
+    """Say which gravities take the cube, whether the arm gives way there, and whether a freed cube gains energy."""
     rows = family(results, "gravity")
     pulled = [row for row in rows if not row.freed]
     lost = [row for row in pulled if not is_stable(row)]
@@ -121,7 +121,7 @@ def gravity(results: Results) -> Iterator[Claim]:
 
 
 def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -> Claim:
-    """Whether the hand sinks farther where gravity takes a cube than with any that is held, friction to spare."""
+    """Tell whether the hand sinks farther where gravity takes a cube than with any that is held, friction to spare."""
     sink = extreme(results, "gravity_sink", "least sink of the hand where gravity takes the cube", min, _sinks(lost))
     held_sink = extreme(results, "held_sink", "largest sink of the hand where a cube is held", max, _sinks(held))
     needed = "largest share of the friction that is needed there"
@@ -134,7 +134,7 @@ def _arm_gives_way(results: Results, lost: Sequence[Row], held: Iterable[Row]) -
 
 
 def long(results: Results) -> Claim:
-    """Whether the long run speeds up, as far as its first and its last creep say."""
+    """Tell whether the long run speeds up, as far as its first and its last creep say."""
     rows = family(results, "long")
     columns = {"duration": "shake_duration_s", "first": "increment_first_mm_per_cycle"}
     columns |= {"last": "increment_last_mm_per_cycle"}
@@ -148,7 +148,8 @@ def long(results: Results) -> Claim:
 
 
 def buffers(results: Results) -> Claim:
-    """Whether every buffer that is too small is named, and those are that hold less than the grasp was seen to need."""
+    """Tell whether every buffer that is too small is named, and those are that hold less than the grasp was seen to
+    need."""
     rows, ample = family(results, "buffers"), results.row.get("buffers-ample")
     peaks, fits, needed = {}, [], []
     for kind in ("contact", "constraint"):

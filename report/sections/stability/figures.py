@@ -35,7 +35,8 @@ MARKS = ("o", "", "v", "*", "s", "x")
 
 
 def draw_maps(panels: Sequence[tuple[str, Sequence[Row], Callable[[np.ndarray], np.ndarray], str]]) -> Drawing:
-    """One map above the other. A panel is a title, its rows, a bound on the step [s] over ke, and the bound's name."""
+    """Draw one map above the other. A panel is a title, its rows, a bound on the step [s] over ke, and the bound's
+    name."""
     drawing, axes = new_figure(7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False)
     for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
         _draw_map(one, rows)
@@ -92,14 +93,14 @@ def _draw_map(axes: Axes, rows: Sequence[Row]) -> None:
 
 
 def _edges(centres: Sequence[float]) -> np.ndarray:
-    """Borders between cells that are spaced evenly on a log scale, or nearly so."""
     logs = np.log(centres)
     middle = 0.5 * (logs[1:] + logs[:-1])
     return np.exp([2 * logs[0] - middle[0], *middle, 2 * logs[-1] - middle[-1]])
 
 
 def draw_steps(rows: Sequence[Row]) -> Drawing:
-    """Size of the drift over the step, one line for each kind of pads; marks are open where it goes the other way."""
+    """Draw the size of the drift over the step, one line for each kind of pads; marks are open where it goes the other
+    way."""
     drawing, axes = new_figure(7.2, 3.0)
     for pads, label, colour, marker in (
         ("as-shipped", "shipped pads", SHIPPED, "o"),
@@ -124,7 +125,7 @@ def draw_steps(rows: Sequence[Row]) -> Drawing:
 
 
 def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
-    """The runs of each series at the share of the friction limit that they need, with how they ended."""
+    """Draw the runs of each series at the share of the friction limit that they need, with how they ended."""
     drawing, axes = new_figure(7.2, 1.3 + 0.5 * len(series))
     axes.axvspan(*near_limit(), color=FAINT, alpha=0.6, linewidth=0, zorder=0)
     axes.axvline(1.0, color=INK, linewidth=1, linestyle="--")
@@ -144,7 +145,7 @@ def draw_loads(series: Sequence[tuple[str, Sequence[Row]]]) -> Drawing:
 
 
 def draw_sizes(rows: Sequence[Row], bound_percent: float) -> Drawing:
-    """Depth in the pads as a share of the edge, over the edge; lost cubes on the upper border."""
+    """Draw the depth in the pads as a share of the edge, over the edge; lost cubes on the upper border."""
     drawing, axes = new_figure(7.2, 3.2)
     held = [_share(row) for row in rows if is_stable(row)]
     top = 3.0 * max([*held, bound_percent])

@@ -38,8 +38,8 @@ def passing(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def judged_by(row: Row) -> list[Quantity]:
-    """The numbers that decide whether a run passes; one that is not stable is judged by how it ended, and by what says
-    how it should end."""
+    """Return the numbers that decide whether a run passes; one that is not stable is judged by how it ended, and by
+    what says how it should end."""
     measured = JUDGED_BY.get(row.family, ()) if is_stable(row) else ()
     return [row[column] for column in (*SET.get(row.family, ()), *measured)]
 
@@ -49,7 +49,6 @@ def passed(rows: Sequence[Row]) -> list[Row]:
 
 
 def _steps(rows: Sequence[Row]) -> list[bool | None]:
-    """Stable, and the drift near to that with the smallest step."""
     last = {row.pads: row.drift_mm_s.value for row in sorted(rows, key=lambda row: row.substeps.value)}
     return [
         is_stable(row) and last[row.pads] is not None and _is_near(row.drift_mm_s.value, last[row.pads]) for row in rows
@@ -57,8 +56,8 @@ def _steps(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def _critical(rows: Sequence[Row]) -> list[bool | None]:
-    """Finite, and where the clamp is at work nearly as deep in the pads as the other clamped cells of the same step:
-    the clamp predicts the same stiffness for them all."""
+    """Ask that a run is finite, and where the clamp is at work nearly as deep in the pads as the other clamped cells of
+    the same step: the clamp predicts the same stiffness for them all."""
     depths: dict[int, list[float]] = {}
     for row in rows:
         if row.clamped and is_stable(row):
@@ -73,8 +72,8 @@ def _critical(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def _kd_100(rows: Sequence[Row]) -> list[bool | None]:
-    """Stable where the explicit bound says so with the factor to spare, and not stable where it is exceeded as much. A
-    contact too soft to hold the cube at any step says nothing of the step."""
+    """Ask that a run is stable where the explicit bound says so with the factor to spare, and not stable where it is
+    exceeded as much. A contact too soft to hold the cube at any step says nothing of the step."""
     held = {row.pad_ke.value for row in rows if is_stable(row)}
 
     def passes(row: Row) -> bool | None:
@@ -87,7 +86,7 @@ def _kd_100(rows: Sequence[Row]) -> list[bool | None]:
 
 
 def explicit_margin(ke: float, kd: float, step_s: float) -> float:
-    """(dt² ke + 2 dt kd) / 4: below 1 the semi-implicit Euler step of x'' = -ke x - kd x' is stable.
+    """Return (dt² ke + 2 dt kd) / 4: below 1 the semi-implicit Euler step of x'' = -ke x - kd x' is stable.
 
     The step's matrix has determinant 1 - dt kd and trace 2 - dt kd - dt² ke; both roots lie in the unit circle when
     dt² ke + 2 dt kd < 4 (Jury's criterion).
@@ -96,7 +95,7 @@ def explicit_margin(ke: float, kd: float, step_s: float) -> float:
 
 
 def _clamp(rows: Sequence[Row]) -> list[bool | None]:
-    """All runs of one way pass when some of them fail and some do not: the failure has been found."""
+    """Let all runs of one way pass when some of them fail and some do not: the failure has been found."""
     found = {(row.clamp, is_stable(row)) for row in rows}
     return [{(row.clamp, True), (row.clamp, False)} <= found for row in rows]
 
@@ -129,12 +128,12 @@ def _passes_alone(row: Row) -> bool | None:
 
 
 def near_limit() -> tuple[float, float]:
-    """Between these shares of what friction can carry nothing is asked."""
+    """Return the shares of what friction can carry between which nothing is asked."""
     return 1.0 - 0.01 * LIMIT_MARGIN, 1.0 + 0.01 * LIMIT_MARGIN
 
 
 def _is_near(value: float, other: float) -> bool:
-    """Whether one is within the factor of the other, and on the same side of zero."""
+    """Tell whether one is within the factor of the other, and on the same side of zero."""
     return value * other > 0.0 and abs(other) / NEAR_FACTOR <= abs(value) <= NEAR_FACTOR * abs(other)
 
 

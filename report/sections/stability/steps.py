@@ -20,7 +20,8 @@ UNCLAMPED = {"off": "clamp off", "direct": "direct solref"}
 
 
 def safe(results: Results, critical: Sequence[Row], default_kd: Sequence[Row]) -> Claim:
-    """From which ke on every step holds with damping ratio 1, and up to which ke the default kd does as shipped."""
+    """Find from which ke on every step holds with damping ratio 1, and up to which ke the default kd does as
+    shipped."""
     unstable = [row.pad_ke.value for row in critical if not is_stable(row)]
     safe = [row for row in critical if row.pad_ke.value > max(unstable, default=0.0)]
     safe_ke = least(results, "safe_ke", "least ke from which on every step holds", safe, "pad_ke")
@@ -59,7 +60,7 @@ def steps(results: Results, near: Value) -> Claim:
 
 
 def gain_goes(results: Results) -> Claim:
-    """What stiff pads gain against shipped ones, from the shipped step to the longest."""
+    """Return what stiff pads gain against shipped ones, from the shipped step to the longest."""
     runs = {(row.pads, row.substeps.value): row for row in family(results, "steps")}
     counts = [number for pads, number in runs if pads == "stiff" and number <= AS_SHIPPED.substeps]
     gains = []
@@ -80,7 +81,6 @@ def gain_goes(results: Results) -> Claim:
 
 
 def _creep(row: Row) -> Quantity:
-    """Its noise is how far its repeats come out apart."""
     return replace(row.creep_mm_s, noise=row.creep_floor_mm_s.value)
 
 
@@ -101,7 +101,7 @@ def clamp(results: Results) -> Claim:
 
 
 def leans_on_clamp(results: Results) -> Claim:
-    """Whether without the clamp even runs are lost whose pads need none, with a timeconst of two steps or more."""
+    """Tell whether without the clamp even runs are lost whose pads need none, with a timeconst of two steps or more."""
     long = [row for row in family(results, "clamp") if row.clamp == "off" and row.timeconst_steps.value >= 2.0]
     times, kept = [row.timeconst_steps for row in long], [is_stable(row) for row in long]
     outcome = decided(not any(kept), *times) if long else Outcome("unknown", "it was not measured")

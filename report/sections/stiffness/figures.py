@@ -47,7 +47,6 @@ def draw_sweep(runs: Runs, clamp_kd: float) -> Drawing:
 
 
 def _end(row: Row) -> str:
-    """Why a run has no slip to show, in a word or two; empty where it has."""
     if is_held(row):
         return ""
     if row.slip_mm.value is not None:

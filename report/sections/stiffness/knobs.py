@@ -28,7 +28,8 @@ def ke_is_no_spring(results: Results) -> Claim:
 
 
 def _with_slip(name: str, results: Results, outcome: Outcome, numbers: Mapping[str, Quantity]) -> Claim:
-    """A claim about what brings the slip down; where there is none as shipped, it can't tell and names no numbers."""
+    """Return a claim about what brings the slip down; where there is none as shipped, it can't tell and names no
+    numbers."""
     slip = has_slip(results)
     if slip != FAILS:
         return Claim(name, outcome, numbers)
@@ -57,7 +58,7 @@ def together_they_hold(results: Results) -> Claim:
 
 
 def flat_below_clamp(results: Results, runs: Runs, clamp: Value) -> Claim:
-    """Beyond kd ``clamp`` the timeconst is two substeps."""
+    """Look beyond kd ``clamp``, where the timeconst is two substeps."""
     slips = [row.slip_mm for row in runs.together if is_held(row) and row.pad_kd.value >= clamp.value]
     formula = "largest less smallest slip of the runs with both raised and kd beyond the clamp"
     difference = spread(results, "clamped_spread", formula, slips, unit="mm")

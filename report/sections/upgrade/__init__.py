@@ -68,7 +68,7 @@ def _slip_is_the_same(results: Results, ends: Ends, noise: Value) -> Claim:
 
 
 def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
-    """The release of the page, which is neither the oldest nor the newest, against the newest."""
+    """Compare the release of the page, which is neither the oldest nor the newest, with the newest."""
     own = results.edition
     before, after = tables.SLIP.cell(ends.releases[own], own), tables.SLIP.cell(ends.releases[ends.new], ends.new)
     moved = change(results, "slip_change_from_here", before, after)
@@ -77,7 +77,6 @@ def _same_as_newest(results: Results, ends: Ends, noise: Value) -> Claim:
 
 
 def _in_one_step(results: Results, releases: Releases, noise: Value, same: Outcome) -> Claim:
-    """Between which neighbours the slip changes, of the releases that say."""
     cells = {release: tables.SLIP.cell(releases[release], release) for release in releases}
     there = [release for release in releases if cells[release].value is not None]
     found = {}
@@ -103,7 +102,6 @@ def _claims_stand(results: Results, flipped: Sequence[Flip], releases: Sequence[
 
 
 def _same_speed(results: Results, ends: Ends, claim: str, name: str, headline: Query) -> Claim:
-    """Only what was measured on machines of one kind is compared."""
     old, new = ends.cells(headline)
     formula = "larger of the ranges from the 5th to the 95th percentile of a frame's time"
     low, high = (ends.cells(tables.edge(headline, end)) for end in EDGES)

@@ -59,7 +59,7 @@ class Ends:
 
     @property
     def one(self) -> Outcome | None:
-        """Why nothing can be told, when both are the same."""
+        """Say why nothing can be told, when both are the same."""
         return Outcome("unknown", f"only Newton {self.old} has results") if self.old == self.new else None
 
     def cells(self, headline: Query) -> tuple[Quantity, Quantity]:
@@ -71,13 +71,14 @@ class Ends:
 
 
 def unchanged(before: Quantity, after: Quantity, moved: Value, noise: Quantity) -> Outcome:
-    """Whether a change is no more than noise and rounding; clearly more is the opposite."""
+    """Tell whether a change is no more than noise and rounding; clearly more is the opposite."""
     is_same = None not in (moved.value, noise.value) and not Move("", before, after, noise.value).is_real
     return (HOLDS if is_same else beyond(moved, noise)).having_read(before, after, moved, noise)
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Unknown where times of the oldest and the newest release do not compare: machines differ, or were shared."""
+    """Return unknown where times of the oldest and the newest release do not compare: machines differ, or were
+    shared."""
     there = {release: chapters[section].results.record for release, chapters in releases.items() if section in chapters}
     records = list(there.values())
     if records and records[0].machine_for_speed != records[-1].machine_for_speed:

@@ -139,7 +139,7 @@ def slip_figure(releases: Releases, steps: Sequence[tuple[str, str]]) -> Figure:
 
 
 def _apart(values: Sequence[float], step: float = 1.3) -> list[float]:
-    """The values, each at least ``step`` times as large as the one below it, so that they can be read."""
+    """Return the values, each at least ``step`` times as large as the one below it, so that they can be read."""
     heights: dict[int, float] = {}
     for index in sorted(range(len(values)), key=lambda index: values[index]):
         heights[index] = max(values[index], step * max(heights.values(), default=0.0))
