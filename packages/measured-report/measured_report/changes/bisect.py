@@ -20,6 +20,7 @@ from measured_report.measuring.measure import measure
 from measured_report.pages.prose import Templates
 from measured_report.records.identity import sections as all_sections
 from measured_report.records.provenance import MISSING
+from measured_report.records.reading import load_record
 from measured_report.values.noise import NOISE
 
 Point = TypeVar("Point")
@@ -87,10 +88,10 @@ class Bisection:
 
     def ends(self, first: Release, last: Release) -> tuple[Answer, Answer]:
         """Return what both ends answer, which must be measured; Alike when there is nothing to find between them."""
-        answers = self._answer(first), self._answer(last)
-        if None in answers or answers[0] == answers[1]:
-            raise Alike(f"{self.query.text} is {said(answers[0])} at A and {said(answers[1])} at B")
-        return answers
+        a, b = self._answer(first), self._answer(last)
+        if a is None or b is None or a == b:
+            raise Alike(f"{self.query.text} is {said(a)} at A and {said(b)} at B")
+        return a, b
 
 
 def _lacking(project: Project, sections: Sequence[str]) -> list[str]:
@@ -140,8 +141,8 @@ def _which_package(
     """Say which package did it: the first alone, with the others as they were, or one of those, with the first so."""
     package, together = config().package, config().changes.together
     others = [name for names in together for name in names]
-    states = (state_of(search.side(release), search.query.section) for release in (before, after))
-    old, new = (state.record.identity.packages for state in states)
+    paths = (search.side(release).record_path(search.query.section) for release in (before, after))
+    old, new = (load_record(path).identity.packages for path in paths)
     if not others:
         return f"{package} {after.version} did it: it is the only package"
     if any(old[name] == MISSING for name in others):

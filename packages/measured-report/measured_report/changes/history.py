@@ -42,7 +42,8 @@ def points(releases: Releases, query: Query) -> list[Point]:
             noise = None if isinstance(answer, str) else getattr(query.quantity(chapters), "noise", None)
             if noise is None and column in widest and not isinstance(answer, str):  # this edition has not measured it
                 noise = max(widest[column].at(answer), column_of(column).resolution)
-            said = query.claim(chapters).outcome.said if query.is_claim else f"{answer:.4g}"
+            claim = query.claim(chapters)
+            said = claim.outcome.said if claim else f"{answer:.4g}"
             point = Point(release, answer, noise, f"{said} ± {noise:.2g}" if noise else said)
             found.append(replace(point, mark=_mark(column, found[-1], point)) if found else point)
     return found

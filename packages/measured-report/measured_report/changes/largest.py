@@ -37,7 +37,7 @@ class Group:
     def text(self) -> str:
         """Say in a line what it was before and after, by how much, and where."""
         lead, count = self.lead, len(self.shares)
-        ends = [] if lead.share is None else list(dict.fromkeys(map(percent, (self.shares[0], self.shares[-1]))))
+        ends = list(dict.fromkeys(percent(share) for share in (self.shares[0], self.shares[-1]) if share is not None))
         places = [f"{lead.section} {lead.place.get('case', '')}".strip()]
         if self.row_count > 1:
             rows = f"all {count} rows" if count == self.row_count else f"{count} of {self.row_count} rows"
@@ -61,8 +61,8 @@ def largest(found: Comparison) -> list[Group]:
     counts = Counter(cell.column for cell in found.cells if cell.share is not None or _is_told(cell))
     groups: list[Group] = []
     for (column, _), alike in moves.items():
-        shares = sorted(move.share for move in alike) if alike[0].share is not None else [None] * len(alike)
-        groups.append(Group(max(alike, key=_rank), shares, counts[column]))
+        shares = sorted(move.share for move in alike if move.share is not None)
+        groups.append(Group(max(alike, key=_rank), shares or [None] * len(alike), counts[column]))
     told: list[Group] = []
     for group in sorted(groups, key=lambda group: _rank(group.lead), reverse=True):
         same = next((each for each in told if _one_cause(each.lead, group.lead)), None)

@@ -211,7 +211,8 @@ def _noise(
         return 0.0, False
     case = cells[0]["case"] if section in config().changes.same_runs else ""
     found = [each.noise(case, column, value) for each, value in zip(repeats, values, strict=True)]
-    return (chosen, True) if None in found or "cost" in column_of(column).kinds else (max(found), False)
+    known = [noise for noise in found if noise is not None]
+    return (chosen, True) if known != found or "cost" in column_of(column).kinds else (max(known), False)
 
 
 def rows_by_key(chapter: Chapter) -> dict[tuple[tuple[str, Any], ...], Row]:

@@ -141,7 +141,7 @@ class Edition:
         """What ``derive(chapters)`` or ``derive(releases, shown)`` of the story's module ``name`` derives."""
         file = file_of(config().story, name) if config().story else None
         arguments = files().source(file, name).top.get("derive", 0) if file else 0
-        if not arguments:
+        if not (file and arguments):
             return Section()
         places: dict[str, Chapters] = {"": self.chapters}
         if arguments > 1:
@@ -214,7 +214,11 @@ def derive_edition(project: Project, templates: Templates, cache: DerivedCache |
 def _derived(project: Project, states: Sequence[State], templates: Templates, cache: DerivedCache | None) -> Edition:
     floors = noise_floors(state.record for state in states if state.record and state.section == NOISE)
     there = sorted((state for state in states if state.record), key=lambda state: outline_of(state.section).order)
-    measured = [(state, Results(state.record, project.record_path(state.section), floors=floors)) for state in there]
+    measured = [
+        (state, Results(state.record, project.record_path(state.section), floors=floors))
+        for state in there
+        if state.record
+    ]
     left_out = [*(state for state in states if not state.record), *_damaged_manifest(project)]
     edition = Edition(project, {}, left_out, cache or DerivedCache())
     return _with_chapters(edition, measured, {}, templates)
@@ -290,7 +294,7 @@ def _chapter(
     section = entry.section.worded(name, text.name, text.words, outline.source, project.rerun(name))
     unmeasured = dict.fromkeys(section.unmeasured, Markup(""))
     names = {
-        "release": state.record.origin.release,
+        "release": results.record.origin.release,
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,

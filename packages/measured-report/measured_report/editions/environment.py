@@ -28,7 +28,7 @@ from measured_report.files.root import ROOT
 from measured_report.records.provenance import EDITED, MISSING, package_versions
 
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
-NAME = re.compile(r"[A-Za-z0-9-]+")
+NAME = re.compile(r"[^A-Za-z0-9-].*")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
 """How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
@@ -59,7 +59,7 @@ def add_cluster(python: Path, root: Path = ROOT) -> None:
     """Install what a cluster takes for ``python``, unless it is there; UsageError where that can't be."""
     asking = "import sys; from importlib.util import find_spec; sys.exit(not all(map(find_spec, sys.argv[1:])))"
     takes = read_toml(root / "pyproject.toml")["project"].get("optional-dependencies", {}).get("cluster", ())
-    names = [NAME.match(requirement)[0] for requirement in takes]
+    names = [NAME.sub("", requirement) for requirement in takes]
     if subprocess.run([python, "-c", asking, *names], check=False).returncode == 0:
         return
     folder = python.parent.parent
@@ -148,7 +148,7 @@ def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
     asked = read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
     known = {name: version for name, version in packages.items() if version != MISSING}
     other = {*known, config().package}.union(*config().changes.together)
-    own = [requirement for requirement in asked if NAME.match(requirement)[0] not in other]
+    own = [requirement for requirement in asked if NAME.sub("", requirement) not in other]
     return own + [f"{config().requirement_of(name)}=={version}" for name, version in known.items()]
 
 
@@ -202,7 +202,7 @@ def _locked(root: Path, name: str) -> str:
     """The requirement of a package as the lock has it: its version, and the digests of its files."""
     lock = (root / "uv.lock").read_text(encoding="utf-8")
     [entry] = [each for each in lock.split("[[package]]\n") if each.startswith(f'name = "{name}"\n')]
-    version, digests = re.search('^version = "(.+)"$', entry, re.MULTILINE)[1], re.findall("sha256:[0-9a-f]{64}", entry)
+    [version], digests = re.findall('^version = "(.+)"$', entry, re.MULTILINE), re.findall("sha256:[0-9a-f]{64}", entry)
     return " ".join([f"{name}=={version}", *(f"--hash={digest}" for digest in digests)])
 
 
@@ -240,7 +240,7 @@ def _run(command: list[str], name: str, **settings: str) -> None:
         preexec_fn=partial(end_with, os.getpid()),
     ) as program:
         lines = []
-        for line in program.stdout:
+        for line in program.stdout or ():
             lines.append(line.strip(" ×╰─▶\t\n"))
             if PROGRESS.match(line):
                 print(f"{name}: {line.strip()}", flush=True)

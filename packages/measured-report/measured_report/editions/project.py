@@ -8,7 +8,6 @@ import json
 import os
 import re
 import shlex
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -105,13 +104,17 @@ class Project:
     @property
     def named(self) -> Release:
         """Return the release that its label names."""
-        return read_label(self.release)
+        named = read_label(self.release)
+        assert named, f"{self.release} is no label"
+        return named
 
     @property
     def manifest(self) -> Manifest | None:
         """Read the edition's manifest; None where there is none, or none that can be read."""
-        with suppress(RecordError):
+        try:
             return read_manifest(self.results)
+        except RecordError:
+            return None
 
     @property
     def releases(self) -> list[str]:

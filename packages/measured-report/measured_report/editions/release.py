@@ -93,8 +93,7 @@ def read_label(text: str) -> Release | None:
 
 def full_version(version: str) -> str:
     """Write a version with three numbers at least."""
-    numbers = re.match(r"[0-9]+(?:\.[0-9]+)*", version)[0]
-    return numbers + ".0" * (2 - numbers.count(".")) + version[len(numbers) :]
+    return re.sub(r"[0-9]+(?:\.[0-9]+)*", lambda found: found[0] + ".0" * (2 - found[0].count(".")), version, count=1)
 
 
 @cache  # a repository or an index is asked once

@@ -87,8 +87,9 @@ class Templates:
     def __init__(self, folder: Path, cache: Cache | None = None):
         self._cache = cache
         own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
+        self._loader = jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})])
         self._layout = jinja2.Environment(
-            loader=jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})]),
+            loader=self._loader,
             undefined=jinja2.StrictUndefined,
             autoescape=True,
             trim_blocks=True,
@@ -113,7 +114,7 @@ class Templates:
         return self._texts[name]
 
     def _parsed(self, name: str) -> Text:
-        source, path, _ = self._prose.loader.get_source(self._prose, name)
+        source, path, _ = self._loader.get_source(self._prose, name)
         made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), repr(self._pairs), source
         entry = f"template.{name.replace('/', '.')}"
         found = self._cache and self._cache.get(entry, made_from)
@@ -146,7 +147,8 @@ class Templates:
 @once
 def _own_code() -> tuple[bytes, ...]:
     """What decides what becomes of a template."""
-    return tuple(Path(module.__file__).read_bytes() for module in (sys.modules[__name__], words, citations, passages))
+    modules = sys.modules[__name__], words, citations, passages
+    return tuple(Path(str(module.__file__)).read_bytes() for module in modules)
 
 
 @contextmanager

@@ -146,10 +146,10 @@ def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
 def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float], bool]) -> Outcome:
     def judge(a: Quantity, bound: Quantity) -> Outcome:
         # Where they are less apart than their noise, measured again it may be on the other side.
-        if abs(a.value - bound.value) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
+        if abs(a.number - bound.number) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
             reason = Markup("what was measured is nearer to the bound of {} than its noise").format(bound)
             return Outcome("unknown", reason, is_inconclusive=True)
-        return HOLDS if keeps(a.value, bound.value) else FAILS
+        return HOLDS if keeps(a.number, bound.number) else FAILS
 
     return _judged(judge, a, bound, why=why)
 
@@ -180,7 +180,7 @@ def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "")
     """
     if noise is None:
         noise = _noise_of(a, b)
-    return _judged(lambda a, b, noise: _trend([b.value, a.value], noise.value), a, b, noise, why=why)
+    return _judged(lambda a, b, noise: _trend([b.number, a.number], noise.number), a, b, noise, why=why)
 
 
 def _noise_of(*numbers: Number) -> Quantity:
@@ -195,7 +195,7 @@ def increases(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> 
     """Test whether a sequence rises by more than the noise, and nowhere falls by more; falling so is the opposite."""
 
     def judge(*quantities: Quantity) -> Outcome:
-        *values, most = (quantity.value for quantity in quantities)
+        *values, most = (quantity.number for quantity in quantities)
         return _trend(values, most)
 
     return _judged(judge, *sequence, noise, why=why)
@@ -225,7 +225,7 @@ def same_sign(*quantities: Quantity, noise: Number, why: str = "") -> Outcome:
     """Test whether all are beyond the noise in the same direction; one within the noise can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
-        *values, most = (quantity.value for quantity in quantities)
+        *values, most = (quantity.number for quantity in quantities)
         if any(abs(value) <= most for value in values):
             return Outcome("unknown", "one of them is within the noise")
         return HOLDS if len({value > 0 for value in values}) == 1 else OPPOSITE
@@ -237,7 +237,7 @@ def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") 
     """Test whether the largest and the smallest are no farther apart than noise; little more can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
-        *values, _ = (quantity.value for quantity in quantities)
+        *values, _ = (quantity.number for quantity in quantities)
         if not values:
             return Outcome("unknown", "there is nothing to compare")
         return within(replace(quantities[0], value=max(values) - min(values)), quantities[-1])
@@ -247,7 +247,7 @@ def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") 
 
 def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
     """Test whether a difference is no more than noise; one that is little more can't tell."""
-    return _judged(lambda a, noise: HOLDS if a.value <= noise.value else beyond(a, noise), difference, noise, why=why)
+    return _judged(lambda a, noise: HOLDS if a.number <= noise.number else beyond(a, noise), difference, noise, why=why)
 
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
@@ -257,7 +257,7 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
         reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
         near = Outcome("unknown", reason.format(noise, NEAR_NOISE), is_inconclusive=True)
-        found = OPPOSITE if abs(difference.value) > NEAR_NOISE * noise.value else near
+        found = OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
     return found.having_read(difference, noise)
 
 

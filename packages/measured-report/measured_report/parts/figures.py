@@ -115,6 +115,7 @@ class LogLabels(ticker.LogFormatter):
     def __call__(self, value: float, position: int | None = None) -> str:
         if not super().__call__(value, position):
             return ""
+        assert self.axis
         low, high = self.axis.get_view_interval()
         exponent = round(math.log10(value))
         if (low < 1e-4 or high > 1e5) and math.isclose(value, 10.0**exponent):
@@ -132,7 +133,7 @@ def write(quantity: Quantity, *, is_short: bool = False) -> str:
 
     If ``is_short`` there is room for no more than four characters.
     """
-    text = format_short(quantity.value) if is_short else quantity.written
+    text = format_short(quantity.number) if is_short else quantity.written
     if quantity.source:
         _told.get({}).setdefault(text, []).append(quantity.source)
     return text
@@ -250,8 +251,9 @@ def _size_of(text: str, font: FontProperties, is_formula: bool) -> tuple[float, 
 def _heights_of(font: FontProperties) -> tuple[float, float, float]:
     """Ascent, descent and gap of its lines, which Matplotlib would read anew from the font for each text."""
     face = get_font(findfont(font))
-    scale = font.get_size_in_points() / face.get_sfnt_table("head")["unitsPerEm"]
-    table = face.get_sfnt_table("OS/2")
+    head, table = face.get_sfnt_table("head"), face.get_sfnt_table("OS/2")
+    assert head and table
+    scale = font.get_size_in_points() / head["unitsPerEm"]
     return scale * table["sTypoAscender"], -scale * table["sTypoDescender"], scale * table["sTypoLineGap"]
 
 

@@ -93,6 +93,7 @@ class Figure:
         """Draw it; where what was measured can't be drawn, that is said in its place, once."""
         from measured_report.parts.figures import draw_svgs
 
+        assert self.draw, f"the figure {self.anchor} is drawn already"
         try:
             return draw_svgs(self.draw, name=self.anchor)
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError) as error:

@@ -45,7 +45,7 @@ class Content:
 
     @property
     def parts(self) -> list[Prose]:
-        return [*self.texts, *(chapter.prose for chapter in self.chapters)]
+        return [*self.texts, *(chapter.prose for chapter in self.chapters if chapter.prose)]
 
     @property
     def passages(self) -> list[Passage]:

@@ -118,8 +118,8 @@ def format_short(value: float) -> str:
 
 def spellings(value: float | int | None, noise: float | None) -> list[str]:
     """All ways in which a figure may write a number."""
-    is_short = noise is None and value is not None and value >= 0
-    return [format_number(value, noise=noise), *([format_short(value)] if is_short else [])]
+    short = [] if value is None or noise is not None or value < 0 else [format_short(value)]
+    return [format_number(value, noise=noise), *short]
 
 
 def whole(text: str) -> re.Pattern:

@@ -186,7 +186,7 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
     if seen := row.get(about.known_within):
         return abs(seen * value)
     low, high = (row.get(timed + edge) for edge in EDGES)
-    if None not in (low, high) and row.get(timed):
+    if low is not None and high is not None and row.get(timed):
         share = MEDIAN * (high - low) / math.sqrt(max(1, row.get("repeat_count") or 1)) / row[timed]
         return abs(share * value)
     if column not in floors:

@@ -77,6 +77,12 @@ class Quantity:
         return frozenset({self.source} if self.source else ())
 
     @property
+    def number(self) -> float:
+        """Return the value of one that is known to be there."""
+        assert self.value is not None, self.reason
+        return self.value
+
+    @property
     def bare(self) -> Markup:
         """The number without its unit, for places that say the unit themselves."""
         return self._written(self.written)

@@ -267,9 +267,10 @@ def _of_all(function: Callable[..., float]) -> Callable[..., float]:
 
 def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
     """The noise of what was computed; None where that of a source is not known, as of a series."""
+    values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     try:
-        noise = derived_noise(_of_all(function), [source.value for source in sources], noises)
+        noise = derived_noise(_of_all(function), values, noises)
     except (ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
         return None
     return float(noise) if noise is not None and math.isfinite(noise) else None
