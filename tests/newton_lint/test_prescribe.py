@@ -106,5 +106,5 @@ def test_a_page_shows_what_was_tried(written, tmp_path, capsys):
     scene = written("pinch")
     assert main(["page", scene, "--hold", "held", "-o", str(tmp_path / "page")]) == 0
     text = (tmp_path / "page" / "index.html").read_text(encoding="utf-8")
-    assert "held creeps at 3.68 mm/s" in text and text.count("<svg") == 6 and "left/left_pad on held/box" in text
+    assert "held creeps at 3.68 mm/s" in text and text.count("<svg") == 4 and "left/left_pad on held/box" in text
     assert main(["page", written("incline"), "-o", str(tmp_path / "page")]) == 0

@@ -5,9 +5,7 @@ constraint model). At a steady rate both balance what the row does not know of, 
 
     b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio,
 
-with the contact's impedance d (dmax from a depth of solimp's width on) and w, the sum of both bodies' body_invweight0.
-A row of a pyramid has (1 + μ²) w in place of w. A force that the contact carries, as of the weight of what is held, is
-a load f and no part of a.
+with the contact's impedance d and w, the sum of both bodies' body_invweight0; (1 + μ²) w in a row of a pyramid.
 """
 
 import math

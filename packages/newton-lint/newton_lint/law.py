@@ -1,10 +1,8 @@
 """The whole law of creep: what a contact's slide comes to under each integrator, cone and flag of MuJoCo C.
 
-``creep`` has the law of a friction row as if time had no steps. Here the step h is in it: under an acceleration a that
-its rows leave out a contact slides by a h/2 less with the integrators that move by the new velocity, by a h/2 more with
-``discrete``, which evaluates rows at the end of the step, and neither with RK4. ``discrete`` weighs rows by
-1 + b h + h² k d besides (MuJoCo documentation, "Computation", numerical integration). The tests hold all of it against
-the engine.
+``creep`` has the law as if time had no steps. Here the step h is in it: a contact slides by a h/2 less with integrators
+that move by the new velocity, and by a h/2 more with ``discrete``, which also weighs rows by 1 + b h + h² k d (MuJoCo
+documentation, "Computation", numerical integration).
 """
 
 import math
