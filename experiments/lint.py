@@ -1,10 +1,5 @@
-"""The lint on the shake test: contact parameters that say one thing and do another in MuJoCo's engines.
+"""The lint on the shake test: contact parameters that say one thing and do another in MuJoCo's engines."""
 
-``python -m experiments.lint TARGET`` reads any scene; see docs/lint.md.
-"""
-
-import importlib
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -16,7 +11,7 @@ from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Me
 from experiments.simulation.scene import build_scene
 from experiments.simulation.simulation import CONSTRAINT_MAX, CONTACT_MAX
 from experiments.simulation.task import FRAME_RATE
-from newton_lint.findings import Buffer, Finding, columns, grouped
+from newton_lint.findings import Buffer, Finding, Group, grouped
 from newton_lint.newton_models.rules import Engine, lint
 
 NEEDS_GPU = False
@@ -84,6 +79,20 @@ def measure(conditions: Conditions) -> Measurement:
     return Measurement(rows)
 
 
-if __name__ == "__main__":
-    # By its name: how findings are asked for and said is no part of what the section measures.
-    sys.exit(importlib.import_module("newton_lint.command").main())
+def columns(group: Group) -> dict[str, object]:
+    """Return a group as columns of a row; values in a column that says their unit."""
+    finding = group.first
+    unit = "" if finding.unit == "1" else f"_{finding.unit}"
+    used = {f"used{unit}": finding.used}
+    if finding.used is None:
+        used[f"used{unit}_reason"] = "the solver does not read it"
+    return {
+        "rule": finding.rule,
+        "subject": group.subject,
+        "against": group.against,
+        "pair_count": group.count,
+        "parameter": finding.parameter,
+        f"authored{unit}": finding.value,
+        **used,
+        "message": finding.message,
+    }

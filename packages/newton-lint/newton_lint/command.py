@@ -15,8 +15,7 @@ from typing import Any, NoReturn
 
 CLEAN, FOUND, UNFIT, BROKEN = 0, 1, 2, 3
 """Exit status."""
-PROGRAMS = {"newton-lint": "newton-lint", "__main__": "python -m newton_lint"}
-PROGRAM = PROGRAMS.get(Path(sys.argv[0]).stem, "python -m experiments.lint")
+PROGRAM = "newton-lint"
 OTHERS = ("prescribe", "page")
 """Commands besides the lint itself, each a module."""
 SEVERITIES = ("note", "warning", "error")

@@ -97,25 +97,6 @@ def body_of(shape: str) -> str:
     return shape.split("/", 1)[0]
 
 
-def columns(group: Group) -> dict[str, object]:
-    """Return a group as columns of a row; values in a column that says their unit."""
-    finding = group.first
-    unit = "" if finding.unit == "1" else f"_{finding.unit}"
-    used = {f"used{unit}": finding.used}
-    if finding.used is None:
-        used[f"used{unit}_reason"] = "the solver does not read it"
-    return {
-        "rule": finding.rule,
-        "subject": group.subject,
-        "against": group.against,
-        "pair_count": group.count,
-        "parameter": finding.parameter,
-        f"authored{unit}": finding.value,
-        **used,
-        "message": finding.message,
-    }
-
-
 def alike(findings: Iterable[Finding]) -> list[list[Finding]]:
     """Return the findings that say the same, of whichever shapes, in the order of the first of each."""
     groups: dict[Finding, list[Finding]] = {}

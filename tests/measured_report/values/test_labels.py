@@ -4,12 +4,7 @@ import pytest
 
 from measured_report.values.labels import label_of
 
-LABELS = {
-    "as-shipped": "shipped pads",
-    "ke-#-1": "ke {}, 1 step",
-    "ke-#-#": "ke {}, {} steps",
-    "kd-#-#": "kd {1}",
-}
+LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke {}, {} steps", "kd-#-#": "kd {1}"}
 
 
 @pytest.mark.parametrize(

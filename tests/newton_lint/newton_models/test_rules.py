@@ -10,10 +10,10 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import AS_SHIPPED
-from experiments.lint import SCENES, measure
+from experiments.lint import SCENES, columns, measure
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
-from newton_lint.findings import Buffer, alike, columns, grouped
+from newton_lint.findings import Buffer, alike, grouped
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.newton_models.contacts import (
     CONDIM,
