@@ -30,23 +30,23 @@ ASIDE = "bisect"
 CLONE = ".venv-bisect"
 """The clone that git bisects in."""
 ONLY_SKIPPED = "only 'skip'ped commits left"
-"""What git says where no more can be told."""
+"""Said by git where no more can be told."""
 
 
 class Alike(UsageError):
-    """The two ends of a search do not differ, or can't tell."""
+    """Ends of a search that do not differ, or can't tell."""
 
 
 @dataclass(frozen=True)
 class Bisection:
-    """A search: what is asked, and how it is measured."""
+    """A search for where the answer to a query changes."""
 
     project: Project
     query: Query
     device: str
     templates: Templates
     answers: dict[tuple[str, ...], Answer | None] = field(default_factory=dict)
-    """What was found before, by what was asked of which edition."""
+    """Found before, by what was asked of which edition."""
 
     def _answer(self, release: Release) -> Answer | None:
         """Return what a release answers, measured unless that was done before."""
@@ -73,12 +73,12 @@ class Bisection:
         return editions_of(side, self.templates, among=[side.release])[side.release]
 
     def side(self, release: Release, sections: Sequence[str] = ()) -> Project:
-        """Where a release's records of these sections, by default the one that is asked for, are or will be."""
+        """Return where a release's records of these sections, by default the one asked for, are or will be."""
         own = self.project.of(str(release))
         return replace(own, aside=ASIDE) if _lacking(own, sections or [self.query.section]) else own
 
     def is_first(self, ends: tuple[Answer, Answer], release: Release) -> bool | None:
-        """Whether a release answers as the first end does; None, and say why, where it can't tell."""
+        """Tell whether a release answers as the first end does; None, and say why, where it can't."""
         try:
             answer = self._answer(release)
         except ReportError as error:
@@ -200,7 +200,7 @@ def _git(folder: Path, *command: str) -> str:
 
 
 def commit_count(repository: Path, first: str, last: str) -> int:
-    """How many commits a search between two may have to look at."""
+    """Count the commits that a search between two may have to look at."""
     return int(_git(repository, "rev-list", "--count", f"{first}..{last}"))
 
 

@@ -22,7 +22,7 @@ def cost_terms(record: Record, row: Mapping[str, Any]) -> tuple:
 
 
 def is_timed(record: Record) -> bool:
-    """Whether it says how long something takes, in numbers that are compared."""
+    """Tell whether it says how long something takes, in numbers that are compared."""
     kinds = (column_of(name).kinds for name in record.units)
     return any("cost" in each and "chance" not in each for each in kinds)
 
@@ -46,13 +46,13 @@ def _overlap(record: Record, other: Record) -> timedelta:
 
 
 def _rest(record: Record, seconds: float) -> timedelta:
-    """What is left of the time between its beginning and its end, which are told to the second."""
+    """Return what is left of the time between its beginning and its end, which are told to the second."""
     started, ended = record.span
     return max(timedelta(seconds=1), ended - started - timedelta(seconds=seconds))
 
 
 def _measured_s(record: Record) -> float:
-    """For how long it was measured at least: its batches that were not alone may have been beside each other."""
+    """Sum for how long it was measured at least: its batches that were not alone may have been beside each other."""
     alone, shared = _seconds(record, "alone"), _seconds(record, "batch")
     return sum(alone) + max(shared, default=0.0) if alone or shared else record.measured["seconds"]
 

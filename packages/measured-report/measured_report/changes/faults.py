@@ -13,7 +13,7 @@ from measured_report.records.columns import REASON, UNBELIEVED
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that can't be trusted."""
+    """A reason not to trust results."""
 
     release: str
     section: str

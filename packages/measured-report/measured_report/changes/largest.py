@@ -1,4 +1,4 @@
-"""The largest moves of a comparison, a line each: those that one cause makes alike are told together."""
+"""Largest moves of a comparison, a line each: those that one cause makes alike are told together."""
 
 import math
 from collections import Counter

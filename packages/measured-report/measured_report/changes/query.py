@@ -17,7 +17,7 @@ Answer = str | float
 
 @dataclass(frozen=True)
 class Query:
-    """What is asked of each edition: a claim, or a value, of the page or of a row."""
+    """A question to each edition: a claim, or a value, of the page or of a row."""
 
     text: str
     """As CLAIM= or VALUE= says it: ``section.claim``, ``section.value`` or ``section.case.column``."""
@@ -33,7 +33,7 @@ class Query:
 
     @property
     def case(self) -> str:
-        """Of a number of a row; empty for others."""
+        """Name the case of a number of a row; empty for others."""
         return self.text.partition(".")[2].rpartition(".")[0]
 
     @property
@@ -46,12 +46,12 @@ class Query:
 
     @property
     def given(self) -> str:
-        """As the command line has it."""
+        """Write it as the command line has it."""
         return f"{'CLAIM' if self.is_claim else 'VALUE'}={self.text}"
 
     @property
     def example(self) -> str:
-        """One of the kind that this report has."""
+        """Give one of the kind that this report has."""
         rules = config().changes
         return f"CLAIM={rules.example_claim}" if self.is_claim else f"VALUE={rules.headline}"
 
@@ -105,7 +105,7 @@ class Query:
                 yield from (f"{name}.{case}.{column}" for column in numbers)
 
     def is_first(self, answer: Answer, first: Answer, last: Answer) -> bool:
-        """Whether an answer is the first one rather than the last; of numbers, whether it is nearer."""
+        """Tell whether an answer is the first one rather than the last; of numbers, whether it is nearer."""
         if self.is_claim:
             return answer == first
         return abs(float(answer) - float(first)) < abs(float(answer) - float(last))

@@ -22,7 +22,7 @@ def has_cuda() -> bool:
 
 
 def _gpus() -> list[str]:
-    """The names of this machine's NVIDIA GPUs; none where the driver does not answer."""
+    """Name this machine's NVIDIA GPUs; none where the driver does not answer."""
     query = ["nvidia-smi", "--query-gpu=name", "--format=csv,noheader"]
     with suppress(OSError, subprocess.CalledProcessError):
         return subprocess.check_output(query, stderr=subprocess.DEVNULL, text=True).splitlines()
@@ -30,25 +30,25 @@ def _gpus() -> list[str]:
 
 
 def needs_gpu(section: str, root: Path = ROOT) -> bool:
-    """Whether a section's numbers depend on the device: one with ``NEEDS_GPU = False`` stands with those of a GPU."""
+    """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with those of a GPU."""
     return bool(_told(section, root).get("NEEDS_GPU", config().needs_gpu))
 
 
 def is_about(section: str, packages: Mapping[str, str], root: Path = ROOT) -> bool:
-    """Whether a section is about a stack of these packages: one with ``NEEDS = "name==version"`` is about no other."""
+    """Tell whether a section is about these packages: one with ``NEEDS = "name==version"`` is about no others."""
     name, _, version = _told(section, root).get("NEEDS", "").partition("==")
     return not name or packages.get(name) == version
 
 
 def _told(section: str, root: Path) -> Mapping[str, Any]:
-    """The constants that the module has that measures a section."""
+    """Read the constants of the module that measures a section."""
     graph = files().graph(roots_of(root))
     file = graph.module(["experiments", section]) or f"{root}/experiments/{section}.py"
     return graph.source(file).top
 
 
 def measuring_device(asked: str | None, profile: str) -> str | None:
-    """The device to measure on; None where it has to be asked for, since full measurements take hours on a CPU."""
+    """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
     if asked == "cpu" or not (asked or config().needs_gpu):
         return "cpu"
     if has_cuda():
@@ -59,12 +59,12 @@ def measuring_device(asked: str | None, profile: str) -> str | None:
 
 
 def machine_name(device: str) -> str:
-    """What this machine is called in a label when it measures on ``device``: by its GPU, or ``cpu``."""
+    """Name this machine for a label when it measures on ``device``: by its GPU, or ``cpu``."""
     return device if device == "cpu" else slug("".join(_gpus()[:1]))
 
 
 def machine_of(record: Record) -> str:
-    """What the machine that measured a record is called in a label."""
+    """Name the machine that measured a record for a label."""
     return "cpu" if record.machine.get("device") == "cpu" else slug(record.processor)
 
 

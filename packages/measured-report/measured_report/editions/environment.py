@@ -30,7 +30,7 @@ from measured_report.records.provenance import EDITED, MISSING, package_versions
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
 PROGRESS = re.compile(r"Resolved|Downloading|Building|Prepared|Installed")
-"""How the lines of uv begin that say how far it is; they come only once it knows that the release can be installed."""
+"""Beginnings of lines in which uv says how far it is, once it knows that the release can be installed."""
 OFFLINE = re.compile(r"dns|connect|network|resolve host|timed out|Failed to fetch|name resolution", re.IGNORECASE)
 FILTER = "UV_EXCLUDE_NEWER"
 """The variable that names another day for the installer's filter than the one on which a release came out."""
@@ -71,7 +71,7 @@ def add_cluster(python: Path, root: Path = ROOT) -> None:
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) -> Path:
-    """The Python that has a release; its environment is made when it is not there.
+    """Return the Python that has a release; its environment is made when it is not there.
 
     ``packages`` are the versions that its earlier measurements were made with, to be installed again; one that is
     ``missing`` there is as ``requirements`` says.
@@ -95,7 +95,7 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path = ROOT) 
 
 
 def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Path:
-    """The Python of the environment ``.venv-<name>``, which has these requirements and nothing of the project's.
+    """Return the Python of the environment ``.venv-<name>``, which has these requirements and nothing of the project's.
 
     It is made when it is not there; UsageError, one line, where it can't be.
     """
@@ -109,7 +109,7 @@ def python_with(name: str, requirements: Sequence[str], root: Path = ROOT) -> Pa
 
 
 def environment_of(release: Release, root: Path = ROOT) -> Path:
-    """Where the environment of a release lies; that of a checkout serves all that is edited in it."""
+    """Name the folder of a release's environment; that of a checkout serves all that is edited in it."""
     name = str(replace(release, machine=""))
     if release.checkout:
         pins = "".join(f"+{part}" for part in name.split("+")[2:])
@@ -118,7 +118,7 @@ def environment_of(release: Release, root: Path = ROOT) -> Path:
 
 
 def _refuse_other(python: Path, release: Release, root: Path) -> None:
-    """UsageError unless what is installed is what was asked for."""
+    """Raise UsageError unless what is installed is what was asked for."""
     code = (
         f"import json, sys; sys.path.append({str(Path(measured_report.__file__).parents[1])!r});"
         "from measured_report.records.provenance import package_versions; print(json.dumps(package_versions()))"
@@ -137,7 +137,7 @@ def _refuse_other(python: Path, release: Release, root: Path) -> None:
 
 
 def requirements(root: Path, packages: Mapping[str, str]) -> list[str]:
-    """The requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
+    """Read the requirements in the project's pyproject.toml, with these versions of packages in the place of its own.
 
     One that is ``missing`` is as the project asks for it, or, if it comes out with the edition as those in ``together``
     do, left to the others, which know which one they take.
@@ -182,7 +182,7 @@ def _make(folder: Path, name: str, source: bytes, commands: Callable[[str, Path]
 
 @contextmanager
 def _installer(root: Path, name: str) -> Iterator[str]:
-    """The program that makes environments; where there is none it is installed for the time being."""
+    """Find the program that makes environments; where there is none it is installed for the time being."""
     tools = root / ".venv.tools"
     uv = shutil.which("uv") or shutil.which("uv", path=str(root / ".venv" / "bin"))
     try:
@@ -199,7 +199,7 @@ def _installer(root: Path, name: str) -> Iterator[str]:
 
 
 def _locked(root: Path, name: str) -> str:
-    """The requirement of a package as the lock has it: its version, and the digests of its files."""
+    """Write the requirement of a package as the lock has it, with the digests of its files."""
     lock = (root / "uv.lock").read_text(encoding="utf-8")
     [entry] = [each for each in lock.split("[[package]]\n") if each.startswith(f'name = "{name}"\n')]
     [version], digests = re.findall('^version = "(.+)"$', entry, re.MULTILINE), re.findall("sha256:[0-9a-f]{64}", entry)

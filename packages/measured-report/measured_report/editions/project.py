@@ -1,4 +1,4 @@
-"""The project: one report of one checkout, of an edition and in a profile, and what is known of the edition.
+"""Project: one report of one checkout, of an edition and in a profile, and what is known of the edition.
 
 ``edition.toml`` beside an edition's records says what it was asked for as, and which sections were measured, so that
 none goes unnoticed; an edition without one, as of an older checkout, says nothing of itself.
@@ -34,7 +34,7 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     asked: str
     """As the command that measured it named its package: a release, a path or an address."""
     date: str = ""
-    """Of the release or the commit, as 2026-11-11; empty where it is not known."""
+    """Day of the release or the commit, as 2026-11-11; empty where it is not known."""
     sections: tuple[str, ...] = ()
     """Sections that have been measured."""
 
@@ -65,7 +65,7 @@ def write_manifest(results: Path, manifest: Manifest) -> None:
 
 @dataclass(frozen=True)
 class Project:
-    """One report of one checkout."""
+    """A report of one checkout."""
 
     release: str
     """Label of the edition whose results are shown."""

@@ -46,7 +46,7 @@ class Release:
     asked: str = ""
     """As the command named it."""
     date: str = ""
-    """Of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
+    """Day of the commit, as 2026-11-11; of a release ``release_date`` asks the index."""
     checkout: Path | None = None
     """The folder that is installed as it lies there, so that what is edited counts."""
 

@@ -19,18 +19,18 @@ from measured_report.records.record import Record
 
 @dataclass(frozen=True)
 class State:
-    """How a section's record stands against the code that would measure it now."""
+    """A section's record against the code that would measure it now."""
 
     section: str
     kind: str
     """``fresh``, ``stale``, ``missing`` or ``damaged``."""
     record: Record | None = None
     notes: tuple[str, ...] = ()
-    """What changed since the measurement, or what is wrong with the record."""
+    """Changes since the measurement, or faults of the record."""
 
     @property
     def summary(self) -> str:
-        """The state in a few words: of a stale record, which parts of its identity changed."""
+        """Say the state in a few words: of a stale record, which parts of its identity changed."""
         parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.kind == "stale" else ()
         return f"{self.kind}: {', '.join(parts)}" if parts else self.kind
 
@@ -40,7 +40,7 @@ class State:
 
 
 def states_of(project: Project) -> list[State]:
-    """The state of every section of one release that is about it."""
+    """Return the state of every section of one release that is about it."""
     with unchanged_files():
         states = [_read_state(project, section) for section in sections(project.root)]
         packages = expected_packages(project, [state.record for state in states if state.record])
@@ -54,7 +54,6 @@ def states_of(project: Project) -> list[State]:
 
 
 def state_of(project: Project, section: str) -> State:
-    """The state of one section."""
     return next((state for state in states_of(project) if state.section == section), State(section, "missing"))
 
 
@@ -86,7 +85,7 @@ def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mappi
 
 
 def package_version(project: Project) -> str:
-    """The version that an edition is of; of a checkout with edits, with the digest of its code.
+    """Return the version that an edition is of; of a checkout with edits, with the digest of its code.
 
     Git is not asked: in a repository that a manifest names it would run what that one's settings say.
     """
@@ -97,7 +96,7 @@ def package_version(project: Project) -> str:
 
 
 def records_of(project: Project) -> Iterator[Record]:
-    """The records of an edition that can be read."""
+    """Yield the records of an edition that can be read."""
     for section in sections(project.root):
         try:
             yield load_record(project.record_path(section))
@@ -106,7 +105,7 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def status_matrix(project: Project) -> str:
-    """The state of every section, in a column for each release that has results; a dash where it is not about it."""
+    """Write the state of every section, in a column for each release; a dash where it is not about it."""
     with unchanged_files():
         columns = {
             release: {state.section: state.summary for state in states_of(project.of(release))}
@@ -119,7 +118,7 @@ def status_matrix(project: Project) -> str:
 
 
 def status_table(states: Sequence[State], profile: str) -> str:
-    """The state of every section of one release; what changed for several has a number there and is said below."""
+    """Write the state of every section of one release; what changed for several is numbered and said below."""
     shared = _shared_changes([state for state in states if state.kind == "stale"])
     numbered = {f"[{number}]": notes for number, notes in enumerate(shared, 1)}
     lines = [("section", "state", "measured on", "date", "profile", "what changed")]
@@ -134,7 +133,7 @@ def status_table(states: Sequence[State], profile: str) -> str:
 
 
 def _shared_changes(states: Sequence[State]) -> list[list[str]]:
-    """The changes that several sections have, those of the same sections together; what most have comes first."""
+    """Group the changes that several sections have; what most have comes first."""
     changes_of: dict[tuple[str, ...], list[str]] = {}
     for note in sorted({note for state in states for note in state.notes}):
         names = tuple(state.section for state in states if note in state.notes)
@@ -143,7 +142,7 @@ def _shared_changes(states: Sequence[State]) -> list[list[str]]:
 
 
 def in_words(notes: Iterable[str]) -> str:
-    """Changes in one line, with each kind, as code, said once."""
+    """Write changes in one line, with each kind, as code, said once."""
     kinds: dict[str, list[str]] = {}
     for note in notes:
         kind, _, what = note.partition(": ")

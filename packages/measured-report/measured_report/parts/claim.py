@@ -77,7 +77,7 @@ OPPOSITE = Outcome("fails", is_opposite=True)
 
 @dataclass(frozen=True)
 class Claim:
-    """One checked sentence: its test's outcome, and what its wording can name."""
+    """A checked sentence: its test's outcome, and what its wording can name."""
 
     name: str
     outcome: Outcome

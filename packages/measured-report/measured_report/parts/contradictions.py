@@ -16,7 +16,7 @@ KINDS = ("contradict", "needs")
 
 
 Pairs = Mapping[str, Sequence[tuple[str, str]]]
-"""By kind."""
+"""Pairs of claims by kind."""
 
 
 def pairs_of(templates: Path) -> Pairs:
@@ -41,7 +41,7 @@ def contradictory(pairs: Pairs, said: Collection[str]) -> tuple[str, str] | None
 
 
 def refuse_contradictions(templates: Path, sections: Mapping[str, Section]) -> None:
-    """ReportError, one line, when what the sections of a release say does not go together."""
+    """Raise ReportError, one line, when what the sections of a release say does not go together."""
     pairs = pairs_of(templates)
     for first, second in pairs.get("contradict", []):
         if _is_said(first, sections) and _is_said(second, sections):
@@ -52,7 +52,7 @@ def refuse_contradictions(templates: Path, sections: Mapping[str, Section]) -> N
 
 
 def _is_said(words: str, sections: Mapping[str, Section]) -> bool:
-    """Whether a claim has an outcome, as in ``gap.not_the_cause holds``; what was not measured has none."""
+    """Tell whether a claim has an outcome, as in ``gap.not_the_cause holds``; what was not measured has none."""
     place, _, outcome = words.partition(" ")
     section, _, name = place.partition(".")
     if section not in sections:

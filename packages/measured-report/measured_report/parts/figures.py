@@ -79,11 +79,11 @@ LONGEST_NAME, LONGEST_LINE = 18, 36
 
 @dataclass
 class _Screen:
-    """What a figure is being drawn for."""
+    """A screen that a figure is being drawn for."""
 
     is_narrow: bool = False
     is_asked: bool = False
-    """Whether what is drawn depends on it, so that it is drawn anew for another screen."""
+    """Set where what is drawn depends on it, so that it is drawn anew for another screen."""
 
 
 _screen: ContextVar[_Screen] = ContextVar("screen")
@@ -93,7 +93,7 @@ _told: ContextVar[dict[str, list[str]]] = ContextVar("told")
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b[^>]*(?<!/)>)|(?P<close></g>)|<text\b[^>]*>[^<]*</text>'
 )
-"""What is looked at for where a drawn text stands: a tick's group, another group, the end of one, and a text."""
+"""Pieces that tell where a drawn text stands: a tick's group, another group, the end of one, and a text."""
 
 IDENTIFIER = re.compile(r'( id="|xlink:href="#|url\(#)')
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
@@ -124,7 +124,7 @@ class LogLabels(ticker.LogFormatter):
 
 
 def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
-    """Labels as plain numbers, without zeros at their ends."""
+    """Format labels as plain numbers, without zeros at their ends."""
     return ticker.FuncFormatter(lambda value, _: f"{value:.{digits}g}")
 
 
@@ -147,20 +147,20 @@ def tick_125(axis: Axis) -> None:
 
 
 def tick_decades(axis: Axis) -> None:
-    """Ticks of a logarithmic axis at whole powers of ten alone."""
+    """Set ticks of a logarithmic axis at whole powers of ten alone."""
     axis.set_major_locator(ticker.LogLocator(numticks=12))
     axis.set_minor_locator(ticker.NullLocator())
 
 
 def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
-    """Ticks at ``places`` alone."""
+    """Set ticks at ``places`` alone."""
     axis.set_major_locator(ticker.FixedLocator(places))
     axis.set_minor_locator(ticker.NullLocator())
     axis.set_major_formatter(plain_labels(digits=digits))
 
 
 def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Drawing, Any]:
-    """A figure of ``width`` × ``height`` inches with the axes, or the array of them, that ``Figure.subplots`` makes.
+    """Make a figure of ``width`` × ``height`` inches, and the axes, or the array of them, of ``Figure.subplots``.
 
     For a narrow screen panels that are side by side are put one above the other, in an array of the same shape.
     """
@@ -180,12 +180,12 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots) -> tuple[Dra
 
 
 def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
-    """The value of a mark or a bar, ``gap`` points to the right of it."""
+    """Write the value of a mark or a bar, ``gap`` points to the right of it."""
     axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
 
 
 def is_narrow() -> bool:
-    """Whether a figure is being drawn for a narrow screen."""
+    """Tell whether a figure is being drawn for a narrow screen."""
     screen = _screen.get(None) or _Screen()
     screen.is_asked = True
     return screen.is_narrow
@@ -243,13 +243,13 @@ _texts_to_paths = TextToPath()
 
 @cache
 def _size_of(text: str, font: FontProperties, is_formula: bool) -> tuple[float, float, float]:
-    """Width, height and descent; no font that is given here changes later."""
+    """Return width, height and descent; no font that is given here changes later."""
     return _texts_to_paths.get_text_width_height_descent(text, font, is_formula)
 
 
 @cache
 def _heights_of(font: FontProperties) -> tuple[float, float, float]:
-    """Ascent, descent and gap of its lines, which Matplotlib would read anew from the font for each text."""
+    """Return ascent, descent and gap of its lines, which Matplotlib would read anew from the font for each text."""
     face = get_font(findfont(font))
     head, table = face.get_sfnt_table("head"), face.get_sfnt_table("OS/2")
     assert head and table
@@ -258,7 +258,7 @@ def _heights_of(font: FontProperties) -> tuple[float, float, float]:
 
 
 def _fit_narrow(drawing: Drawing) -> None:
-    """Texts neither too small to be read nor too long to leave room for what is drawn, and no more ticks than help."""
+    """Make texts large enough to be read and short enough to leave room, and no more ticks than help."""
     for axes in drawing.axes:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
         is_named = not isinstance(axes.yaxis.get_major_formatter(), ticker.ScalarFormatter)
@@ -279,7 +279,7 @@ def _fit_narrow(drawing: Drawing) -> None:
 
 
 def _texts(artist: Artist) -> Iterator[Text]:
-    """All texts but those of axes, whose size is set, and which would have to be laid out to be found."""
+    """Yield all texts but those of axes, whose size is set, and which would be laid out to be found."""
     for part in artist.get_children():
         if isinstance(part, Text):
             yield part
@@ -288,15 +288,14 @@ def _texts(artist: Artist) -> Iterator[Text]:
 
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
-    """The text for a narrow figure: none of its lines is longer, in characters, its own breaks stay, and a number stays
-    with the word before it."""
+    """Fold a text for a narrow figure: its own breaks stay, and a number stays with the word before it."""
     kept = re.sub(r" (?=\d)", "\u00a0", text)
     return "\n".join(textwrap.fill(line, longest) for line in kept.split("\n")).replace("\u00a0", " ")
 
 
 @contextmanager
 def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
-    """The project's style, and ``settings``; the user's own count for nothing."""
+    """Set the project's style, and ``settings``; the user's own count for nothing."""
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update({**STYLE, **settings})
@@ -365,7 +364,7 @@ def _trimmed(drawing: Drawing) -> Drawing:
 
 
 def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
-    """The same drawing, of which each text says where its numbers are from, and each tick that it is one.
+    """Return the drawing with each text saying where its numbers are from, and each tick that it is one.
 
     Numbers that are written alike come in the order in which they were written.
     """
@@ -396,7 +395,7 @@ def _linked(svg: str, told: Mapping[str, list[str]]) -> str:
 
 
 def _lean(svg: str) -> str:
-    """The same drawing without names that nothing refers to, and without digits that nobody sees."""
+    """Return the drawing without names that nothing refers to, and without digits that nobody sees."""
     used = set(REFERENCE.findall(svg))
     svg = NAME.sub(lambda found: found[0] if found[1] in used else "", FONTS.sub("", COMMENT.sub("", svg)))
     return BREAK.sub("\n", PLACES.sub(lambda found: DECIMALS.sub(r"\1", found[0]), svg))

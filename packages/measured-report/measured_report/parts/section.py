@@ -153,7 +153,7 @@ class Download:
 
 @dataclass(frozen=True)
 class Section:
-    """A section: all that its template can name, besides what ``chapters`` gives to all of them."""
+    """A section: all that its template can name, besides what all of them can."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
     """Tables, and other things that print themselves."""

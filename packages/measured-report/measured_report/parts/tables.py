@@ -19,7 +19,7 @@ FRACTION = re.compile(r"\.(\d*)$")
 
 @dataclass(frozen=True)
 class _Column:
-    """What all cells of a column have in common."""
+    """A column: all that its cells have in common."""
 
     name: str
     has_numbers: bool

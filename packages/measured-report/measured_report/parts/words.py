@@ -56,7 +56,7 @@ class Wording:
     blocks: Mapping[str, str]
     """Names of its blocks by part."""
     names: frozenset[str]
-    """All that the parts name."""
+    """Names in all parts."""
     render: Callable[[str, Mapping[str, Any]], Markup] | None = None
     """Renders the block of a name with what it can name; None until the template is compiled."""
 
@@ -66,7 +66,7 @@ class Wording:
         return self.render(self.blocks[part], numbers) if part in self.blocks else Markup("")
 
     def refuse_unknown(self, what: str, numbers: Mapping[str, Any]) -> None:
-        """ReportError when the wording names something that it is not given, or could not name what it is given."""
+        """Refuse a wording that names something that it is not given, or could not name what it is given."""
         if taken := sorted(CONSTANTS & set(numbers)):
             raise ReportError(f"{self.place}: {what} is given {taken[0]}, which is a constant in a template: rename it")
         if unknown := sorted(self.names - set(numbers)):
@@ -106,7 +106,7 @@ class WordTags(Extension):
 
 
 def refuse_typed(source: str) -> None:
-    """TemplateSyntaxError for a number that is typed into the words of a template, where a measured one belongs."""
+    """Refuse a number that is typed into the words of a template, where a measured one belongs."""
     words = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
     if found := TYPED.search(words):
         line = words.count("\n", 0, found.start()) + 1

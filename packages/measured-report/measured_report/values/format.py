@@ -1,4 +1,4 @@
-"""How a number is written: the digits that its noise carries, and what was chosen as it was chosen."""
+"""Numbers as they are written: the digits that its noise carries, and what was chosen as it was chosen."""
 
 import math
 import re
@@ -25,14 +25,14 @@ WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸�
 
 
 def unit_label(unit: str) -> str:
-    """A unit as it is written; a bare number has none."""
+    """Write a unit; a bare number has none."""
     return "" if unit == "1" else unit
 
 
 def format_number(
     value: float | int | None, *, noise: float | None = None, digits: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP
 ) -> str:
-    """``value`` as people write it.
+    """Write ``value`` as people do.
 
     Args:
         value: Measured, counted or chosen; what is counted, an integer, is written in full.
@@ -58,35 +58,35 @@ def format_number(
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
-    """``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
+    """Write ``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
     least_said = noise if noise and value == 0.0 else undusted(value)
     return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(f"{BELOW}{THIN_SPACE}")
 
 
 def format_least(value: float | int | None, *, noise: float | None = None) -> str:
-    """``value`` as what something is at least, or more than: rounded down, and nothing where it is below the noise."""
+    """Write ``value`` as what something is at least, or more than: rounded down; nothing below the noise."""
     text = format_number(undusted(value), noise=noise, rounding=ROUND_FLOOR)
     return "0" if text.startswith(BELOW) else text
 
 
 def undusted(value: float | int | None) -> float | int | None:
-    """``value`` without what the arithmetic of floating point leaves behind its digits, which no bound is for."""
+    """Return ``value`` without what floating point leaves behind its digits, which no bound is for."""
     return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value
 
 
 def read_number(text: str) -> Decimal | None:
-    """The number that was written so; None for what is none."""
+    """Read the number that was written so; None for what is none."""
     found = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
     return Decimal(found[1] or 1).scaleb(int((found[2] or "⁰").translate(DIGITS))) if found else None
 
 
 def digit_count(text: str) -> int:
-    """How many significant digits a number that is written so has."""
+    """Count the significant digits of a number that is written so."""
     return len(re.sub(r"×.*|\D", "", text).lstrip("0"))
 
 
 def rounded(value: float, noise: float | None, most: int = DIGITS_KNOWN, rounding: str = ROUND_HALF_UP) -> Decimal:
-    """``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
+    """Round ``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
 
     Two runs are apart by the noise, so that one is off by half of it, and the last digit is worth at least that. What
     is beyond the noise has one digit in any case.
@@ -103,12 +103,12 @@ def rounded(value: float, noise: float | None, most: int = DIGITS_KNOWN, roundin
 
 
 def format_code(value: float | int | None) -> str:
-    """``value`` as a program reads it, without zeros at its end."""
+    """Write ``value`` as a program reads it, without zeros at its end."""
     return ABSENT if value is None else f"{value:.{DIGITS_TYPED}g}"
 
 
 def format_short(value: float) -> str:
-    """``value`` up to 99, of no known noise, in two digits and as few characters as can be: where there is no room."""
+    """Write ``value`` up to 99, of no known noise, in two digits and as few characters as can be."""
     if value < 0.005:
         return "<.01"
     exact = Decimal(repr(float(value)))
@@ -117,29 +117,28 @@ def format_short(value: float) -> str:
 
 
 def spellings(value: float | int | None, noise: float | None) -> list[str]:
-    """All ways in which a figure may write a number."""
+    """List the ways in which a figure may write a number."""
     short = [] if value is None or noise is not None or value < 0 else [format_short(value)]
     return [format_number(value, noise=noise), *short]
 
 
 def whole(text: str) -> re.Pattern:
-    """Finds a number as it is written, and not as a part of another one."""
+    """Match a number as it is written, and not as a part of another one."""
     return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
 
 
 def format_power(exponent: int) -> str:
-    """A power of ten."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
-    """To so many significant digits, without zeros at the end."""
+    """Write so many significant digits, without zeros at the end."""
     place = Decimal(1).scaleb(exact.adjusted() + 1 - digits)
     return _format_decimal(exact.quantize(place, rounding).normalize())
 
 
 def _format_decimal(number: Decimal) -> str:
-    """All digits of a number, zeros at its end included."""
+    """Write all digits of a number, zeros at its end included."""
     exponent = number.adjusted()
     if exponent in PLAIN_EXPONENTS:
         return _typeset(f"{number:,f}")

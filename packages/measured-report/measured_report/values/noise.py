@@ -18,7 +18,7 @@ ROUNDING_SHARE = 1e-3
 EDGES = ("_p5", "_p95")
 """Ends of columns that say how far the numbers spread of which a column has the median."""
 MEDIAN = 1.25
-"""How much wider the median of n numbers spreads than their mean, which does by 1/√n of theirs: √(π/2), for many."""
+"""Ratio of the spreads of the median of n numbers and of their mean, which does by 1/√n of theirs: √(π/2), for many."""
 TIMES = ("s", "ms")
 PAIRS = 0.999
 """Chosen: so many of all pairs of runs of one case differ by no more than the noise. The page makes hundreds of
@@ -30,7 +30,7 @@ LEAST_RUNS = 4
 
 
 def is_beyond(noise: float, before: float, after: float) -> bool:
-    """Whether two values differ by more than noise, and by more than rounding.
+    """Tell whether two values differ by more than noise, and by more than rounding.
 
     A processor without parallel sums repeats itself to the last bit and has no noise, but any other order of its sums
     would then be a change.
@@ -39,7 +39,7 @@ def is_beyond(noise: float, before: float, after: float) -> bool:
 
 
 def tolerance(values: Sequence[float]) -> float:
-    """How far apart two runs of one case may come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
+    """Bound how far apart two runs of one case come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
 
     A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
     standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
@@ -57,7 +57,7 @@ def tolerance(values: Sequence[float]) -> float:
 
 
 def binomial_noise(share: float, trials: float) -> float:
-    """How far apart the shares of successes of two times so many trials may come out, where one of them is ``share``.
+    """Bound how far apart shares of successes of two times so many trials come out, one of them ``share``.
 
     Either is off by no more than its interval is wide on the wider side, and both are independent, as in Newcombe
     (1998), Statistics in Medicine 17, 873-890, method 10. The interval is Wilson's (1927), Journal of the American
@@ -71,28 +71,28 @@ def binomial_noise(share: float, trials: float) -> float:
 
 @dataclass(frozen=True)
 class Floor:
-    """How far apart runs of one case may come out in one column."""
+    """A bound on how far apart runs of one case come out in one column."""
 
     spread: float
     magnitude: float
     """The largest mean of such runs; larger values are taken to be noisier in proportion."""
     length: float = 0.0
-    """How long the longest of them added it up, in the column that it grows with; 0 where it does not."""
+    """Length of the longest of them, in the column that it grows with; 0 where it does not."""
 
     def at(self, *values: float, length: float | None = None) -> float:
-        """The noise of such values, of a run of that length."""
+        """Return the noise of such values, of a run of that length."""
         scale = max(map(abs, values)) / self.magnitude if self.magnitude else 1.0
         longer = (length or 0.0) / self.length if self.length else 1.0
         return self.spread * max(1.0, scale, longer)
 
 
 def noise_floors(records: Iterable[Record]) -> dict[str, Floor]:
-    """The noise of every column that records of the section on noise have, the largest of them."""
+    """Return the largest noise of every column that records of the section on noise have."""
     return noisiest(floors_of(record.rows, record.units) for record in records)
 
 
 def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
-    """By column, the largest noise of all."""
+    """Return the largest noise of all by column."""
     floors: dict[str, Floor] = {}
     for each in found:
         for column, floor in each.items():
@@ -103,13 +103,13 @@ def noisiest(found: Iterable[Mapping[str, Floor]]) -> dict[str, Floor]:
 
 @dataclass(frozen=True)
 class Repeats:
-    """How far apart runs of one edition come out, by those of its section on noise."""
+    """Noise of one edition, by the runs of its section on noise."""
 
     own: Mapping[tuple[str, str], Floor]
-    """By the case that was repeated and the column."""
+    """Noise by the case that was repeated and the column."""
 
     def noise(self, case: str, column: str, value: float) -> float | None:
-        """That of a number of a case: its own where that case was repeated, or else a share of it; None without any.
+        """Return the noise of a number: that of its case where it was repeated, or a share of it; None without any.
 
         The share is the largest that the column has, or else the middle one of the columns of its unit, or of all. What
         has a sign passes through zero, where a share says nothing: it has the largest noise of its column.
@@ -128,7 +128,7 @@ class Repeats:
         return None if share is None else share * abs(value)
 
     def knows(self, column: str) -> bool:
-        """Whether the column itself was repeated."""
+        """Tell whether the column itself was repeated."""
         return column in self._columns
 
     @cached_property
@@ -137,7 +137,7 @@ class Repeats:
 
     @cached_property
     def _shares(self) -> Mapping[str, float]:
-        """By column; what was set or counted is exact, and no share of anything."""
+        """Return shares by column; what was set or counted is exact, and no share of anything."""
         shares: dict[str, float] = {}
         for (_, column), floor in self.own.items():
             about = column_of(column)
@@ -147,7 +147,7 @@ class Repeats:
 
 
 def repeats_of(record: Record) -> Repeats:
-    """How far apart the runs of a record of the section on noise come out; those that were lost take no part."""
+    """Measure how far apart runs of the section on noise come out; those that were lost take no part."""
     runs: dict[str, list[Mapping[str, Any]]] = {}
     for row in record.rows:
         if "of" in row and not is_lost(row):  # a damaged row may not say
@@ -157,18 +157,18 @@ def repeats_of(record: Record) -> Repeats:
 
 
 def is_lost(row: Mapping[str, Any]) -> bool:
-    """Whether the run of a row was lost, which makes its numbers chance."""
+    """Tell whether the run of a row was lost, which makes its numbers chance."""
     return any(row[name] for name in row if "loss" in column_of(name).kinds)
 
 
 def is_repeated(column: str, row: Mapping[str, Any]) -> bool:
-    """Whether an engine repeats this number of a row to the last bit."""
+    """Tell whether an engine repeats this number of a row to the last bit."""
     told = any(row.get(name) in said for name, said in config().repeating.items())
     return told and column_of(column).unit not in TIMES
 
 
 def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor]) -> float | None:
-    """How far apart two measurements of a number in ``row`` come out, in its unit; None where nobody measured it.
+    """Return the noise of a number in ``row``, in its unit; None where nobody measured it.
 
     What a row says to be known within a share has that; a time is the median of frames that it has the spread of;
     successes are as binomial as their trials. Other numbers have the floor of their column, or of rounding where the
@@ -197,7 +197,7 @@ def cell_noise(column: str, row: Mapping[str, Any], floors: Mapping[str, Floor])
 def derived_noise(
     function: Callable[..., float], values: Sequence[float], noises: Sequence[float | None]
 ) -> float | None:
-    """How far apart two results of ``function`` come out, each source changed by its noise; None where one has none.
+    """Return the noise of ``function``, each source changed by its noise; None where one has none.
 
     Two runs are apart by the noise, so that each is off by 1/√2 of it, and what is off independently adds in squares:
     a difference of two has the noise of one, and a mean of many has less. It never has less than its noisiest source
@@ -219,7 +219,7 @@ def derived_noise(
 
 
 def floors_of(rows: Iterable[Mapping[str, Any]], units: Iterable[str]) -> dict[str, Floor]:
-    """The noise of the columns ``units`` of one record of the section on noise."""
+    """Measure the noise of the columns ``units`` of one record of the section on noise."""
     runs: dict[str, list[Mapping[str, Any]]] = {}
     for row in rows:
         if "of" in row:  # a damaged row may not say

@@ -22,18 +22,17 @@ from measured_report.values.format import (
 
 VALUES_FILE = "values.json"
 MOST, LEAST, SAME = "most", "least", "the same"
-"""How the page says that a number is written as a bound from above or below, and a number that is written like another
-one."""
+"""Said on the page of a number that is a bound from above or below, or that is written like another one."""
 
 
 def local(text: str, release: str) -> str:
-    """``text`` as the site has it whose first pages are of a release: the addresses of its values are shorter."""
+    """Write ``text`` as the site of a release has it: the addresses of its values are shorter."""
     return text.replace(f"{config().edition_folder(release)}/{VALUES_FILE}", VALUES_FILE)
 
 
 @dataclass(frozen=True)
 class Pointer:
-    """Where a number of a record, or a whole trace, lies below the site's ``data/``."""
+    """A place of a number of a record, or of a trace, below the site's ``data/``."""
 
     text: str
     """Such as ``engine-1.4.0/friction.json#/rows/3/drag_n``."""
@@ -44,7 +43,7 @@ class Pointer:
 
     @property
     def cell(self) -> tuple[int, str] | None:
-        """Row and column; None for what is in no row."""
+        """Return row and column; None for what is in no row."""
         found = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
         return (int(found[1]), found[2]) if found else None
 
@@ -65,15 +64,15 @@ class Quantity:
     reason: str = ""
     """Why there is no number, where there is none."""
     origins: frozenset[Origin] = frozenset()
-    """What it was measured with; none for what was not measured."""
+    """Releases and machines that it was measured with; none for what was not measured."""
     noise: float | None = None
-    """How far apart two measurements of it come out, in its unit; None where nobody knows, 0 for what is exact."""
+    """Difference of two measurements of it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""
-    """How it is computed, in words; empty for what was measured."""
+    """Words for how it is computed; empty for what was measured."""
 
     @property
     def reads(self) -> frozenset[str]:
-        """Pointers to itself and to all that it is computed from."""
+        """Return pointers to itself and to all that it is computed from."""
         return frozenset({self.source} if self.source else ())
 
     @property
@@ -84,36 +83,36 @@ class Quantity:
 
     @property
     def bare(self) -> Markup:
-        """The number without its unit, for places that say the unit themselves."""
+        """Write the number without its unit, for places that say the unit themselves."""
         return self._written(self.written)
 
     @property
     def written(self) -> str:
-        """The number as people write it, without its unit."""
+        """Write the number as people do, without its unit."""
         return format_number(self.value, noise=self.noise)
 
     @property
     def code(self) -> Markup:
-        """The number as it is typed into a program."""
+        """Write the number as it is typed into a program."""
         return self._written(format_code(self.value))
 
     @property
     def most(self) -> Markup:
-        """The number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
+        """Write the number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
         return self._with_unit(self._written(format_most(self.value, noise=self.noise), MOST))
 
     @property
     def least(self) -> Markup:
-        """The number with its unit, rounded down: where the words say *at least* or *more than*."""
+        """Write the number with its unit, rounded down: where the words say *at least* or *more than*."""
         return self._with_unit(self._written(format_least(self.value, noise=self.noise), LEAST))
 
     def beside(self, other: "Quantity") -> Markup:
-        """The number with its unit, or *the same* where it is written like ``other``, which stands before it."""
+        """Write the number with its unit, or *the same* where it is written like ``other``, which stands before it."""
         is_same = None not in (self.value, other.value) and (self.written, self.unit) == (other.written, other.unit)
         return self._written(SAME, other.source) if is_same and other.source else self.__html__()
 
     def in_digits(self, count: int) -> Markup:
-        """The number without its unit, in no more than so many significant digits."""
+        """Write the number without its unit, in no more than so many significant digits."""
         text = format_number(self.value, noise=self.noise, digits=count)
         return self._written(text, "" if text == self.written else str(count))
 
@@ -148,7 +147,7 @@ def alike(numbers: Sequence[Quantity]) -> list[Markup]:
 
 
 def absent(unit: str, reason: str) -> Quantity:
-    """A number that is not there, and why."""
+    """Make a number that is not there, and say why."""
     return Quantity(None, unit, "", reason)
 
 
@@ -167,14 +166,14 @@ class Value(Quantity):
 
     @property
     def entry(self) -> dict:
-        """What the site's values file says of it."""
+        """Return what the site's values file says of it."""
         entry: dict[str, Any] = {name: getattr(self, name) for name in ("value", "unit", "noise", "formula")}
         entry["sources"] = list(self.sources)
         return entry | ({"reason": self.reason} if self.reason else {})
 
 
 def mixed(*origins: frozenset[Origin]) -> str:
-    """Why what has these origins is not to be compared; empty when it may be.
+    """Say why what has these origins is not to be compared; empty when it may be.
 
     Numbers of one origin may, and so may numbers that each compare the same ones already, as a change between two
     releases does.

@@ -39,7 +39,7 @@ class Series:
 
     @property
     def reads(self) -> frozenset[str]:
-        """A pointer to itself."""
+        """Return a pointer to itself."""
         return frozenset({self.source})
 
 
@@ -98,17 +98,17 @@ class Row:
         return column in self._cells
 
     def __bool__(self) -> bool:
-        """Whether the record has it."""
+        """Tell whether the record has it."""
         return not self._lack
 
     @property
     def label(self) -> str:
-        """What people call its case."""
+        """Return what people call its case."""
         return label_of(self._cells["case"], self._labels)
 
     @property
     def plain(self) -> Mapping[str, Any]:
-        """Its cells as the record has them."""
+        """Return its cells as the record has them."""
         return self._cells
 
     @property
@@ -129,7 +129,7 @@ class Rows(dict):
 
 @dataclass(frozen=True)
 class Results:
-    """What was measured for one section of one release, and what has been derived from it."""
+    """Measurements of one section of one release, and what has been derived from them."""
 
     record: Record
     path: Path
@@ -138,9 +138,9 @@ class Results:
     derived: dict[str, Value] = field(default_factory=dict)
     """Every derived value by name, for the site's values file."""
     floors: Mapping[str, Floor] = field(default_factory=dict, repr=False)
-    """By column: how far apart runs of one case come out with this release."""
+    """Noise of one case with this release, by column."""
     label: str = ""
-    """What figures and tables call the section."""
+    """Name of the section in figures and tables."""
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
 
@@ -151,12 +151,12 @@ class Results:
 
     @property
     def source(self) -> str:
-        """Where the record lies below the site's ``data/``."""
+        """Return where the record lies below the site's ``data/``."""
         return f"{self.path.parent.name}/{self.path.name}"
 
     @cached_property
     def rows(self) -> list[Row]:
-        """All rows but those that are damaged in what tells them apart."""
+        """Return all rows but those that are damaged in what tells them apart."""
         return [
             Row(self.record, index, self.source, floors=self.floors, labels=self.labels)
             for index, is_whole in enumerate(_whole(self.record))
@@ -165,14 +165,14 @@ class Results:
 
     @cached_property
     def row(self) -> Rows:
-        """Rows by case, those whose case is not unique left out."""
+        """Return rows by case, those whose case is not unique left out."""
         named = [(row.plain["case"], row) for row in self.rows]
         count = Counter(case for case, _ in named)
         return Rows({case: row for case, row in named if count[case] == 1}, self.record)
 
     @cached_property
     def seconds(self) -> Quantity:
-        """How long the measurement took."""
+        """Return how long the measurement took."""
         return Quantity(self.record.measured["seconds"], "s", f"{self.source}#/measured/seconds")
 
     def trace(self, case: str) -> Series:
@@ -196,7 +196,7 @@ class Results:
         across: bool = False,
         is_noise: bool = False,
     ) -> Value:
-        """The value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
+        """Derive the value ``name``: ``function`` of what the sources hold, as ``formula`` says in words.
 
         It does not exist when one of its sources doesn't, when ``function`` has no finite result, or when the sources
         were measured with different releases or on different machines; ``across`` says that this is the point.
@@ -221,12 +221,12 @@ class Results:
         return self.derived[name]
 
     def chosen(self, name: str, why: str, value: float, unit: str = "1") -> Value:
-        """The value ``name``, which nobody measured: a bound that was set, and ``why`` in words."""
+        """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
         return self.value(name, f"chosen: {why}", lambda: value, unit=unit)
 
 
 def _whole(record: Record) -> list[bool]:
-    """Which rows have what says of which run they are: texts, yes and no, and settings.
+    """Tell which rows have what says of which run they are: texts, yes and no, and settings.
 
     A row lacks it where one of these is null for a reason, or a text is there in all other rows.
     """
@@ -261,12 +261,12 @@ def _evaluate(function: Callable[..., float], sources: tuple[Quantity | Series, 
 
 
 def _of_all(function: Callable[..., float]) -> Callable[..., float]:
-    """The same; ``max`` and ``min``, which would look for it in a single number, of however many there are."""
+    """Return the same; ``max`` and ``min`` of however many numbers there are."""
     return (lambda *values: function(values, default=math.nan)) if function in (max, min) else function
 
 
 def _noise(function: Callable[..., float], sources: tuple[Quantity | Series, ...]) -> float | None:
-    """The noise of what was computed; None where that of a source is not known, as of a series."""
+    """Return the noise of what was computed; None where that of a source is not known, as of a series."""
     values: list[Any] = [source.value for source in sources]
     noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
     try:
