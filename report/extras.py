@@ -36,7 +36,7 @@ class Extras(extras.Extras):
     @cached_property
     def clips(self) -> Clips | None:
         """Return its clips; None when there are none that can be shown."""
-        return Clips(self.edition.project, self._clips_state) if self._clips_state.record else None
+        return Clips(self.edition.project, self._clips_state, self.edition.root) if self._clips_state.record else None
 
     @cached_property
     def _clips_state(self) -> State:
@@ -88,7 +88,7 @@ class Extras(extras.Extras):
         if not self.replay:
             return {}
         project, poses = self.edition.project, self.edition.chapters["poses"]
-        return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates)}
+        return {REPLAY: replay_page(project, poses, self.replay, self.clips, templates, self.edition.root)}
 
     @property
     def files(self) -> Mapping[str, Path]:

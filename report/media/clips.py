@@ -20,6 +20,8 @@ class Clips:
     project: Project
     state: State
     """``fresh`` or ``stale``: others are not shown."""
+    root: str = ""
+    """The way from the page to the root of the site."""
 
     @property
     def results(self) -> Results:
@@ -33,7 +35,8 @@ class Clips:
     def video(self, case: str, caption: Markup) -> Markup:
         """Return a clip that plays when asked to, and nothing of which is fetched before, but for its poster."""
         row = self.results.row[case]
-        size, files = (row.width_px.value, row.height_px.value), map(self._address, (row.poster, row.file))
+        size = (row.width_px.value, row.height_px.value)
+        files = (self.root + self._address(file) for file in (row.poster, row.file))
         label = f"Two further runs side by side, with a plot of both displacements. At the end: {self._said(row)}."
         return Markup(
             '<figure class="clip"><video controls muted playsinline preload="none" width="{}" height="{}" poster="{}" '
@@ -45,7 +48,7 @@ class Clips:
         row, first = self.results.row[STILL], self.results.row[FIRST]
         alt = f"The hand and the cube in it, every second cycle drawn into one picture: {self._said(first)}."
         image = Markup('<img src="{}" width="{}" height="{}" alt="{}"{} loading="lazy">').format(
-            self.picture, row.width_px.value, row.height_px.value, alt, self._sources(first)
+            self.root + self.picture, row.width_px.value, row.height_px.value, alt, self._sources(first)
         )
         linked = Markup('<a href="{}">{}</a>').format(link, image) if link else image
         caption = self._marked(caption)
@@ -53,7 +56,7 @@ class Clips:
 
     @property
     def picture(self) -> str:
-        """Return the address of the long exposure, seen from the pages of its release."""
+        """Return the address of the long exposure, seen from the root of the site."""
         return self._address(self.results.row[STILL].file)
 
     def _marked(self, caption: Markup) -> Markup:

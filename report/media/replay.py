@@ -27,11 +27,12 @@ SCRIPT = "assets/replay/replay.js"
 
 
 def replay_page(
-    project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates
+    project: Project, chapter: Chapter, runs: Mapping[str, Any], clips: Clips | None, templates: Templates, root: str
 ) -> str:
     """Write the page of one release: of its section poses, of its ``packed_runs``, and of the still among its clips."""
     text = script(project.root)
     names = {
+        "root": root,
         "results": chapter.results,
         "section": chapter.section,
         "claims": [claim.html(chapter.name) for claim in chapter.section.claims],

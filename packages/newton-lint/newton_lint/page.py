@@ -51,7 +51,7 @@ def write(target: Target, given: argparse.Namespace, folder: Path) -> Path:
     try:
         import jinja2
 
-        from measured_report.pages.prose import LAYOUT
+        from measured_report.pages.prose import stylesheet
     except ImportError as error:
         raise TargetError(NEEDS_GENERATOR) from error
     engine, work = engine_of(given, {}), work_of(given)
@@ -62,7 +62,7 @@ def write(target: Target, given: argparse.Namespace, folder: Path) -> Path:
     load = found.hold.load_n / max(found.hold.point_count, 1.0) if found else given.load
     report = report_of(target, Asked(engine=engine, load=Load(load_n=load), work=work))
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "style.css").write_bytes((LAYOUT / "style.css").read_bytes())
+    (folder / "style.css").write_text(stylesheet(), encoding="utf-8")
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((Path(__file__).parent / "page.html.j2").read_text(encoding="utf-8"))
     pictures = {"bars": _pictures("bars", _bars, scene, report, best, found), "scene": _pictured(scene, target)}

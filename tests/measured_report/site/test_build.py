@@ -127,9 +127,11 @@ def test_a_figure_follows_the_page_and_hides_nothing():
 
     svgs = draw_svgs(draw, name="toy-way")
     for svg, kind, prefix in zip(svgs, ("broad", "narrow"), ("toy-way-", "narrow-toy-way-"), strict=True):
-        assert svg.startswith(f'<svg class="{kind}" viewBox="')
-        assert "currentColor" in svg and "var(--series-1)" in svg and not any(colour in svg for colour in SERIES)
-        assert all(part.startswith(prefix) for part in (chunk.split('"')[0] for chunk in svg.split(' id="')[1:]))
+        assert svg.html("", ()).startswith(f'<svg class="{kind}" viewBox="')
+        content = svg.content
+        assert "currentColor" in content and "var(--series-1)" in content
+        assert not any(colour in content for colour in SERIES)
+        assert all(part.startswith(prefix) for part in (chunk.split('"')[0] for chunk in content.split(' id="')[1:]))
     assert svgs == draw_svgs(draw, name="toy-way")
 
 

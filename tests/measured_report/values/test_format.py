@@ -124,7 +124,7 @@ def test_a_drawing_says_where_its_numbers_are_from():
         return drawing
 
     for svg in draw_svgs(draw, name="toy-way"):
-        linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg))
+        linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg.content))
         assert linked == {places[0]: "slips 6.36 mm", " ".join(places[1:]): "8.00 of 8.00"}, "the tick is a place"
 
 

@@ -38,7 +38,7 @@ def project(poses_path) -> Project:
 def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project, templates)
-    return replay_page(project, edition.chapters["poses"], edition.extras.replay, None, templates)
+    return replay_page(project, edition.chapters["poses"], edition.extras.replay, None, templates, "")
 
 
 def test_the_page_runs_its_one_script_fetches_nothing_and_says_without_it_what_was_measured(page, poses_path):

@@ -10,6 +10,7 @@ from markupsafe import Markup
 from measured_report.editions.status import State
 from measured_report.pages.outline import Page
 from measured_report.pages.prose import Prose
+from measured_report.parts.macros import macros
 from measured_report.parts.section import Section
 from measured_report.values.results import Results
 
@@ -51,7 +52,7 @@ def stale_mark(chapters: Iterable[Chapter], reads: frozenset[str]) -> Markup:
     for chapter in chapters:
         place = chapter.results.source.removesuffix("json")  # its traces begin with it as well
         if chapter.state.notes and any(pointer.startswith(place) for pointer in reads):
-            return Markup(' <a class="badge" href="#{}" tabindex="-1">stale</a>').format(chapter.name)
+            return macros().stale(chapter)
     return Markup("")
 
 

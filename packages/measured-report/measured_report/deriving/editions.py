@@ -43,6 +43,8 @@ class Edition:
     left_out: list[State]
     """Sections whose results are missing, damaged, or too old for the words that are now said of them."""
     cache: DerivedCache = field(default_factory=DerivedCache)
+    root: str = ""
+    """The way from its pages to the root of the site."""
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
@@ -170,7 +172,10 @@ def editions_of(
     """Derive what the results of every release make, oldest first; ``among``: of these alone."""
     shown = project.releases if among is None else among
     cache = cache or DerivedCache()
-    derived = {release: derive_edition(project.of(release), templates, cache) for release in shown}
+    derived = {}
+    for release in shown:
+        root = "" if release == project.release else "../"
+        derived[release] = replace(derive_edition(project.of(release), templates, cache), root=root)
     releases = {release: edition.chapters for release, edition in derived.items()}
     editions = {release: _compared(edition, releases, templates) for release, edition in derived.items()}
     return editions if project.profile == "full" else _marked(project, editions, templates)

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache as once
-from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import jinja2
 from markupsafe import Markup, escape
@@ -22,7 +21,7 @@ from measured_report.pages import passages
 from measured_report.pages.converting import BLANK, CLOSE, OPEN, Converter, token
 from measured_report.pages.passages import Passage, PassageTag
 from measured_report.parts import citations, words
-from measured_report.parts.citations import StatedTag, numbered, references
+from measured_report.parts.citations import Cited, StatedTag, references
 from measured_report.parts.contradictions import pairs_of
 from measured_report.parts.section import Figure
 from measured_report.parts.words import Wording, WordTags, refuse_typed, worded
@@ -33,8 +32,25 @@ LAYOUT = Path(__file__).resolve().parent / "layout"
 may extend ``layout/NAME``."""
 TOKEN = re.compile(f"(<p>)?{BLANK}([0-9]+){CLOSE}(?(1)</p>)")
 """In a text that was converted; alone in its paragraph it may be a block."""
+LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
+"""In Markdown, a link that leads to an id."""
 PLAIN = re.compile(r"'(str|bool|int|float|None|NoneType)( object)?' has no attribute")
+Printed = TypeVar("Printed")
 BLOCK = ("<figure", "<p", "<div", "</div")
+
+
+@dataclass(frozen=True)
+class Inner:
+    """A link to a part of the report by its id; a page that shows it knows which page has that."""
+
+    id: str
+
+    @property
+    def anchor(self) -> str:
+        return f"#{self.id}"
+
+    def __html__(self) -> str:
+        return self.anchor
 
 
 @dataclass(frozen=True)
@@ -52,11 +68,16 @@ class Prose:
 
     @property
     def figures(self) -> list[Figure]:
-        return [thing for thing in self.printed if isinstance(thing, Figure)]
+        return self.of_kind(Figure)
 
-    def html(self, drawn: Mapping[str, Markup]) -> Markup:
-        """The text below the title, with its figures, which are drawn already, by their ids."""
-        printed = [drawn[thing.anchor] if isinstance(thing, Figure) else thing for thing in self.printed]
+    def of_kind(self, kind: type[Printed]) -> list[Printed]:
+        """Return what it prints of one kind."""
+        return [thing for thing in self.printed if isinstance(thing, kind)]
+
+    def html(self, shown: Mapping[str, Any]) -> Markup:
+        """Put in what it prints: as ``shown`` has them by their anchors its figures, and links and marks of sources."""
+        late = (Figure, Inner, Cited)
+        printed = [shown.get(thing.anchor, thing) if isinstance(thing, late) else thing for thing in self.printed]
         return _put_back(self.body, printed)
 
 
@@ -76,6 +97,7 @@ class Text:
         standing: list[Passage] = []
         with _named(self.name):
             text = self.template.render({**names, "printed": printed, "passages": standing})
+        text = LINK.sub(lambda link: token(printed, Inner(link[1])), text)
         found = self.converter.converted(text, self.name, anchor, level)
         headings = [(place, _put_back(heading, printed)) for place, heading in found.headings]
         return Prose(_put_back(found.title, printed), found.body, printed, anchor, headings, standing)
@@ -89,17 +111,17 @@ class Templates:
         own, base = jinja2.FileSystemLoader(folder), jinja2.FileSystemLoader(LAYOUT)
         self._loader = jinja2.ChoiceLoader([own, base, jinja2.PrefixLoader({"layout": base})])
         self._layout = jinja2.Environment(
-            loader=self._loader,
-            undefined=jinja2.StrictUndefined,
-            autoescape=True,
-            trim_blocks=True,
-            lstrip_blocks=True,
+            loader=self._loader, undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
         )
         self._prose = self._layout.overlay(finalize=_as_token)
-        self._references = references(folder)
+        self.references = references(folder)
         self._pairs = pairs_of(folder)
-        self._layout.globals |= {"references": self._references, "config": config(), "pairs": self._pairs}
-        self._layout.filters["numbered"] = partial(numbered, known=self._references)
+        self._layout.globals |= {
+            "references": self.references,
+            "config": config(),
+            "pairs": self._pairs,
+            "token": token,
+        }
         self._prose.add_extension(WordTags)
         self._prose.add_extension(PassageTag)
         self._prose.add_extension(StatedTag)
@@ -115,7 +137,7 @@ class Templates:
 
     def _parsed(self, name: str) -> Text:
         source, path, _ = self._loader.get_source(self._prose, name)
-        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self._references), repr(self._pairs), source
+        made_from = version("jinja2"), sys.version, *_own_code(), *sorted(self.references), repr(self._pairs), source
         entry = f"template.{name.replace('/', '.')}"
         found = self._cache and self._cache.get(entry, made_from)
         if not found:
@@ -149,6 +171,11 @@ def _own_code() -> tuple[bytes, ...]:
     """What decides what becomes of a template."""
     modules = sys.modules[__name__], words, citations, passages
     return tuple(Path(str(module.__file__)).read_bytes() for module in modules)
+
+
+def stylesheet() -> str:
+    """Return the styles of pages, which begin with those that drawings have as files."""
+    return "\n".join((LAYOUT / name).read_text(encoding="utf-8") for name in ("theme.css", "style.css"))
 
 
 @contextmanager

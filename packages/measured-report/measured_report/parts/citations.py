@@ -7,8 +7,7 @@
 ``{version}``, ``{file}`` and ``{line}``. A page numbers its statements and lists their sources at its end.
 """
 
-import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from typing import Any
 from jinja2 import nodes
 from jinja2.ext import Extension
 from jinja2.parser import Parser
+from jinja2.runtime import Context
 from markupsafe import Markup
 
 from measured_report.files.config import read_toml
@@ -23,7 +23,6 @@ from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 
 NAME = "sources.toml"
-CITED = re.compile(r'(?<=<sup class="cited") data-source="([a-z0-9_]+)">')
 
 
 @dataclass(frozen=True)
@@ -63,15 +62,22 @@ def _reference(addresses: Mapping[str, str], **fields: Any) -> Reference:
     return known
 
 
-def numbered(html: str, known: Mapping[str, Reference]) -> Markup:
-    """Return the text of a page with its statements numbered, and the list of their sources behind it."""
-    places = {name: number for number, name in enumerate(dict.fromkeys(CITED.findall(html)), 1)}
-    text = Markup(CITED.sub(lambda mark: f">{macros().cited(places[mark[1]])}", html))
-    return text + macros().sources([known[name] for name in places]) if places else text
+@dataclass(frozen=True)
+class Cited:
+    """A mark behind a statement; a page that shows it knows its number."""
+
+    name: str
+
+    @property
+    def anchor(self) -> str:
+        return f"source {self.name}"
+
+    def __html__(self) -> str:
+        return ""
 
 
 class StatedTag(Extension):
-    """The tag; an environment that has it has ``references`` among its globals."""
+    """The tag; an environment that has it has ``references`` and ``token`` among its globals."""
 
     tags = {"stated"}  # noqa: RUF012, as Jinja has it
 
@@ -82,8 +88,10 @@ class StatedTag(Extension):
         if name.value not in known:
             parser.fail(f"templates/{NAME} has no {name.value}", name.lineno)
         body = parser.parse_statements(("name:endstated",), drop_needle=True)
-        call = self.call_method("_stated", [nodes.Const(name.value)])
+        call = self.call_method("_stated", [nodes.ContextReference(), nodes.Const(name.value)])
         return nodes.CallBlock(call, [], [], body).set_lineno(line)
 
-    def _stated(self, name: str, caller) -> Markup:
-        return macros().stated(Markup(" ".join(caller().split())), name) + "\n"
+    def _stated(self, context: Context, name: str, caller: Callable[[], str]) -> Markup:
+        token: Any = self.environment.globals["token"]
+        words = Markup(" ".join(caller().split()))
+        return macros().stated(words, token(context["printed"], Cited(name))) + "\n"

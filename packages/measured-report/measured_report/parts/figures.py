@@ -25,6 +25,7 @@ from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.text import Text
 from matplotlib.textpath import TextToPath
 
+from measured_report.parts.picture import Picture
 from measured_report.values.format import format_number, format_power, format_short, whole
 from measured_report.values.quantities import Quantity
 
@@ -302,15 +303,15 @@ def own_style(settings: Mapping[str, Any]) -> Iterator[None]:
         yield
 
 
-def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> tuple[Markup, Markup]:
-    """Draw the figure for broad and for narrow screens, as an SVG element each: the same data give the same bytes.
+def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> tuple[Picture, Picture]:
+    """Draw the figure for broad and for narrow screens, each in SVG: the same data give the same bytes.
 
     Their ids begin with ``name``, those of the narrow one with ``narrow-`` before it.
     """
     return copy_context().run(_draw_svgs, draw, name)
 
 
-def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Markup, Markup]:
+def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Picture, Picture]:
     told: dict[str, list[str]] = {}
     _told.set(told)
     _screen.set(_Screen())
@@ -327,7 +328,7 @@ def _draw_svgs(draw: Callable[[], Drawing], name: str) -> tuple[Markup, Markup]:
         return broad, _svg(drawing, told, "narrow", f"narrow-{name}")
 
 
-def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: str) -> Markup:
+def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: str) -> Picture:
     buffer = io.StringIO()
     # ``savefig`` would draw every figure twice, the first time in order to lay it out, which drawing does as well.
     _Canvas(drawing)
@@ -341,8 +342,9 @@ def _svg(drawing: Drawing, told: Mapping[str, Sequence[str]], kind: str, name: s
     svg = IDENTIFIER.sub(rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
-    opening = Markup('<svg class="{}" viewBox="{}" role="img">')
-    return Markup(OPENING.sub(lambda found: opening.format(kind, found[1]), svg, count=1).strip())
+    opening = OPENING.search(svg)
+    assert opening, "Matplotlib writes an svg element"
+    return Picture(kind, opening[1], Markup(svg[opening.end() :].rstrip().removesuffix("</svg>")))
 
 
 def _trimmed(drawing: Drawing) -> Drawing:

@@ -10,6 +10,7 @@ from markupsafe import Markup
 from measured_report.files.errors import ReportError
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
+from measured_report.parts.picture import Picture
 from measured_report.parts.words import Wording
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Series
@@ -18,14 +19,11 @@ if TYPE_CHECKING:  # these take long to import, and what is kept from before nee
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
 
-Pictures = tuple[Markup, Markup]
+Pictures = tuple[Picture | Markup, Picture | Markup]
 """A figure as drawn for broad screens and for narrow ones; the stylesheet shows one of them."""
 TAG = re.compile("<[^>]*>")
 UNDRAWN = "This cannot be drawn from what was measured"
 """Said in the place of a figure; no figure of the tracked results may say it."""
-ROLE = Markup('role="img"')
-"""Stands in a drawn figure before what it says to whoever can't see it."""
-VIEW = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
 """Finds the source of each number that there is."""
 
@@ -100,10 +98,10 @@ class Figure:
             reason = " ".join(str(error).split())
             return macros().left_out(UNDRAWN, reason), Markup("")
 
-    def html(self, pictures: Pictures | None, address: str = "") -> Markup:
+    def html(self, pictures: Pictures | None, address: str = "", root: str = "") -> Markup:
         """Show the figure as it is drawn, where anything of it exists.
 
-        Drawings that are files are at ``address``, but for how their names end.
+        Drawings that are files are at ``address``, but for how their names end; ``root`` is the way to the site's root.
         """
         there = [source.source for source in self.sources if source.value is not None]
         if not there:
@@ -113,7 +111,7 @@ class Figure:
         names = [file.rpartition("/")[2] for file in files]
         # The same file of several releases is told apart by its folder.
         links = [(file, name if names.count(name) == 1 else file) for file, name in zip(files, names, strict=True)]
-        return macros().figure(self, self._spoken(pictures, address), links)
+        return macros().figure(self, self._spoken(pictures, address), links, f"{root}data/")
 
     @property
     def caption(self) -> Markup:
@@ -128,12 +126,14 @@ class Figure:
         """Return the pictures with what they say to whoever can't see them, and where the numbers in that are from."""
         assert self.wording, f"the figure {self.anchor} has no words yet"
         assert pictures, f"the figure {self.anchor} is not drawn yet"
+        drawn = [picture for picture in pictures if isinstance(picture, Picture)]
+        if not drawn:  # what is said in its place
+            return Markup("").join(pictures)
         words = self.wording("alt", self.numbers)
         alt, sources = Markup(TAG.sub("", words)).unescape().replace("\xa0", " "), SOURCE.findall(words)
         if address:
-            return macros().picture(address, *map(_size, pictures), alt, sources)
-        label = ROLE + macros().label(alt, sources)
-        return Markup("").join(picture.replace(ROLE, label, 1) for picture in pictures)
+            return macros().picture(address, *(picture.size for picture in drawn), alt, sources)
+        return Markup("").join(picture.html(alt, sources) for picture in drawn)
 
 
 @dataclass(frozen=True)
@@ -199,12 +199,6 @@ class Section:
                     thing = replace(thing, anchor=f"{anchor}-{name}", drawn_by=drawn_by, command=command)
                 found[kind][name] = thing
         return replace(self, claims=list(found["claim"].values()), figures=found["figure"], tables=found["table"])
-
-
-def _size(picture: Markup) -> tuple[int, int]:
-    """Return width and height of a drawing, as far as their proportion goes."""
-    width, height = VIEW.search(picture).groups()  # type: ignore[union-attr]
-    return round(float(width)), round(float(height))
 
 
 def _caption(thing: Table | Figure) -> Markup:

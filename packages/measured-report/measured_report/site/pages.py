@@ -1,10 +1,9 @@
 """The pages of a site: what is on each, its figures drawn, and the data beside them."""
 
 import json
-import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 from markupsafe import Markup
@@ -17,22 +16,20 @@ from measured_report.files.config import config
 from measured_report.files.staging import Draft
 from measured_report.pages.outline import FRONT, Page
 from measured_report.pages.passages import Passage
-from measured_report.pages.prose import LAYOUT, Prose, Templates
+from measured_report.pages.prose import LAYOUT, Inner, Prose, Templates, stylesheet
+from measured_report.parts.citations import Cited
+from measured_report.parts.macros import macros
 from measured_report.parts.section import Pictures
 from measured_report.records.record import Record
 from measured_report.records.traces import traces_of
 from measured_report.site.archive import rows_csv
 from measured_report.site.citing import Citation, measured_on
-from measured_report.site.figure_files import address_of, figure_files
 from measured_report.values.noise import NOISE
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
 
 CARD = "card.png"  # the picture for links to the site
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
-ID = re.compile(r' id="([^"]+)"')
-DATA_LINK = re.compile(r'( (?:href|src|poster)=")data/')
-INNER_LINK = re.compile(r' href="#([^"]+)"')
 
 
 @dataclass(frozen=True)
@@ -152,8 +149,8 @@ class Site:
             "edition": edition,
             "site_address": self.address,
             "address": self.address and f"{self.address}{place}",
-            "root": "../" if place else "",
-            "shown": self.editions[self.shown].project.results.name,
+            "root": edition.root,
+            "folder": self.editions[self.shown].project.results.name,
             "card": CARD if CARD in self.draft.digests else "",
             "icon": ICON if icon.is_file() else "",
             "citation": self.citation,
@@ -164,32 +161,39 @@ class Site:
             "beside": self.beside,
             **names,
         }
-        layout = partial(self.templates.layout, "base.html.j2")
-        pages = {
-            content.page.file: layout({**known, "content": content, "drawn": self._drawn(content, place, pictures)})
-            for content in names["contents"]
-        }
-        connected = _connected(pages, edition.chapters, bool(edition.left_out))
-        for file, html in {**connected, **edition.extras.pages(self.templates)}.items():
-            self.draft.write(f"{place}{file}", self._seen_from(place, html))
-        for path in (*(LAYOUT / name for name in ("style.css", "page.js")), *([icon] if icon.is_file() else [])):
+        pages = edition.extras.pages(self.templates)
+        for content in names["contents"]:
+            figures = self._drawn(content, place, pictures, edition.root)
+            cited = list(dict.fromkeys(cited.name for part in content.parts for cited in part.of_kind(Cited)))
+            marks = {Cited(name).anchor: macros().cited(number) for number, name in enumerate(cited, 1)}
+            own = {
+                "content": content,
+                "shown": {**figures, **marks, **_addresses(content, names["contents"])},
+                "references": [self.templates.references[name] for name in cited],
+            }
+            pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
+        for file, html in pages.items():
+            self.draft.write(f"{place}{file}", local(html, self.shown))
+        self.draft.write(f"{place}style.css", stylesheet())
+        for path in (LAYOUT / "page.js", *([icon] if icon.is_file() else [])):
             self.draft.copy(f"{place}{path.name}", path)
         for chapter in edition.chapters.values():
             for download in chapter.section.downloads:
                 self.draft.write(f"{place}download/{download.name}", download.text)
 
-    def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures]) -> dict[str, Markup]:
+    def _drawn(self, content: Content, place: str, pictures: Mapping[str, Pictures], root: str) -> dict[str, Markup]:
         """The figures of a page by their ids: the first is a part of it, and those behind it are files."""
         found: dict[str, Markup] = {}
         has_drawing = False
         for figure in (figure for prose in content.parts for figure in prose.figures):
             drawn = pictures.get(figure.anchor)
             if has_drawing and drawn and all(drawn):
-                found[figure.anchor] = figure.html(drawn, address_of(figure))
-                for name, drawing in figure_files(figure, drawn).items():
-                    self.draft.write(f"{place}{name}", local(drawing, self.shown))
+                address = f"figures/{figure.anchor}"
+                found[figure.anchor] = figure.html(drawn, address, root)
+                for end, picture in zip(("", "-narrow"), drawn, strict=True):
+                    self.draft.write(f"{place}{address}{end}.svg", local(picture.file, self.shown))
             else:
-                found[figure.anchor] = figure.html(drawn)
+                found[figure.anchor] = figure.html(drawn, root=root)
                 has_drawing = has_drawing or bool(drawn and all(drawn))
         return found
 
@@ -206,11 +210,6 @@ class Site:
         for name, file in edition.extras.files.items():
             self.draft.copy(name, file)
         self.draft.write(local(f"{folder}{VALUES_FILE}", self.shown), local(edition.values_text, self.shown))
-
-    def _seen_from(self, place: str, html: str) -> str:
-        """A page in the folder ``place``: the data of all releases lie beside the first one's pages."""
-        text = local(html, self.shown)
-        return DATA_LINK.sub(r"\1../data/", text) if place else text
 
 
 def _links(editions: Mapping[str, Edition], places: Mapping[str, str], shown: str) -> list[Link]:
@@ -261,24 +260,18 @@ def _draw(
     return pictures
 
 
-def _connected(pages: Mapping[str, str], sections: Collection[str], lacks: bool) -> dict[str, str]:
-    """Pages by file, with links to what is not on their own page leading to the page that it is on.
+def _addresses(content: Content, contents: Sequence[Content]) -> dict[str, str]:
+    """Find where the links of a page to ids lead: to the page that has the part whose id each begins with.
 
-    Where the edition ``lacks`` a section, what would lead to a place that is not there is no link.
-
-    The front page has the ids of all sections for old links alone.
+    What was not measured is on no page; a link to it leads to the front page, which names it.
     """
-    ids = {file: set(ID.findall(html)) for file, html in pages.items()}
-    ids[FRONT.file] -= set(sections)
-    places = {name: file for file in pages for name in ids[file]}
-
-    def connect(file: str, link: re.Match) -> str:
-        name = link[1]
-        if lacks and name not in places:
-            return ""  # to a part of what is not there: the words stay, and lead nowhere
-        return link[0] if name in ids[file] or name not in places else f' href="{places[name]}#{name}"'
-
-    return {file: INNER_LINK.sub(partial(connect, file), html) for file, html in pages.items()}
+    files = {part.anchor: each.page.file for each in contents for part in each.parts}
+    found = {}
+    for link in (link for part in content.parts for link in part.of_kind(Inner)):
+        owners = [anchor for anchor in files if link.id == anchor or link.id.startswith(f"{anchor}-")]
+        file = files[max(owners, key=len)] if owners else ""
+        found[link.anchor] = link.anchor if file == content.page.file else file + link.anchor if file else FRONT.file
+    return found
 
 
 def _floors(edition: Edition) -> dict[str, tuple[float, float]]:
