@@ -1,6 +1,7 @@
 """The pages of a site: what is on each, its figures drawn, and the data beside them."""
 
 import json
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,6 +30,7 @@ from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import Results
 
 CARD = "card.png"  # the picture for links to the site
+ID = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
 
 
@@ -43,6 +45,12 @@ class Content:
     @property
     def parts(self) -> list[Prose]:
         return [*self.texts, *(chapter.prose for chapter in self.chapters if chapter.prose)]
+
+    @property
+    def ids(self) -> set[str]:
+        """Those of its parts, but for the first, which is the page, and of what is in them."""
+        inner = {name for part in self.parts for name in (*ID.findall(part.body), *(f.anchor for f in part.figures))}
+        return inner | {part.anchor for part in self.parts[1:]}
 
     @property
     def passages(self) -> list[Passage]:
@@ -168,7 +176,7 @@ class Site:
             marks = {Cited(name).anchor: macros().cited(number) for number, name in enumerate(cited, 1)}
             own = {
                 "content": content,
-                "shown": {**figures, **marks, **_addresses(content, names["contents"])},
+                "shown": {**figures, **marks, **_addresses(content, names["contents"], edition)},
                 "references": [self.templates.references[name] for name in cited],
             }
             pages[content.page.file] = self.templates.layout("base.html.j2", {**known, **own})
@@ -260,17 +268,18 @@ def _draw(
     return pictures
 
 
-def _addresses(content: Content, contents: Sequence[Content]) -> dict[str, str]:
-    """Find where the links of a page to ids lead: to the page that has the part whose id each begins with.
+def _addresses(content: Content, contents: Sequence[Content], edition: Edition) -> dict[str, str]:
+    """Find where the links of a page to ids lead: to the page that has the id.
 
-    What was not measured is on no page; a link to it leads to the front page, which names it.
+    Where the edition lacks sections, a link to what is on no page leads to the front page, which names them.
     """
-    files = {part.anchor: each.page.file for each in contents for part in each.parts}
+    files = {anchor: each.page.file for each in reversed(contents) for anchor in each.ids}
+    lost = FRONT.file if edition.left_out else ""
     found = {}
     for link in (link for part in content.parts for link in part.of_kind(Inner)):
-        owners = [anchor for anchor in files if link.id == anchor or link.id.startswith(f"{anchor}-")]
-        file = files[max(owners, key=len)] if owners else ""
-        found[link.anchor] = link.anchor if file == content.page.file else file + link.anchor if file else FRONT.file
+        file = files.get(link.id, "")
+        elsewhere = f"{file}{link.anchor}" if file else lost or link.anchor
+        found[link.anchor] = link.anchor if file == content.page.file else elsewhere
     return found
 
 
