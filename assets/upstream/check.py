@@ -41,7 +41,7 @@ for option in (False, True) if hasattr(m.opt, "contact_jdotv") else (False,):
     places[option] = d.qpos.numpy()[0].tolist()
 print(json.dumps(places))
 """
-"""Where the box on the turning table ends, without the term and, where there is one, with it."""
+"""A program that says where the box on the turning table ends, without the term and, where there is one, with it."""
 STEP_COUNT = 500
 
 
@@ -50,7 +50,7 @@ def digests() -> dict[str, str]:
 
 
 def environment() -> Path:
-    """The Python that has the released packages; UsageError where they can't be had."""
+    """Return the Python that has the released packages; UsageError where they can't be had."""
     return python_with("upstream", (*PACKAGES, "pytest==9.2.0", "absl-py==2.5.1"))
 
 
@@ -72,14 +72,14 @@ def patched(folder: Path) -> Path:
 
 
 def counts(python: Path, folder: Path, *tests: str) -> dict[str, int]:
-    """How many tests passed, failed and were skipped, of the packages in a folder."""
+    """Count the tests that passed, failed and were skipped, of the packages in a folder."""
     command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests]
     last = run(command, folder).strip().splitlines()[-1].partition(" in ")[0]
     return {outcome: int(count) for count, outcome in re.findall(r"(\d+) (?!warning)([a-z]+)", last)}
 
 
 def turntable(python: Path, folder: Path) -> dict[str, list[float]]:
-    """The last state of the box on the turning table, by whether its contacts have the term."""
+    """Return the last state of the box on the turning table, by whether its contacts have the term."""
     asked = json.dumps([MJCF, [TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S], STEP_COUNT])
     return json.loads(run([python, "-c", TURNTABLE, asked], folder).splitlines()[-1])
 

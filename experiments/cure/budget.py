@@ -1,31 +1,22 @@
-"""What moves a held cube, part by part, predicted from the arm's motion alone.
+"""The parts of a held cube's slip, predicted from the arm's motion alone.
 
-Let x be the displacement of the cube's centre against the hand's point there, u = J q̇ its velocity and g = J̇ q̇ what is
-left of its acceleration for q̈ = 0. A friction row asks for a = -b u, and less what its regularization yields, R f:
+Let x be the displacement of the cube's centre against the hand, u = J q̇ its velocity and g = J̇ q̇ what is left of its
+acceleration for q̈ = 0. A friction row asks for J q̈ = -b u - R f, where R f is what it yields under its force (MuJoCo
+documentation, "Computation"). The joints move by another q̈ than the solver's, since implicitfast has the damping of a
+step in the inertia; with e = J (q̈ that moves - q̈ of the solver) the velocity after a step of h is
 
-    J q̈ = -b u - R f                  (MuJoCo documentation, "Computation", constraint model)
+    u' = u + h (J q̈ + e + g),   at rest where   b u = g + e - R f.
 
-The solver sees to that for its own q̈. What moves the joints is another one: implicitfast divides by the inertia with
-the damping of a step in it. With e = J (q̈ that moves - q̈ of the solver) the row's velocity after a step of h is
-
-    u' = u + h (J q̈ + e + g),
-
-for the joints' velocities change by h (q̈ + …) and their Jacobian by h J̇. That is at rest where b u = g + e - R f. The
-positions move by h q̇' (semi-implicit), along a path that is curved in x, so that in a step
-
-    Δx = h J q̇' + h² g / 2 = h (u' - h g) + h² g / 2 = h u' - h² g / 2.
-
-Summed over a run, with u' against u a matter of the two ends:
+Positions move by h q̇' along a path that is curved in x, so that Δx = h J q̇' + h² g / 2 = h u' - h² g / 2. Over a run
 
     x = ∫ g/b dt  -  h/2 ∫ g dt  +  ∫ e/b dt  -  ∫ R f/b dt
         the term      the step      damping       creep under load
 
-Each has its remedy: with the term put back the first is gone; RK4 has neither the second nor the third, Euler not the
-third; centred, the term takes the second along; R goes with 1 / impratio. All four are along the pads: across them the
-normal rows hold the cube. Rounding of positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's
-step is less than its position's last bit. g, e and R f are taken from one run through MuJoCo's C engine, in double
-precision with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted,
-``softness`` where the cone is a pyramid.
+With the term put back the first is gone, and centred, the second; RK4 has neither the second nor the third, Euler not
+the third; R goes with 1 / impratio. All four are along the pads: across them the normal rows hold the cube. Rounding of
+positions is a fifth: x moves by less than ∫ (u - h g / 2) dt where a joint's step is less than its position's last bit.
+g, e and R f are taken from one run through MuJoCo's C engine, in double precision with the term put back so that the
+cube stays; b, h and R's factor are those of the case that is predicted.
 """
 
 from dataclasses import dataclass, replace
@@ -49,7 +40,7 @@ BISECTION_COUNT = 50
 
 @dataclass(frozen=True)
 class Motion:
-    """Sums over the shake of what a run through C shows, in the axes of the TCP frame, shape [3] each."""
+    """Sums over the shake of a run through C, in the axes of the TCP frame, shape [3] each."""
 
     bias_m_s: np.ndarray
     """∫ g dt."""
@@ -58,18 +49,18 @@ class Motion:
     load_m_s: np.ndarray
     """∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts."""
     depth_m: float
-    """How deep these are in the end, in the mean."""
+    """Mean depth of these in the end."""
     rounding_m: np.ndarray
-    """What the cube moved less what its velocity says, in single-precision positions."""
+    """Way of the cube less that by its velocity, in single-precision positions."""
     inverse_mass_1_kg: float
     """Sum of the engine's inverse weights of a finger and the cube [1/kg]."""
     failure: str | None = None
-    """Why the sums say nothing, when they don't."""
+    """Reason why the sums say nothing, when they don't."""
 
 
 @dataclass(frozen=True)
 class Watched:
-    """A run through MuJoCo's C engine with the term put back, and what each of its frames adds up to."""
+    """A run through MuJoCo's C engine with the term put back, and the sums of each of its frames."""
 
     trace: Trace
     frames: np.ndarray
@@ -79,14 +70,14 @@ class Watched:
 
     @property
     def failure(self) -> str | None:
-        """Why nothing can be told from it, when that is so."""
+        """Tell why nothing can be told from it, when that is so."""
         if self.trace.failure:
             return f"in MuJoCo C {self.trace.failure}"
         return "in MuJoCo C the shake was never reached" if self.trace.phase[-1] != metrics.SHAKE else None
 
     @property
     def shaking(self) -> np.ndarray:
-        """Indices of the frames of the shake, from the end of whose first the displacement counts."""
+        """Return the indices of the frames of the shake, from the end of whose first the displacement counts."""
         return np.flatnonzero(self.trace.phase == metrics.SHAKE)
 
 
@@ -118,7 +109,7 @@ def measure_motion(case: Case) -> Motion:
 
 
 class Watch:
-    """Adds up what each substep shows of the cube against the hand."""
+    """A sum over substeps of what moves the cube against the hand."""
 
     COLUMNS = ("bias", "damping", "load", "velocity")
 
@@ -156,8 +147,7 @@ class Watch:
             total += h * (into_tcp @ value)
 
     def _load(self, data: mujoco.MjData) -> np.ndarray:
-        """R f of the cube's friction rows in the world, mean over the contacts that carry force [m/s²]; their depth is
-        kept."""
+        """Return R f of the cube's friction rows, mean over contacts that carry force [m/s²]; keep their depth."""
         found, depths_m = [], []
         for contact in data.contact:
             row = contact.efc_address
@@ -171,11 +161,7 @@ class Watch:
 
 
 def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
-    """The parts of a case's slip in the axes of the TCP frame [mm], by name; see the module's text.
-
-    Args:
-        motion: Of the same shake in a run through C.
-    """
+    """Predict the parts of a case's slip in the axes of the TCP frame [mm], by name, from the motion of its shake."""
     h = step_s(case)
     b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, motion.inverse_mass_1_kg))
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
@@ -193,7 +179,7 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
 
 
 def softness(case: Case, other: Case, depth_m: float) -> float:
-    """R of a case's friction rows, of what it is in another case with an elliptic cone, which grips as firmly.
+    """Compare R of a case's friction rows with what it is in another case with an elliptic cone, which grips as firmly.
 
     R is in proportion to (1 - d) / (d impratio), and the impedance d to how deep the pads sink in: to the depth r at
     which the normal rows balance the grip, k d(r) r = R f. Stiffer pads sink in less. A pyramid's rows are normal and
@@ -213,7 +199,7 @@ def softness(case: Case, other: Case, depth_m: float) -> float:
 
 
 def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
-    """The depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    """Find the depth r [m] with d(r) r = pull_m (1 - d) / d."""
     shallow_m, deep_m = 0.0, pull_m * yielding(solimp[0]) / solimp[0]  # d is never less than solimp's first
     for _ in range(BISECTION_COUNT):
         middle_m = 0.5 * (shallow_m + deep_m)
@@ -228,21 +214,21 @@ def solimp_of(case: Case) -> tuple[float, ...]:
 
 
 def pad_stiffness(case: Case) -> float:
-    """k of the pads' normal rows [1/s²]."""
+    """Return k of the pads' normal rows [1/s²]."""
     timeconst_s, dampratio = solref(case.pad_ke, case.pad_kd)
     return reference_stiffness(timeconst_s, dampratio, 2.0 * step_s(case), case.pad_dmax)
 
 
 def yielding(impedance: float) -> float:
-    """What R is in proportion to."""
+    """Return what R is in proportion to."""
     return (1.0 - impedance) / impedance
 
 
 def contact_timeconst_s(case: Case) -> float:
-    """The timeconst of the pads' contacts, which the engine takes no shorter than two substeps [s].
+    """Return the timeconst of the pads' contacts, which the engine takes no shorter than two substeps [s].
 
     Raises:
-        CaseError: The case has it in another way than by ``pad_kd``.
+        CaseError: The case sets it otherwise than by ``pad_kd``.
     """
     if case.pad_direct or not case.refsafe or case.friction_timeconst_override_s is not None:
         raise CaseError(f"{case.name} has a timeconst that is not predicted: pad_direct, refsafe or an override")
@@ -250,12 +236,7 @@ def contact_timeconst_s(case: Case) -> float:
 
 
 def friction_timeconst_s(case: Case, inverse_mass_1_kg: float) -> float:
-    """The timeconst of the pads' friction rows, which the engine takes no shorter than two substeps [s].
-
-    Args:
-        inverse_mass_1_kg: As in ``Motion``; for releases in which the friction rows have one of their own, see
-            ``compat.KF_RELEASE``.
-    """
+    """Return the timeconst of the pads' friction rows [s], which in some releases is their own (``kf_is_read``)."""
     of_contacts_s = contact_timeconst_s(case)
     if kf_is_read() and case.contacts == "newton" and case.cone == "elliptic" and case.pad_kf > 0.0:
         share = (1.0 - case.pad_dmax) / case.impratio + case.pad_dmax

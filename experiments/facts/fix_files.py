@@ -7,12 +7,16 @@ from measured_report.files.root import ROOT
 
 FIXED_SCENE = "assets/fix/fixed_scene.py"
 PATCH = "assets/fix/fix.patch"
+ROBOT = "assets/fr3.urdf"
 HUNK = re.compile(r"^@@ .*\n", re.MULTILINE)
+READING = 'URDF = (Path(__file__).parents[1] / "fr3.urdf").read_text(encoding="utf-8")\n'
+"""Where the scene has its robot from; what is offered is alone in its folder and holds it."""
 
 
 def fix_files() -> dict[str, str]:
-    """Text of each file that is offered, by its name."""
-    fixed, patch = ((ROOT / path).read_text(encoding="utf-8") for path in (FIXED_SCENE, PATCH))
+    """Return the text of each file that is offered, by its name."""
+    scene, patch, robot = ((ROOT / path).read_text(encoding="utf-8") for path in (FIXED_SCENE, PATCH, ROBOT))
+    fixed = replaced(scene, READING, f'URDF = """\\\n{robot}"""  # noqa: E501\n')
     return {"fix.patch": patch, "fixed_scene.py": fixed, "scene_as_shipped.py": without_patch(fixed, patch)}
 
 
@@ -21,7 +25,12 @@ def without_patch(text: str, patch: str) -> str:
     for hunk in HUNK.split(patch)[1:]:
         lines = hunk.splitlines(keepends=True)
         before, after = ("".join(line[1:] for line in lines if line[0] in kept) for kept in (" -", " +"))
-        if text.count(after) != 1:
-            raise ReportError(f"{PATCH} does not lead to {FIXED_SCENE}")
-        text = text.replace(after, before)
+        text = replaced(text, after, before)
     return text
+
+
+def replaced(text: str, part: str, other: str) -> str:
+    """Put another text in the place of the one part that is this one; ReportError where it is not there once."""
+    if text.count(part) != 1:
+        raise ReportError(f"{FIXED_SCENE} is not what {PATCH} leads to, or does not read {ROBOT}")
+    return text.replace(part, other)

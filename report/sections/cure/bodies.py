@@ -1,7 +1,8 @@
 """Other bodies and other contacts than a grasp, with the term put back: what moves as it should."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 
 from measured_report.files.root import ROOT
 from measured_report.parts.claim import Claim, all_of, at_least, at_most
@@ -16,7 +17,9 @@ TABLE = ("carried", "caught")
 FREE = ("impact", "roll", "slide")
 """Motions on a plane whose contacts have no acceleration along their friction that could be left out."""
 Found = Mapping[str, Row]
-"""By what is done: nothing, the term of material points, that in normal rows too, the exact term; or stiff contacts."""
+"""By variant: nothing done, the term of material points, that in normal rows too, the exact term; or stiff contacts."""
+Runs = Mapping[tuple[str, str, str], Found]
+"""By motion, body and engine."""
 
 
 def derive(results: Results) -> Section:
@@ -25,19 +28,17 @@ def derive(results: Results) -> Section:
         runs.setdefault((row.motion, row.body, row.backend), {})[row.variant] = row
     return Section(
         claims=[
-            _stays_as_it_is(results, _of(runs, FREE, "c", "term")),
-            _stands_on_any_feet(results, _of(runs, TABLE, "", "exact")),
+            _stays_as_it_is(results, _of(runs, FREE, "term", engine="c")),
+            _stands_on_any_feet(results, _of(runs, TABLE, "exact")),
             _spinning_ball_goes_straight(results, runs),
             _rolls_no_deeper(results, runs),
-            _tumbles_as_stiff_bodies_do(results, _of(runs, ("tumble",), "c", "limit")),
+            _tumbles_as_stiff_bodies_do(results, _of(runs, ("tumble",), "limit", engine="c")),
         ],
         downloads=[Download(PLACE_FILE.name, PLACE_FILE.read_text(encoding="utf-8"))],
     )
 
 
-def _of(
-    runs: Mapping[tuple[str, str, str], Found], motions: Iterable[str], engine: str, variant: str
-) -> list[tuple[str, Found]]:
+def _of(runs: Runs, motions: Iterable[str], variant: str, engine: str = "") -> list[tuple[str, Found]]:
     """List the runs of these motions, in one engine or in both, with this variant and with nothing done."""
     return [
         (f"{motion}_{body}_{backend}".replace(" ", "_"), found)
@@ -53,22 +54,20 @@ def _off(results: Results, name: str, formula: str, row: Row, other: Row) -> Val
     return results.value(name, formula, lambda *ends: math.dist(ends[:3], ends[3:]), *cells, unit="mm")
 
 
+def _largest(results: Results, names: Sequence[str], formula: str, shares: Sequence[Value]) -> dict[str, Value]:
+    """Derive the largest of the shares and how many there are, by the names of both."""
+    largest = extreme(results, names[0], "largest of these", max, shares)
+    return {"largest": largest, "count": cell_count(results, names[1], formula, shares)}
+
+
 def _stays_as_it_is(results: Results, runs: list[tuple[str, Found]]) -> Claim:
-    formula = "distance between the places where the body ends with the term and with nothing done, of the way there"
-    shares = [
-        share(
-            results,
-            f"moved_{name}",
-            formula,
-            _off(results, f"off_{name}", "distance between these places", found["term"], found["plain"]),
-            found["plain"].travel_mm,
-        )
-        for name, found in runs
-    ]
-    largest = extreme(results, "moved_most", "largest of these", max, shares)
-    count = cell_count(results, "free_count", "runs on the plane", shares)
-    outcome = at_most(largest, 1.0, why="the same motion")
-    return Claim("free_motion_stays", outcome, {"largest": largest, "count": count})
+    formula, shares = "distance between the places where the body ends with the term and with nothing done", []
+    for name, found in runs:
+        off = _off(results, f"off_{name}", "distance between these places", found["term"], found["plain"])
+        way = found["plain"].travel_mm
+        shares.append(share(results, f"moved_{name}", f"{formula}, of the way there", off, way))
+    numbers = _largest(results, ("moved_most", "free_count"), "runs on the plane", shares)
+    return Claim("free_motion_stays", at_most(numbers["largest"], 1.0, why="the same motion"), numbers)
 
 
 def _stands_on_any_feet(results: Results, runs: list[tuple[str, Found]]) -> Claim:
@@ -77,50 +76,38 @@ def _stands_on_any_feet(results: Results, runs: list[tuple[str, Found]]) -> Clai
         size_share(results, f"left_{name}", formula, found["exact"].growth_per_s, found["plain"].growth_per_s)
         for name, found in runs
     ]
-    largest = extreme(results, "left_most", "largest of these", max, left)
-    count = cell_count(results, "table_count", "runs on the table", left)
-    return Claim("stands_on_any_feet", at_most(largest, 1.0, why="it stands"), {"largest": largest, "count": count})
+    numbers = _largest(results, ("left_most", "table_count"), "runs on the table", left)
+    return Claim("stands_on_any_feet", at_most(numbers["largest"], 1.0, why="it stands"), numbers)
 
 
-def _spinning_ball_goes_straight(results: Results, runs: Mapping[tuple[str, str, str], Found]) -> Claim:
+def _spinning_ball_goes_straight(results: Results, runs: Runs) -> Claim:
     """Tell how far aside a ball ends that rolls and spins, with the exact term and with that of material points."""
-    exact = _of(runs, ("pivot",), "", "exact")
-    formula = "how far the ball ends aside with {} of where it does with nothing done"
-    aside = [
-        size_difference(
-            results,
-            f"aside_{name}",
-            formula.format("the exact term"),
-            found["exact"].sideways_mm,
-            found["plain"].sideways_mm,
-        )
-        for name, found in exact
-    ]
-    points = [
-        size_difference(
-            results, f"points_{name}", formula.format("the term"), found["term"].sideways_mm, found["plain"].sideways_mm
-        )
-        for name, found in _of(runs, ("pivot",), "c", "term")
-    ]
-    most = extreme(results, "aside_most", "largest of these", max, aside)
+    exact = _of(runs, ("pivot",), "exact")
+
+    def aside(name: str, words: str, found: Found, variant: str) -> Value:
+        formula = f"how far the ball ends aside with {words} of where it does with nothing done"
+        return size_difference(results, name, formula, found[variant].sideways_mm, found["plain"].sideways_mm)
+
+    asides = [aside(f"aside_{name}", "the exact term", found, "exact") for name, found in exact]
+    of_points = _of(runs, ("pivot",), "term", engine="c")
+    points = [aside(f"points_{name}", "the term", found, "term") for name, found in of_points]
+    most = extreme(results, "aside_most", "largest of these", max, asides)
     drifts = extreme(results, "points_aside", "with the term of material points", max, points)
     travel = extreme(results, "pivot_travel", "way of the ball", max, [found["plain"].travel_mm for _, found in exact])
     straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, unit="mm")
     far = at_least(travel, 500.0, why="a way on which it would be seen")
     outcome = all_of(at_most(most, straight), at_least(drifts, 10.0, why="it is seen"), far)
-    numbers = {"points": drifts, "travel": travel, "straight": straight}
-    return Claim("spinning_ball_goes_straight", outcome, numbers)
+    return Claim("spinning_ball_goes_straight", outcome, {"points": drifts, "travel": travel, "straight": straight})
 
 
-def _rolls_no_deeper(results: Results, runs: Mapping[tuple[str, str, str], Found]) -> Claim:
+def _rolls_no_deeper(results: Results, runs: Runs) -> Claim:
     """Tell how much deeper bodies roll with normal rows too, exact and by material points."""
+    deeper = partial(size_difference, results)
     formula = "how much deeper the body ends than with nothing done"
     exact, points = (
         [
-            size_difference(
-                results, f"deeper_{variant}_{name}", formula, found["plain"].rise_mm, found[variant].rise_mm
-            )
-            for name, found in _of(runs, ("roll",), engine, variant)
+            deeper(f"deeper_{variant}_{name}", formula, found["plain"].rise_mm, found[variant].rise_mm)
+            for name, found in _of(runs, ("roll",), variant, engine)
         ]
         for variant, engine in (("exact", ""), ("full", "c"))
     )
@@ -133,17 +120,10 @@ def _rolls_no_deeper(results: Results, runs: Mapping[tuple[str, str, str], Found
 
 def _tumbles_as_stiff_bodies_do(results: Results, runs: list[tuple[str, Found]]) -> Claim:
     """Tell whether tumbling bodies end nearer to where stiff contacts take them."""
-    formula = "how far from where stiff contacts take it the body ends with {}"
-    shares = [
-        share(
-            results,
-            f"of_stray_{name}",
-            "the first of these, of the second",
-            _off(results, f"stray_exact_{name}", formula.format("the exact term"), found["exact"], found["limit"]),
-            _off(results, f"stray_{name}", formula.format("nothing done"), found["plain"], found["limit"]),
-        )
-        for name, found in runs
-    ]
-    largest = extreme(results, "of_stray_most", "largest of these", max, shares)
-    count = cell_count(results, "tumble_count", "runs that tumble", shares)
-    return Claim("tumbles_truer", at_most(largest, 50.0, why="half as far"), {"largest": largest, "count": count})
+    formula, shares = "how far from where stiff contacts take it the body ends with", []
+    for name, found in runs:
+        exact = _off(results, f"stray_exact_{name}", f"{formula} the exact term", found["exact"], found["limit"])
+        plain = _off(results, f"stray_{name}", f"{formula} nothing done", found["plain"], found["limit"])
+        shares.append(share(results, f"of_stray_{name}", "the first of these, of the second", exact, plain))
+    numbers = _largest(results, ("of_stray_most", "tumble_count"), "runs that tumble", shares)
+    return Claim("tumbles_truer", at_most(numbers["largest"], 50.0, why="half as far"), numbers)

@@ -1,8 +1,7 @@
 """A box on a table that turns: does it walk outward as the law says, and what stops it?"""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from itertools import chain
 
 from matplotlib.figure import Figure as Drawing
 
@@ -10,7 +9,7 @@ from measured_report.files.root import ROOT
 from measured_report.parts.claim import FAILS, HOLDS, Claim, all_of, at_least, at_most, greater
 from measured_report.parts.figures import INK, is_narrow, new_figure, say_value, write
 from measured_report.parts.section import Download, Figure, Section
-from measured_report.values.quantities import Quantity, Value
+from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 from report.names import name_of
 from report.shared.arithmetic import cell_count, departure, difference, extreme, largest_size, size_share
@@ -19,7 +18,7 @@ from report.shared.drawing import CURE, SHIPPED, TERM, mark_cells, name_lines
 ENGINES = ("warp", "c")
 BIAS_FILE = ROOT / "experiments/simulation/contact_bias.py"
 NO_HELP = ("noslip", "impratio", "pyramidal")
-"""What one would try against sliding."""
+"""Variants that one would try against sliding."""
 CURED = ("term-rk4-impratio", "term-centred-impratio")
 VARIANTS: tuple[str, ...] = ("plain", *NO_HELP, "euler", "rk4", "half-timeconst", "half-step")
 VARIANTS += ("term", "term-pyramidal", "term-rk4", "term-centred", *CURED)
@@ -41,14 +40,10 @@ def derive(results: Results) -> Section:
     )
     no_setting, cured = _no_setting_stops_it(results, measured, resolution), _cured(results, measured, resolution)
     numbers = {"plain": measured["plain-c"], "term": measured["term-c"], "cured": cured.numbers["largest"]}
-    stands = all_of(no_setting.outcome, cured.outcome) == HOLDS
-    rates = Figure(
-        draw=lambda: _draw(measured, law),
-        sources=[rows[f"{variant}-c"].growth_per_s for variant in VARIANTS],
-        numbers=numbers | {"stands": stands},
-    )
+    numbers["stands"] = all_of(no_setting.outcome, cured.outcome) == HOLDS
+    sources = [rows[f"{variant}-c"].growth_per_s for variant in VARIANTS]
     return Section(
-        figures={"rates": rates},
+        figures={"rates": Figure(lambda: _draw(measured, law), sources, numbers)},
         claims=[
             _follows_law(results, measured, law, resolution),
             _by_hand(results, measured["plain-c"]),
@@ -71,24 +66,21 @@ def _follows_law(results: Results, measured: Mapping[str, Value], law: Mapping[s
     formula = "growth less that of the law, in size, of the latter"
     shares = [departure(results, f"{case}_off", formula, measured[case], law[case]) for case in fast]
     largest = extreme(results, "law_off", "largest of the departures from the law", max, shares)
-    slow = [case for case in there if case not in fast]
-    formula = "largest difference from the law, of the runs for which it gives less than the resolution"
-    rest = _largest_gap(results, "law_gap", formula, [(measured[case], law[case]) for case in slow])
+    rest = results.value(
+        "law_gap",
+        "largest difference from the law, of the runs for which it gives less than the resolution",
+        lambda *found: max(abs(a - b) for a, b in zip(found[::2], found[1::2], strict=True)),
+        *(cell for case in there if case not in fast for cell in (measured[case], law[case])),
+        unit="%/s",
+    )
     numbers = {"growth": measured["plain-warp"], "law": law["plain-warp"], "largest": largest, "rest": rest}
     numbers |= {"count": cell_count(results, "fast_count", "runs for which it gives more", shares)}
     outcome = all_of(at_most(largest, 0.5, why="the same growth"), at_most(rest, resolution))
     return Claim("follows_law", outcome, numbers | {"resolution": resolution})
 
 
-def _largest_gap(results: Results, name: str, formula: str, pairs: Sequence[tuple[Quantity, Quantity]]) -> Value:
-    def largest(*found: float) -> float:
-        return max(abs(a - b) for a, b in zip(found[::2], found[1::2], strict=True))
-
-    return results.value(name, formula, largest, *chain.from_iterable(pairs), unit="%/s")
-
-
 def _by_hand(results: Results, plain: Value) -> Claim:
-    """The law without the contacts' regularization, worked out of what is given."""
+    """Work the law out of what is given, without the contacts' regularization."""
     given = "given: {}"
     turn = results.chosen("turn", given.format("how fast the table turns"), 2.0, unit="rad/s")
     step = results.chosen("step", given.format("the time step"), 2.0, unit="ms")
@@ -105,7 +97,7 @@ def _by_hand(results: Results, plain: Value) -> Claim:
 
 
 def _no_setting_stops_it(results: Results, measured: Mapping[str, Value], resolution: Value) -> Claim:
-    """In C, which has noslip in all releases."""
+    """Tell whether what one would try helps; in C, which has noslip in all releases."""
     plain, formula = measured["plain-c"], "change of the growth, in size, of the growth with nothing done"
     found = {variant: measured[f"{variant}-c"] for variant in NO_HELP}
     changes = [departure(results, f"{variant}_change", formula, growth, plain) for variant, growth in found.items()]
@@ -135,7 +127,7 @@ def _cured(results: Results, measured: Mapping[str, Value], resolution: Value) -
 
 
 def _draw(measured: Mapping[str, Value], law: Mapping[str, Value]) -> Drawing:
-    """A bar for each way, in MuJoCo C, with its number, since some are too short to be seen."""
+    """Draw a bar for each variant, in MuJoCo C, with its number, since some are too short to be seen."""
     drawing, axes = new_figure(7.2, 0.9 + (0.36 if is_narrow() else 0.27) * len(VARIANTS))
     cells = [measured[f"{variant}-c"] for variant in VARIANTS]
     for place, (variant, cell) in enumerate(zip(VARIANTS, cells, strict=True)):

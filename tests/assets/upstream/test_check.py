@@ -1,7 +1,6 @@
 """The patches for upstream apply to the released packages, and docs/upstream.md says what came of it."""
 
 import json
-import math
 import re
 
 import pytest
@@ -34,16 +33,6 @@ def test_the_patches_apply_to_the_released_packages_and_their_tests_pass(python,
     assert found["passed"] >= 31 and found.keys() <= PASSED
 
 
-def records(section: str) -> dict[str, dict]:
-    rows = json.loads((ROOT / f"results/newton-1.4.0/{section}.json").read_text(encoding="utf-8"))["rows"]
-    return {row["case"] + (f"-{row['worlds']}" if section == "cure_cost" else ""): row for row in rows}
-
-
-def bounds(rows: list[dict]) -> list[float]:
-    """To within how many per cent ratios are known, in tenths and rounded up."""
-    return [math.ceil(1e3 * row["ratio_resolution"]) / 10 for row in rows]
-
-
 def test_what_was_checked_are_these_patches():
     checked = json.loads(check.CHECKED.read_text(encoding="utf-8"))
     assert checked["patches"] == check.digests()
@@ -53,20 +42,13 @@ def test_what_was_checked_are_these_patches():
 
 def test_the_document_has_the_numbers_that_were_measured():
     checked = json.loads(check.CHECKED.read_text(encoding="utf-8"))
-    cure, table, cost, engines = map(records, ("cure", "turntable", "cure_cost", "engines"))
+    rows = json.loads((ROOT / "results/newton-1.4.0/cure.json").read_text(encoding="utf-8"))["rows"]
+    slips = {row["case"]: row.get("slip_mm") for row in rows}
     shake = "newton-implicitfast-50-shipped-3cm"
-    timed = [cost[f"term-{worlds}"] for worlds in (1, 4096, 16384)]
-    costs, known = [100 * (row["frame_ratio"] - 1) for row in timed], bounds(timed)
-    discrete = [100 * engines[f"discrete-20ms-turntable-{step}"]["growth_per_s"] for step in ("2ms", "10ms")]
     walks, new = checked["walk_mm"], [found["passed"] for found in checked["new"].values()]
     said = [
-        f"slides {cure[f'{shake}-plain-rounded']['slip_mm']:.1f} mm",
-        f"{cure[f'{shake}-term-rounded']['slip_mm']:.2f} mm with the term",
-        f"outward by {100 * table['plain-warp']['growth_per_s']:.1f} %/s",
-        f"inward by {-100 * table['term-warp']['growth_per_s']:.2f} %/s",
-        f"walks by {discrete[0]:.2f} %/s at 2 ms, and by {discrete[1]:.2f} at 10 ms",
-        "takes {:.1f}, {:.1f} and {:.1f} % of a frame".format(*costs),
-        "to within {:.1f}, {:.1f} and {:.1f} %".format(*known),
+        f"slides {slips[f'{shake}-plain-rounded']:.1f} mm",
+        f"{slips[f'{shake}-term-rounded']:.2f} mm with the term",
         f"{checked['own_before']['passed']} pass and {checked['own_before']['skipped']} are skipped",
         f"all {new[0]} and {new[1]} pass",
         f"walks by {walks['false']:.2f} mm in a second without the term and by {walks['true']:.2f} mm with it",
