@@ -168,8 +168,8 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
     runge_kutta = case.integrator == "rk4"
     along = np.array([1.0, 0.0, 1.0])
     as_watched = replace(case, cone=AS_SHIPPED.cone, impratio=AS_SHIPPED.impratio)
-    parts = {
-        "term": left_out * motion.bias_m_s / b,
+    parts = {  # no number is named after the term, for a run with it is marked by a column that is
+        "left_out": left_out * motion.bias_m_s / b,
         "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
         "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
         "creep": -softness(case, as_watched, motion.depth_m) * motion.load_m_s / b,

@@ -49,29 +49,20 @@ def cases(quick: bool) -> list[Case]:
                 **POSITIONS[positions],
             )
             found.append(case)
-    return found + (without_kf(quick) if kf_is_read() else [])
-
-
-def without_kf(quick: bool) -> list[Case]:
-    """List the scene as shipped with the pads' ``kf`` switched off: worlds of the batches of the others."""
-    return [
-        replace(
-            AS_SHIPPED,
-            name=f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped-{shake}-kf-off",
-            shake_amplitude_m=amplitude,
-            pad_kf=-1.0,
-        )
-        for shake, amplitude in AMPLITUDES_M.items()
-        if not (quick and shake == "10cm")
-    ]
+    if kf_is_read():  # worlds of the batches of the others
+        stem = f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped"
+        for shake, amplitude_m in AMPLITUDES_M.items():
+            if not (quick and shake == "10cm"):
+                name = f"{stem}-{shake}-kf-off"
+                found.append(replace(AS_SHIPPED, name=name, shake_amplitude_m=amplitude_m, pad_kf=-1.0))
+    return found
 
 
 def by_contacts(quick: bool) -> dict[str, list[Case]]:
-    """Group the cases by their kind of contacts."""
+    """Group the cases by their kind of contacts, which their names begin with."""
     groups: dict[str, list[Case]] = {}
     for case in cases(quick):
-        kind = "mujoco" if case.contacts == "mujoco" else "newton" if case.cone == AS_SHIPPED.cone else "pyramidal"
-        groups.setdefault(kind, []).append(case)
+        groups.setdefault(case.name.partition("-")[0], []).append(case)
     return groups
 
 
@@ -103,8 +94,7 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
     parts = predicted_mm(case, motion)
     total = sum(parts.values())
-    predicted = {name_of(name): part for name, part in parts.items()} | {"predicted": total}
-    found = in_plane({(name, "mm"): part for name, part in predicted.items()})
+    found = in_plane({f"{name}_{{}}_mm": part for name, part in {**parts, "predicted": total}.items()})
     row |= known(found | {"predicted_slip_mm": float(np.linalg.norm(total))}, motion.failure)
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
     slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
@@ -123,23 +113,16 @@ def motion_row(shake: tuple[str, str], motion: Motion) -> dict[str, object]:
     pads, amplitude = shake
     row: dict[str, object] = {"case": f"motion-{pads}-{amplitude}", "kind": "motion", "pads": pads, "shake": amplitude}
     sums = {
-        ("left_out", "m_s"): motion.bias_m_s,
-        ("damping", "m_s"): motion.damping_m_s,
-        ("load", "m_s"): motion.load_m_s,
-        ("rounding", "mm"): 1e3 * motion.rounding_m,
+        "left_out_{}_m_s": motion.bias_m_s,
+        "damping_{}_m_s": motion.damping_m_s,
+        "load_{}_m_s": motion.load_m_s,
+        "rounding_{}_mm": 1e3 * motion.rounding_m,
     }
     return row | known(in_plane(sums) | {"depth_mm": 1e3 * motion.depth_m}, motion.failure)
 
 
-def in_plane(vectors: Mapping[tuple[str, str], np.ndarray]) -> dict[str, object]:
-    """Make columns of the parts along the pads of vectors, by name and unit."""
+def in_plane(vectors: Mapping[str, np.ndarray]) -> dict[str, object]:
+    """Make columns of the parts along the pads of vectors, by what the columns are called but for the axis."""
     return {
-        f"{name}_{axis}_{unit}": float(vector[place])
-        for (name, unit), vector in vectors.items()
-        for axis, place in ALONG.items()
+        name.format(axis): float(vector[place]) for name, vector in vectors.items() for axis, place in ALONG.items()
     }
-
-
-def name_of(part: str) -> str:
-    """Name a part's column; no number is named after the term, for a run with it is marked by a column that is."""
-    return "left_out" if part == "term" else part

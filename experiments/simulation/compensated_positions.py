@@ -22,7 +22,7 @@ FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 NO_ACTUATION = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
 RUNGE_KUTTA = int(mujoco.mjtIntegrator.mjINT_RK4)
 STAGE_WEIGHTS = (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)
-"""What each stage's velocity counts in a step of RK4."""
+"""Weights of the stages' velocities in a step of RK4."""
 NEAR = wp.constant(1e-6)
 """A position farther than this from the sum, relative to both where they are above 1 rad or 1 m, was set by someone
 else, as a reset does: the sum starts anew."""
@@ -64,7 +64,7 @@ class _Sums:
     worlds: wp.array
     position: wp.array
     lost: wp.array
-    """What is missing to ``position``."""
+    """Rest that is missing to ``position``."""
     velocity: wp.array
     """Mean velocity of the step so far, over the stages of RK4; shape [worlds, degrees of freedom]."""
     stage: int = 0

@@ -84,7 +84,7 @@ def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centre
 
 @wp.func
 def material_acceleration(velocity: wp.spatial_vector, acceleration: wp.spatial_vector, offset: wp.vec3) -> wp.vec3:
-    """Acceleration of a body's point: the spatial one moved there by ``offset``, and the turning of its velocity."""
+    """Return the acceleration of a body's point: the spatial one moved by ``offset``, and its velocity's turning."""
     turning = wp.spatial_top(velocity)
     of_point = wp.spatial_bottom(velocity) + wp.cross(turning, offset)
     moved = wp.spatial_bottom(acceleration) + wp.cross(wp.spatial_top(acceleration), offset)
@@ -93,7 +93,7 @@ def material_acceleration(velocity: wp.spatial_vector, acceleration: wp.spatial_
 
 @wp.func
 def damping(solref: wp.vec2, solimp: vec5, timestep: float, refsafe: bool) -> float:
-    """b [1/s] of a row, as the engine makes it of solref and solimp (documentation, "Solver parameters")."""
+    """Return b [1/s] of a row, as the engine makes it of solref and solimp (documentation, "Solver parameters")."""
     dmax = wp.clamp(solimp[1], MIN_IMPEDANCE, MAX_IMPEDANCE)
     result = -solref[1] / dmax
     if solref[1] > 0.0:

@@ -89,27 +89,27 @@ class Surface:
     """A geom where a contact lies on it, in the contact's two tangents."""
 
     bend: wp.mat22
-    """By what the outward normal turns for a way along the surface [1/m]."""
+    """Turn of the outward normal for a way along the surface [1/m]."""
     sharp: wp.mat22
-    """Projects on the ways across an edge, along which the place cannot move."""
+    """Projection on the ways across an edge, along which the place cannot move."""
 
 
 @wp.func
 def velocity_at(velocity: wp.spatial_vector, offset: wp.vec3) -> wp.vec3:
-    """Velocity of a body's point [m/s], ``offset`` from where its spatial velocity refers to."""
+    """Return the velocity of a body's point [m/s], ``offset`` from where its spatial velocity refers to."""
     return wp.spatial_bottom(velocity) + wp.cross(wp.spatial_top(velocity), offset)
 
 
 @wp.func
 def along(way: wp.vec3, x: wp.vec3, y: wp.vec3) -> wp.mat22:
-    """w wᵀ of a vector w in the plane of x and y."""
+    """Return w wᵀ of a vector w in the plane of x and y."""
     part = wp.vec2(wp.dot(way, x), wp.dot(way, y))
     return wp.outer(part, part)
 
 
 @wp.func
 def flatness(part: float) -> float:
-    """1 where a part of a normal is none, else 0."""
+    """Return 1 where a part of a normal is none, else 0."""
     return wp.where(wp.abs(part) < NEAR, 1.0, 0.0)
 
 
@@ -188,7 +188,7 @@ class Crossing:
     over: wp.vec2
     """Velocity of the place over both surfaces together [m/s]."""
     turning: wp.vec2
-    """By what its normal turns."""
+    """Turn of its normal."""
 
 
 @wp.func
@@ -224,14 +224,14 @@ def crossing_of(
 
 @wp.func
 def edge_of(sharp: wp.mat22) -> wp.vec2:
-    """Direction of an edge, of the projection across it."""
+    """Return the direction of an edge, of the projection across it."""
     along_x, along_y = wp.vec2(1.0 - sharp[0, 0], -sharp[1, 0]), wp.vec2(-sharp[0, 1], 1.0 - sharp[1, 1])
     return wp.normalize(wp.where(sharp[0, 0] < sharp[1, 1], along_x, along_y))
 
 
 @wp.func
 def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp.vec3:
-    """By how much more than the lowest place of a rim, which moves at ``over``, a contact at ``at`` moves [m/s].
+    """Find by how much more than the lowest place of a rim, which moves at ``over``, a contact at ``at`` moves [m/s].
 
     MuJoCo puts up to four contacts between a cylinder and a plane, which all go round with the lowest place.
     """

@@ -25,21 +25,8 @@ def subtract_bias(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool 
 def subtract_place(engine: mujoco.MjModel, data: mujoco.MjData, *, centred: bool = False, normal: bool = False) -> None:
     """Subtract what ``contact_bias_c.subtract_bias`` lacks, where that is called."""
     held = [contact for contact in data.contact if contact.efc_address >= 0 and min(contact.geom) >= 0]
-    elliptic = engine.opt.cone == contact_bias_c.ELLIPTIC
     for contact, missing in zip(held, missing_rates(engine, data, held), strict=True):
-        row, dim = contact.efc_address, contact.dim
-        missing = missing[:dim]
-        missing[0] *= normal
-        if centred:
-            own = contact.solreffriction if elliptic and contact.solreffriction.any() else contact.solref
-            half = 0.5 * engine.opt.timestep
-            missing[0] *= 1.0 - half * contact_bias_c.damping(engine, contact.solref, contact.solimp)
-            missing[1:] *= 1.0 - half * contact_bias_c.damping(engine, own, contact.solimp)
-        if elliptic or dim == 1:
-            data.efc_aref[row : row + dim] -= missing
-        else:
-            leaning = contact.friction[: dim - 1] * missing[1:]
-            data.efc_aref[row : row + 2 * dim - 2] -= missing[0] + np.stack([leaning, -leaning], axis=1).ravel()
+        contact_bias_c.subtract(engine, data, contact, missing, centred=centred, normal=normal)
 
 
 @dataclass(frozen=True)
@@ -47,17 +34,17 @@ class Side:
     """One geom of each contact, where the contact lies on it, in the contact's two tangents."""
 
     velocity: np.ndarray
-    """Of its body's point at the contact [m/s], shape [contacts, 3]."""
+    """Velocity of its body's point at the contact [m/s], shape [contacts, 3]."""
     turning: np.ndarray
-    """Its angular velocity [rad/s], shape [contacts, 3]."""
+    """Angular velocity [rad/s], shape [contacts, 3]."""
     bend: np.ndarray
-    """By what its outward normal turns for a way along it [1/m], shape [contacts, 2, 2]."""
+    """Turn of its outward normal for a way along it [1/m], shape [contacts, 2, 2]."""
     sharp: np.ndarray
-    """Projects on the ways across an edge, shape [contacts, 2, 2]."""
+    """Projection on the ways across an edge, shape [contacts, 2, 2]."""
 
 
 def missing_rates(engine: mujoco.MjModel, data: mujoco.MjData, contacts: list[mujoco.MjContact]) -> np.ndarray:
-    """What a moving place and a turning frame add to the rates of each contact's rows, shape [contacts, 6]."""
+    """Find what a moving place and a turning frame add to the rates of each contact's rows, shape [contacts, 6]."""
     if not contacts:
         return np.zeros((0, 6))
     geoms = np.array([contact.geom for contact in contacts])
@@ -99,12 +86,12 @@ def is_sharp(side: Side) -> np.ndarray:
 
 
 def in_plane(tangents: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Components of vectors, shape [contacts, 3], along two tangents: shape [contacts, 2]."""
+    """Return the components of vectors, shape [contacts, 3], along two tangents: shape [contacts, 2]."""
     return np.einsum("cir,cr->ci", tangents, vectors)
 
 
 def side_of(engine: mujoco.MjModel, data: mujoco.MjData, geoms, place, gap, out, tangents) -> Side:
-    """The geoms of one side; ``out`` are their outward normals."""
+    """Find the geoms of one side; ``out`` are their outward normals."""
     bodies, frames = engine.geom_bodyid[geoms], data.geom_xmat[geoms].reshape(-1, 3, 3)
     twist = data.cvel[bodies]  # refers to the centre of mass of the body's tree
     velocity = twist[:, 3:] + np.cross(twist[:, :3], place - data.subtree_com[engine.body_rootid[bodies]])
@@ -120,7 +107,7 @@ def side_of(engine: mujoco.MjModel, data: mujoco.MjData, geoms, place, gap, out,
 def surface_of(
     kind: int, size: np.ndarray, at: np.ndarray, out: np.ndarray, tangents: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """``bend`` and ``sharp`` of a geom at ``at``, in its own frame."""
+    """Find ``bend`` and ``sharp`` of a geom at ``at``, in its own frame."""
     flat, sine = 0.0 * UNIT, np.hypot(out[0], out[1])
     if kind == SPHERE or (kind == CAPSULE and abs(at[2] - size[0] * out[2]) > (1.0 - NEAR) * size[1]):
         return UNIT / size[0], flat
@@ -147,12 +134,12 @@ def surface_of(
 
 
 def along(tangents: np.ndarray, way: np.ndarray) -> np.ndarray:
-    """w wᵀ of a vector w in the plane of the tangents."""
+    """Return w wᵀ of a vector w in the plane of the tangents."""
     return np.outer(tangents @ way, tangents @ way)
 
 
 def place_on(first, second, sharp, gap, turning, sliding) -> np.ndarray:
-    """How fast the places move over the first surfaces, as in Warp; shape [contacts, 2]."""
+    """Find how fast the places move over the first surfaces, as in Warp; shape [contacts, 2]."""
     carried = UNIT + gap[..., None] * first
     smooth = UNIT - sharp
     bent = smooth @ (first + second) @ smooth
@@ -168,7 +155,7 @@ def place_on(first, second, sharp, gap, turning, sliding) -> np.ndarray:
 
 
 def crossing_edges(one: Side, two: Side, gap, n, tangents, apart) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Where two edges cross, how fast the places move over both together and how fast the normal turns, as in Warp."""
+    """Find where two edges cross, how fast the places move over both together and how fast the normal turns."""
     (along_1, across_1), (along_2, across_2) = (edge_of(side.sharp) for side in (one, two))
     crossing = (across_1 * along_2).sum(axis=1, keepdims=True)
     single = [np.abs(np.trace(side.sharp, axis1=1, axis2=2) - 1.0) < 0.5 for side in (one, two)]
@@ -187,13 +174,13 @@ def crossing_edges(one: Side, two: Side, gap, n, tangents, apart) -> tuple[np.nd
 
 
 def edge_of(sharp: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Directions along edges and across them, of projections across, shape [contacts, 2, 2]."""
+    """Return the directions along edges and across them, of projections across, shape [contacts, 2, 2]."""
     across = np.linalg.eigh(sharp)[1][:, :, 1]
     return np.stack([-across[:, 1], across[:, 0]], axis=1), across
 
 
 def rims_ahead(engine: mujoco.MjModel, data: mujoco.MjData, geoms, position, n, on_rim) -> np.ndarray:
-    """By how much more than the lowest place of a cylinder's rim its contacts with a plane move, as in Warp."""
+    """Find by how much more than the lowest place of a cylinder's rim its contacts with a plane move, as in Warp."""
     kinds, second = engine.geom_type[geoms], geoms[:, 1]
     axis = data.geom_xmat[second].reshape(-1, 3, 3)[:, :, 2]
     lowest = (n * axis).sum(axis=1, keepdims=True) * axis - n
@@ -207,7 +194,7 @@ def rims_ahead(engine: mujoco.MjModel, data: mujoco.MjData, geoms, position, n, 
 
 
 def frame_spin(engine: mujoco.MjModel, data: mujoco.MjData, geoms, turning, n, tangents, rate) -> np.ndarray:
-    """How fast the frames turn about their normals [rad/s], shape [contacts].
+    """Find how fast the frames turn about their normals [rad/s], shape [contacts].
 
     The first tangent is what the normal leaves of an axis: of y in the world, of z where the normal is near to it
     (``mju_makeFrame``), or of a capsule on a plane.
@@ -225,6 +212,6 @@ def frame_spin(engine: mujoco.MjModel, data: mujoco.MjData, geoms, turning, n, t
 
 
 def is_made_of(way: np.ndarray, n: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Whether the tangents x are what the normals leave of ``way``."""
+    """Tell whether the tangents x are what the normals leave of ``way``."""
     upright, level = (np.einsum("cr,cr->c", way, vectors) for vectors in (n, x))
     return (level**2 > UPRIGHT**2) & (np.abs(level**2 + upright**2 - 1.0) < 1e-5)

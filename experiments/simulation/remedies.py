@@ -1,4 +1,4 @@
-"""What ends the slide at its root, put into a batch: the left-out term and the compensated positions, by world."""
+"""Remedies of the slide, put into a batch by world: the left-out term and the compensated positions."""
 
 from collections.abc import Sequence
 

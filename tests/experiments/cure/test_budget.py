@@ -56,14 +56,14 @@ def parts_mm(**changes) -> dict[str, np.ndarray]:
 def test_the_parts_are_as_by_hand_and_each_remedy_takes_its_own():
     inverse_b = 0.5 * 0.95 * 0.02
     parts = parts_mm()
-    assert parts["term"] == pytest.approx([1e3 * inverse_b, 0.0, -500.0 * inverse_b])
+    assert parts["left_out"] == pytest.approx([1e3 * inverse_b, 0.0, -500.0 * inverse_b])
     assert parts["step"] == pytest.approx([-500.0 * H, 0.0, 250.0 * H])
     assert parts["damping"] == pytest.approx([100.0 * inverse_b, 0.0, 0.0])
     assert parts["creep"] == pytest.approx([0.0, 0.0, 20.0 * inverse_b])
     assert parts["rounding"] == pytest.approx([0.0, 0.0, 0.1])
-    assert not parts_mm(contact_bias=True)["term"].any()
+    assert not parts_mm(contact_bias=True)["left_out"].any()
     centred = parts_mm(contact_bias=True, bias_centred=True)
-    assert centred["term"] + centred["step"] == pytest.approx(np.zeros(3), abs=1e-12)
+    assert centred["left_out"] + centred["step"] == pytest.approx(np.zeros(3), abs=1e-12)
     runge_kutta = parts_mm(integrator="rk4")
     assert not runge_kutta["step"].any() and not runge_kutta["damping"].any()
     assert not parts_mm(integrator="euler")["damping"].any()
