@@ -1,4 +1,4 @@
-"""Batches without physics, for the tests of the scheduler: each leaves a line of who measured it."""
+"""Batches without physics, for the tests of measuring: each leaves a line of who measured it."""
 
 import os
 import signal
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from measured_report.measuring.batch import Batch, Plan
-from measured_report.measuring.section_run import SectionRun
+from measured_report.measuring.section import Section
 from measured_report.records.identity import identity_of
 from measured_report.records.reading import load_record
 
@@ -56,9 +56,9 @@ def double(rows: list) -> dict:
     return {"case": "sum", "slip_mm": 2.0 * sum(row["slip_mm"] for row in rows)}
 
 
-def section(log: str, names: str, seconds: float = 0.0, alone: str = "") -> Plan:
-    """A batch for each letter, those of ``alone`` by themselves, and one that needs them all."""
-    rows = yield [Batch(name, work, (log, name, seconds), exclusive=name in alone) for name in names]
+def plan(log: str, names: str, seconds: float = 0.0, exclusive: str = "") -> Plan:
+    """A batch for each letter, those of ``exclusive`` by themselves, and one that needs them all."""
+    rows = yield [Batch(name, work, (log, name, seconds), exclusive=name in exclusive) for name in names]
     [last] = yield [Batch("sum", double, (rows,))]
     return Rows([*rows, last])
 
@@ -68,29 +68,30 @@ def single(batch: Batch) -> Plan:
     return Rows([row])
 
 
-def slow_after(log: str, names: str, seconds: float = 600.0) -> Plan:
-    """Quick batches, and then one that takes long."""
-    rows = yield [Batch(name, work, (log, name)) for name in names]
-    rows += yield [Batch("slow", work, (log, "slow", seconds))]
-    return Rows(rows)
-
-
-def kill_worker(log: str) -> dict:
-    """The first time the worker that asks for this is killed."""
-    note(log, "begin worker")
-    if Path(log).read_text(encoding="utf-8").count("begin worker") == 1:
-        os.kill(os.getppid(), signal.SIGKILL)
-        time.sleep(60.0)
-    return {"case": "worker", "slip_mm": 1.0}
-
-
-def run_of(toy, plan, section: str = "toy") -> SectionRun:
-    return SectionRun(toy.project, section, "cpu", plan, identity_of("toy", "full", toy.project.root), {})
+def section_of(toy, plan: Plan, name: str = "toy", **known: float) -> Section:
+    return Section(toy.project, name, "cpu", plan, identity_of("toy", "full", toy.project.root), known)
 
 
 def begun(log: Path) -> list[str]:
     """Names of the batches that were begun, in order."""
     return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
+
+
+def spans(log: Path) -> dict[str, tuple[float, float]]:
+    """When each batch was last begun and ended."""
+    found: dict[str, list[float]] = {}
+    for line in log.read_text().splitlines():
+        found.setdefault(line.split()[1], []).append(float(line.split()[2]))
+    return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
+
+
+def running(log: Path) -> list[int]:
+    """Processes that have measured and are still there, a moment later."""
+    numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
+    deadline = time.monotonic() + 5.0
+    while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return left
 
 
 def rows_of(toy) -> list:

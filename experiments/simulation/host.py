@@ -12,7 +12,7 @@ from measured_report.measuring.error_text import NOT_COMPILED
 from measured_report.measuring.host import Device
 from measured_report.records.provenance import package_versions
 
-__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare", "settle"]
+__all__ = ["Conditions", "be_quiet", "device", "explained", "prepare"]
 
 
 def warp_device(kind: str | None) -> wp.Device:
@@ -21,9 +21,7 @@ def warp_device(kind: str | None) -> wp.Device:
     Args:
         kind: ``cuda``, ``cpu``, or None for CUDA where there is one.
     """
-    if hasattr(wp, "LOG_WARNING"):  # Warp of old releases has none, and they are told what else they lack
-        wp.config.log_level = wp.LOG_WARNING
-    wp.config.enable_backward = False  # before a kernel is met: nothing here asks for gradients, a third of compiling
+    be_quiet()
     wp.init()
     if kind is None:
         kind = "cuda" if wp.is_cuda_available() else "cpu"
@@ -50,17 +48,10 @@ def prepare(kind: str) -> None:
 
 
 def be_quiet() -> None:
-    """Let Warp, in a process beside others, warn no second time, and find the kernels that were compiled before."""
-    wp.config.log_level = wp.LOG_ERROR
+    """Let Warp say errors only, and leave out gradients, a third of compiling; before it meets a kernel."""
+    if hasattr(wp, "LOG_ERROR"):  # Warp of old releases has none, and they are told what else they lack
+        wp.config.log_level = wp.LOG_ERROR
     wp.config.enable_backward = False
-
-
-def settle() -> bool:
-    """Wait for what was launched on all GPUs; False while a graph is captured, when nothing may be waited for."""
-    if any(gpu.is_capturing for gpu in wp.get_cuda_devices()):
-        return False
-    wp.synchronize()
-    return True
 
 
 def explained(error: Exception) -> str:

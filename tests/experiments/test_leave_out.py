@@ -96,7 +96,7 @@ def test_buffers_from_the_device_are_those_from_the_host(monkeypatch):
 def test_a_run_in_a_process_of_its_own_is_the_run_here():
     cases = [replace(AS_SHIPPED, backend=backend, frame_count=30) for backend in ("mujoco", "warp")]
     groups = [[cases[index] for index in members] for members in batches(cases)]
-    with processes(1) as pool:  # each would import the simulator
+    with processes(1) as pool:
         away = gather(start(pool, run_batch, [(group, "cpu") for group in groups]), "")
     for [one], other in zip(away, simulate(cases, device="cpu"), strict=True):
         assert np.array_equal(one.poses, other.poses)

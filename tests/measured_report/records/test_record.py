@@ -8,7 +8,7 @@ import pytest
 
 from measured_report.editions.project import Project
 from measured_report.files.atomic import RecordError
-from measured_report.measuring.section_run import believable
+from measured_report.measuring.section import believable
 from measured_report.records.columns import column_of, number_problem, units_of
 from measured_report.records.reading import load_record
 from measured_report.records.record import write_record

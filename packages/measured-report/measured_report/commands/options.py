@@ -1,5 +1,6 @@
 """Options that several commands share. Each refuses what makes no sense, in one line."""
 
+import re
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -11,7 +12,8 @@ from measured_report.editions.release import release_of
 from measured_report.editions.status import states_of
 from measured_report.files.config import config
 from measured_report.files.errors import UsageError
-from measured_report.measuring.cluster_address import read_cluster
+
+SCHEDULER = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9a-fA-F:.]+\]):([0-9]{1,5})")
 
 
 def one_of(option: str, names: Iterable[str]) -> Callable[[str], str]:
@@ -23,6 +25,14 @@ def one_of(option: str, names: Iterable[str]) -> Callable[[str], str]:
         return name
 
     return read
+
+
+def read_cluster(asked: str) -> str:
+    """Read who measures: ``local``, or the address of a Dask scheduler."""
+    scheduler = SCHEDULER.fullmatch(asked)
+    if asked != "local" and not (scheduler and 0 < int(scheduler[1]) < 65536):
+        raise UsageError(f"CLUSTER={asked:.80} names no workers; use local, or a scheduler as tls://HOST:8786")
+    return asked
 
 
 def read_address(address: str) -> str:
@@ -48,7 +58,7 @@ SHARED: dict[str, dict[str, Any]] = {
         "help": "quick: small grids and short runs, kept apart in results/quick/",
     },
     "device": {"type": one_of("DEVICE", DEVICES), "help": "cuda or cpu: where to measure; a CPU only when asked"},
-    "cluster": {"type": read_cluster, "help": "who measures: local (all GPUs of this host) or tcp://scheduler:8786"},
+    "cluster": {"type": read_cluster, "help": "who measures: local (all GPUs of this host) or tls://scheduler:8786"},
     "address": {"type": read_address, "default": "", "help": "where the site will lie: https://example.org/report/"},
     "a": {"type": partial(release_of, option="A"), "help": "edition to compare from"},
     "b": {"type": partial(release_of, option="B"), "help": "edition to compare with it"},

@@ -40,6 +40,6 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
 
 def device_of(project: Project, arguments: argparse.Namespace) -> str | None:
     """Return the device to measure on; hosts elsewhere have GPUs, unless a CPU is asked for."""
-    if arguments.cluster and not arguments.cluster.is_here:
+    if arguments.cluster not in (None, "local"):
         return arguments.device or "cuda"
     return measuring_device(arguments.device, project.profile)

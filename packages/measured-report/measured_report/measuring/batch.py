@@ -5,17 +5,24 @@ return, in the order in which it has named them; what needs others' results is y
 
     def measure(conditions: Conditions) -> Plan:
         points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
-        [alone] = yield [Batch("alone", time_cell, (conditions, cells[0]), exclusive=True)]
-        return Measurement([*points, *cells, alone])
+        [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
+        return Measurement([*points, *cells, times])
 
 The generator itself runs where the records are kept, which may have no GPU: what takes a device or long is a batch. A
 section whose ``measure`` is no generator is one batch, which measures no times.
 """
 
-from collections.abc import Callable, Generator, Sequence
+import gc
+import time
+import traceback
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime, timezone
 from typing import Any, TypeAlias
 
+from measured_report.measuring.error_text import is_expected, reason_of
+from measured_report.measuring.gpu_lock import gpu_lock
+from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
 
 
@@ -29,7 +36,50 @@ class Batch:
     """Found by its name in a module. It and what it returns travel as bytes."""
     arguments: tuple = ()
     exclusive: bool = False
-    """Measures times, so that nothing else is measured on its GPU meanwhile, nor, without one, on its host."""
+    """Measures times, so that nothing else is measured on its host meanwhile."""
+
+    @property
+    def time_name(self) -> str:
+        """Name under which a record keeps how long it took."""
+        return f"{'alone' if self.exclusive else 'batch'}_{self.name}_s"
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
+
+
+@dataclass(frozen=True)
+class Result:
+    """A value that a batch has returned, and what measured it."""
+
+    value: Any
+    machine: Mapping[str, Any]
+    started: str
+    ended: str
+    seconds: float
+
+
+class BatchError(Exception):
+    """An error in a batch: why, in a line, and the trace, unless the line says all there is."""
+
+
+def measure_batch(batch: Batch, device: str) -> Result:
+    """Measure a batch in this process, on ``cuda`` or ``cpu``; BatchError when it fails."""
+    try:
+        here = machine(device)
+        gc.collect()  # frames take longer in a process that keeps simulations of earlier batches
+        with gpu_lock(exclusive=batch.exclusive):
+            started, start = now(), time.perf_counter()
+            value = batch.function(*batch.arguments)
+            return Result(value, here, started, now(), round(time.perf_counter() - start, 1))
+    except Exception as error:
+        raise BatchError(reason_of(error), trace_of(error)) from None
+
+
+def trace_of(error: Exception) -> str:
+    """Say where an error was raised, unless its reason says all there is."""
+    return "" if is_expected(error) else "".join(traceback.format_exception(error))
+
+
+def now() -> str:
+    """Return the time, as records have it."""
+    return datetime.now(timezone.utc).isoformat(timespec="seconds")

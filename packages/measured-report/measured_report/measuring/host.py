@@ -12,7 +12,7 @@ from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions
 
-__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare", "settle"]
+__all__ = ["Conditions", "Device", "be_quiet", "device", "explained", "host", "prepare"]
 
 
 @dataclass(frozen=True)
@@ -38,12 +38,7 @@ def prepare(kind: str) -> None:
 
 
 def be_quiet() -> None:
-    """Say nothing in a process beside others, which have said it."""
-
-
-def settle() -> bool:
-    """Wait for what the device was given, before another process has it; False where that can't be waited for now."""
-    return True
+    """Say nothing in a process beside others, which have said it; called before a section is imported."""
 
 
 def explained(error: Exception) -> str:

@@ -5,6 +5,7 @@ import os
 import platform
 import subprocess
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,20 @@ from measured_report.measuring.host import host
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")
 """What of a machine is the same for all batches of a section: its numbers are said to be those of one kind."""
+
+MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
+"""Where processes find the daemon through which they share a GPU, by NVIDIA's documentation of MPS, and by default."""
+SHARE_COUNT, MPS_SHARE_COUNT = 4, 16
+"""Processes that share a GPU, with a core each: without that daemon they take turns on it."""
+SHARE_MIB = 2048
+"""Memory of a GPU that there has to be for each of them."""
+
+
+@dataclass(frozen=True)
+class Gpu:
+    uuid: str
+    name: str
+    memory_mib: int
 
 
 @cache
@@ -62,3 +77,22 @@ def said(*command: str) -> str:
         return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
     except OSError:
         return ""
+
+
+def gpus() -> list[Gpu]:
+    """List the GPUs that this process may use."""
+    query = "--query-gpu=index,uuid,memory.total,name"
+    listing = said("nvidia-smi", query, "--format=csv,noheader,nounits").splitlines()
+    found = [[part.strip() for part in line.split(",", 3)] for line in listing if line.count(",") > 2]
+    allowed = os.environ.get("CUDA_VISIBLE_DEVICES")
+    names = None if allowed is None else {name.strip() for name in allowed.split(",")}
+    there = [each for each in found if names is None or names & {*each[:2]}]
+    # What shares memory with the processor may not say how much it has.
+    return [Gpu(uuid, name, int(size) if size.isdecimal() else 0) for _, uuid, size, name in there]
+
+
+def share_count(gpu: Gpu, gpu_count: int = 1) -> int:
+    """Return how many processes share one of so many GPUs."""
+    has_daemon = (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists()
+    most = min(MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // gpu_count)
+    return max(1, min(most, gpu.memory_mib // SHARE_MIB))

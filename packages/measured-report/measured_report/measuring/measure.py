@@ -22,18 +22,19 @@ from measured_report.files.atomic import locked, refuse_unwritable
 from measured_report.files.config import config
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.processes import obey
-from measured_report.measuring.cluster_address import ClusterAddress
+from measured_report.measuring.machine import gpus, share_count
+from measured_report.measuring.section import WHOLE, seconds_of
 from measured_report.records.identity import sections as all_sections
 
 UNFIT = 2  # exit status of a measurement that could not begin, because of what was asked for
 STOP_S = 4.0  # how long a measurement has to stop after a Ctrl-C
-BATCH = re.compile(r"(?:batch|alone)_(.+)_s")  # under what a record has the time of a batch
+TIME = re.compile(r"(?:batch|alone)_.+_s")  # under what a record has the time of a batch
 
 
 def measure(
-    project: Project, release: Release, sections: Sequence[str], device: str, cluster: ClusterAddress | None = None
+    project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
 ) -> Project:
-    """Measure the sections, in one process or on a cluster; ReportError if any failed.
+    """Measure the sections, on this host or on a cluster; ReportError if any failed.
 
     Returns the report that has the results: they are kept apart when those that are there are of another machine.
     """
@@ -41,16 +42,15 @@ def measure(
     if cluster:
         python = python_of(release, expected_packages(project), project.root)
         add_cluster(python, project.root)
-        options += ["--cluster", cluster.asked]
+        options += ["--cluster", cluster]
     if device == "cuda":
-        is_here = cluster is None or cluster.is_here
-        machine = machine_name(device) if is_here else _gpu_of(cluster, python, project.root)
+        machine = _gpu_of(cluster, python, project.root) if cluster not in (None, "local") else machine_name(device)
         options += ["--processor", machine]
     kept = kept_by(project, machine, sections)
     refuse_unwritable(kept.results)
     try:
         options += ["--edition", kept.release, "--seconds", json.dumps(seconds_each(project, device))]
-        options += [] if cluster else ["--processes", str(_batches_at_once(project, device))]
+        options += ["--processes", str(_batches_at_once(project, device))]
         _run(kept, release, "measured_report.measuring.run", device, *sections, *options)
     finally:
         _note_measured(kept, release)
@@ -78,27 +78,26 @@ def seconds_known(project: Project, device: str, sections: Sequence[str]) -> flo
     found = seconds_each(project, device)
     if not found.keys() >= {*sections}:
         return 0.0
-    known = [found[section] for section in sections]
-    return max(*known, sum(known) / _batches_at_once(project, device))
+    return seconds_of([each for name in sections for each in found[name].items()], _batches_at_once(project, device))
 
 
-def seconds_each(project: Project, device: str) -> Mapping[str, float]:
-    """How long each section took the last time [s], and each batch, as ``section/batch``, on such a device."""
+def seconds_each(project: Project, device: str) -> Mapping[str, Mapping[str, float]]:
+    """Return how long each batch of each section took the last time [s] on such a device, as its record names it."""
     found = {}
     for release in project.releases:
         for record in records_of(project.of(release)):
             if record.machine.get("device") == device or not needs_gpu(record.section, project.root):
-                found[record.section] = record.measured["seconds"]
-                for name, value in record.measured.items():
-                    if batch := BATCH.fullmatch(name):
-                        found[f"{record.section}/{batch[1]}"] = value
+                times = {name: took for name, took in record.measured.items() if TIME.fullmatch(name)}
+                found[record.section] = times or {f"batch_{WHOLE}_s": record.measured["seconds"]}
     return found
 
 
 def _batches_at_once(project: Project, device: str) -> int:
-    """How many batches are measured at once: one; on a CPU quick ones and those that need no GPU take a core each."""
+    """Return how many batches are measured at once: on a CPU quick ones and those that need no GPU take a core each."""
+    if device == "cuda":
+        return min(map(share_count, gpus()[:1]), default=1)
     is_light = project.profile == "quick" or not config().needs_gpu
-    return (os.cpu_count() or 1) if device == "cpu" and is_light else 1
+    return (os.cpu_count() or 1) if is_light else 1
 
 
 def _run(project: Project, release: Release, module: str, device: str, *options: str) -> None:
@@ -128,14 +127,14 @@ def _run(project: Project, release: Release, module: str, device: str, *options:
         raise ReportError(f"measuring ended with exit status {status}; what was there is kept")
 
 
-def _gpu_of(cluster: ClusterAddress, python: Path, root: Path) -> str:
+def _gpu_of(cluster: str, python: Path, root: Path) -> str:
     """What the GPUs of a cluster elsewhere are called in a label."""
-    command = [str(python), "-m", "measured_report.measuring.cluster", cluster.asked]
+    command = [str(python), "-m", "measured_report.measuring.cluster", cluster]
     said = subprocess.run(command, cwd=root, check=False, stdout=subprocess.PIPE, text=True)
     if said.returncode:
         raise UsageError("")  # it has said why
     if not said.stdout.strip():
-        raise UsageError(f"CLUSTER={cluster.asked}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
+        raise UsageError(f"CLUSTER={cluster}: its workers have no CUDA device; DEVICE=cpu measures on their CPUs")
     return slug(said.stdout)
 
 

@@ -1,23 +1,63 @@
-"""A pool of processes of this host: forks of one that has everything loaded, or processes that start afresh."""
+"""Pools of processes of this host: those that measure batches, and those that a batch has for itself."""
 
 import os
-from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import Executor, Future
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import AbstractContextManager, contextmanager
+from functools import partial
+from multiprocessing import active_children, get_context
+from typing import Any
 
 from tqdm import tqdm
 
-from measured_report.files.processes import workers
+from measured_report.files.processes import begin, workers
 from measured_report.measuring.host import host
+from measured_report.measuring.machine import MPS
 
 
-def processes(count: int, method: str = "spawn") -> AbstractContextManager[Executor]:
+class HostPool:
+    """Forks of this process, which has loaded the simulator but no device; new ones after one of them was killed."""
+
+    lost, try_count = BrokenProcessPool, 3
+
+    def __init__(self, limit: int, settings: Mapping[str, str]):
+        self.limit = self.at_once = limit
+        self._begin = partial(_begin, settings)
+        self._pool = self._opened()
+
+    def submit(self, function: Callable, *arguments: Any) -> Future:
+        try:
+            return self._pool.submit(function, *arguments)
+        except BrokenProcessPool:
+            self._pool = self._opened()
+            return self._pool.submit(function, *arguments)
+
+    def _opened(self) -> Executor:
+        return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (os.getpid(), self._begin))
+
+
+@contextmanager
+def host_pools(count: int) -> Iterator[tuple[HostPool, HostPool]]:
+    """Open a pool for ``count`` batches that share this host, and one for what is exclusive, by-passing MPS."""
+    try:
+        yield HostPool(count, {}), HostPool(1, {MPS: "/nonexistent"})
+    finally:
+        end_processes()
+
+
+def end_processes() -> None:
+    """Kill what this process has started, and whatever they have."""
+    for process in active_children():
+        process.kill()
+
+
+def processes(count: int) -> AbstractContextManager[Executor]:
     """Open a pool for ``count`` calls, or for as many at once as there are cores. Close it with ``with``.
 
-    Where the processes start afresh, as without ``method="fork"``, what is called, and its arguments, must be found by
-    name in a module. Nothing may be timed in another process meanwhile.
+    What is called, and its arguments, must be found by name in a module. Nothing may be timed meanwhile.
     """
-    return workers(max(1, min(count, os.cpu_count() or 1)), method, _begin)
+    return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {}))
 
 
 def start(pool: Executor, function: Callable, calls: Sequence[tuple]) -> list[Future]:
@@ -30,5 +70,6 @@ def gather(waiting: Iterable[Future], title: str) -> list:
     return [result.result() for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)]
 
 
-def _begin() -> None:
+def _begin(settings: Mapping[str, str]) -> None:
+    os.environ.update(settings)
     host().be_quiet()

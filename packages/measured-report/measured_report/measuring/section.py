@@ -1,0 +1,169 @@
+"""Sections: the way from a section's first batch to its record."""
+
+import inspect
+import re
+import sys
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, field
+from types import ModuleType
+
+from tqdm import tqdm
+
+from measured_report.editions.devices import needs_gpu
+from measured_report.editions.project import Project
+from measured_report.files.errors import ReportError
+from measured_report.measuring.batch import Batch, Plan, Result, now, trace_of
+from measured_report.measuring.error_text import reason_of
+from measured_report.measuring.host import host
+from measured_report.measuring.machine import commit, kind_of
+from measured_report.measuring.measurement import Measurement
+from measured_report.records.columns import UNBELIEVED, is_number, number_problem, units_of
+from measured_report.records.identity import Identity, identity_of
+from measured_report.records.record import Record, write_record
+from measured_report.records.traces import packed
+
+WHOLE = "whole"
+"""Name of the one batch of a section that has declared none."""
+NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+
+
+@dataclass
+class Section:
+    """A section on its way to a record."""
+
+    project: Project
+    name: str
+    device: str
+    """``cuda`` or ``cpu``: what it measures on, whatever else the host has."""
+    plan: Plan
+    identity: Identity
+    known: Mapping[str, float] = field(default_factory=dict)
+    """Seconds that its batches took the last time, by ``Batch.time_name``."""
+    stage: list[Batch] = field(default_factory=list)
+    """Batches that were yielded last."""
+    waiting: list[Batch] = field(default_factory=list)
+    """Batches that are neither done nor running."""
+    results: dict[str, Result] = field(default_factory=dict)
+    times: dict[str, float] = field(default_factory=dict)
+    """Seconds that its batches took, as ``known``."""
+    losses: Counter = field(default_factory=Counter)
+    """How often the process of each batch was killed."""
+    is_over: bool = False
+    failure: str = ""
+
+    def title(self, batch: Batch) -> str:
+        return self.name if batch.name == WHOLE else f"{self.name}/{batch.name}"
+
+    def is_exclusive(self, batch: Batch) -> bool:
+        """Tell whether it is measured alone, as is one that may have killed its process and those beside it."""
+        return batch.exclusive or self.losses[batch.name] > 0
+
+    def expected_s(self, batch: Batch) -> float:
+        """Return how long a batch will take [s]: a new one no longer than its section did."""
+        return self.known.get(batch.time_name, sum(self.known.values()))
+
+    def advance(self, at_once: int = 1) -> None:
+        """Ask for the next batches once all of a stage are done, and write the record at the end.
+
+        ``at_once`` batches are measured beside each other. A fault of the section must not cost the others.
+        """
+        try:
+            while not self.is_over and all(batch.name in self.results for batch in self.stage):
+                values = [self.results[batch.name].value for batch in self.stage]
+                try:
+                    self.stage = self.waiting = list(self.plan.send(values or None))
+                except StopIteration as end:
+                    self._write(end.value, at_once)
+                    return
+                names = [batch.name for batch in self.stage]
+                is_unique = len({*names, *self.results}) == len(names) + len(self.results)
+                if not (names and is_unique and all(map(NAME.fullmatch, names))):
+                    fault = "batches need names of their own, lower-case words joined by hyphens"
+                    raise ValueError(f"{fault}: {', '.join(names)}")
+        except Exception as error:
+            self.fail(reason_of(error), trace_of(error))
+
+    def take(self, batch: Batch, result: Result) -> None:
+        """Keep what a batch has returned."""
+        self.results[batch.name], self.times[batch.time_name] = result, result.seconds
+
+    def lose(self, batch: Batch, try_count: int) -> None:
+        """Measure a batch again whose process was killed, unless it has been tried so often."""
+        self.losses[batch.name] += 1
+        if self.losses[batch.name] >= try_count:
+            self.fail(f"{batch.name}: its process was killed, as often as it was tried")
+        elif not self.is_over:
+            tqdm.write(f"{self.title(batch)}: its process was killed; it is tried again", file=sys.stderr)
+            self.waiting = [*self.waiting, batch]
+
+    def fail(self, reason: str, trace: str = "") -> None:
+        """Give the section up, and say why."""
+        if not self.is_over:
+            self.is_over, self.failure, self.waiting = True, reason, []
+            tqdm.write(f"{trace}{self.name}: measuring failed; what was there is kept: {reason}", file=sys.stderr)
+
+    def _write(self, measurement: Measurement, at_once: int) -> None:
+        parts = list(self.results.values())
+        if len({kind_of(part.machine) for part in parts}) > 1:
+            raise ReportError("its batches were measured on different kinds of machines")
+        is_timed = any(name.startswith("alone_") for name in self.times)  # by itself, whatever its other batches had
+        beside = {"sections_at_once": at_once} if at_once > 1 and not is_timed else {}
+        seconds = round(sum(part.seconds for part in parts), 1)
+        record = Record(
+            section=self.name,
+            identity=self.identity,
+            machine={name: _together(part.machine[name] for part in parts) for name in parts[0].machine} | beside,
+            measured={
+                "date": now(),
+                "started": min(part.started for part in parts),
+                "ended": max(part.ended for part in parts),
+                "commit": commit(),
+                "command": self.project.rerun(self.name, parts[0].machine["device"]),
+                "seconds": seconds,
+                **{name: self.times[name] for name in sorted(self.times) if WHOLE not in self.results},
+            },
+            units=units_of(measurement.rows),
+            rows=[believable(row) for row in measurement.rows],
+        )
+        path = self.project.record_path(self.name)
+        write_record(path, record, {case: packed(path, case, table) for case, table in measurement.traces.items()})
+        self.is_over = True
+        tqdm.write(f"{self.name}: {len(record.rows)} rows in {seconds:.0f} s → {path}")
+
+
+def section_of(
+    project: Project, name: str, module: ModuleType, device: str, known: Mapping[str, float] | None = None
+) -> Section:
+    """Return the section that a module measures: where it declares no batches, all of it as one."""
+    device = device if needs_gpu(name, project.root) else "cpu"
+    alias = "cuda:0" if device == "cuda" else "cpu"  # of the only device of its kind that a process measures on
+    conditions = host().Conditions(device=alias, quick=project.profile == "quick")
+    plans = inspect.isgeneratorfunction(module.measure)
+    plan = module.measure(conditions) if plans else _as_one(Batch(WHOLE, module.measure, (conditions,)))
+    return Section(project, name, device, plan, identity_of(name, project.profile, project.root), known or {})
+
+
+def seconds_of(times: Collection[tuple[str, float]], at_once: int) -> float:
+    """Return how long batches take [s], given by ``Batch.time_name``, ``at_once`` of them beside each other."""
+    shared = [took for name, took in times if name.startswith("batch_")]
+    exclusive = [took for name, took in times if not name.startswith("batch_")]
+    return max([sum(shared) / at_once, *shared]) + sum(exclusive)
+
+
+def _as_one(batch: Batch) -> Plan:
+    [measurement] = yield [batch]
+    return measurement
+
+
+def _together(values: Iterable[str | None]) -> str | None:
+    """Join what several machines say: what they agree on, or each of what they say."""
+    found = sorted({*values} - {None}, key=str) or [None]
+    said = ", ".join(map(str, found))
+    return found[0] if len(found) == 1 else said if len(said) <= 400 else f"{len(found)} different ones"
+
+
+def believable(row: Mapping[str, object]) -> dict[str, object]:
+    """Return the row with None, and the reason, for each number that no record may hold."""
+    lost = [name for name, value in row.items() if is_number(value) and number_problem(name, value)]
+    return {**row, **dict.fromkeys(lost)} | {f"{name}_reason": f"{UNBELIEVED}{row[name]}" for name in lost}

@@ -1,0 +1,31 @@
+"""A report without a host of its own: its processes load no simulator, which takes seconds each."""
+
+import re
+from pathlib import Path
+
+import pytest
+from conftest import SOURCES, link
+
+from measured_report.files.root import ROOT
+from measured_report.measuring import error_text, host, machine, pool
+
+
+@pytest.fixture(scope="session")
+def plain(tmp_path_factory) -> Path:
+    """The folder of the project as such a report."""
+    folder = tmp_path_factory.mktemp("project")
+    link(folder, *(name for name in SOURCES if name != "report.toml"))
+    text = (ROOT / "report.toml").read_text(encoding="utf-8")
+    assert len(re.findall("^host = ", text, re.MULTILINE)) == 1
+    (folder / "report.toml").write_text(re.sub("^host = .*", "", text, flags=re.MULTILINE), encoding="utf-8")
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def plain_host(monkeypatch):
+    """This process, and its forks, as of such a report."""
+    for module in (error_text, machine, pool):
+        monkeypatch.setattr(module, "host", lambda: host)
+    machine.machine.cache_clear()
+    yield
+    machine.machine.cache_clear()

@@ -1,0 +1,139 @@
+"""The loop: sections in batches, measured by processes of this host, and what may go wrong meanwhile."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import batches
+import pytest
+from batches import begun, rows_of, running, section_of, spans
+
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.loop import Loop
+from measured_report.measuring.pool import host_pools
+from measured_report.measuring.section import seconds_of
+from measured_report.records.reading import load_record
+
+
+def fails(*sections, count: int = 1) -> bool:
+    """Measure sections; whether one fails."""
+    with host_pools(count) as pools:
+        return Loop(sections, *pools).run()
+
+
+def test_a_record_is_put_together_from_its_batches(toy, log):
+    assert not fails(section_of(toy, batches.plan(str(log), "abc", exclusive="b")))
+    assert begun(log) == ["a", "c", "b"], "what measures times is measured last"
+    record = load_record(toy.record_path)
+    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
+    times = {name for name in record.measured if name.endswith("_s")}
+    assert times == {"batch_a_s", "alone_b_s", "batch_c_s", "batch_sum_s"}
+    assert "sections_at_once" not in record.machine and record.machine["host"]
+
+
+def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
+    assert not fails(section_of(toy, batches.plan(str(log), "abcde", 0.5, exclusive="de")), count=2)
+    times = spans(log)
+    assert max(times["a"][0], times["b"][0]) < min(times["a"][1], times["b"][1])
+    assert times["d"][0] > max(times[name][1] for name in "abc") and times["e"][0] > times["d"][1]
+    assert not running(log)
+
+
+def test_a_record_says_what_was_beside_it_unless_it_was_timed_alone(toy, log):
+    assert not fails(section_of(toy, batches.plan(str(log), "ab")), count=2)
+    assert load_record(toy.record_path).machine["sections_at_once"] == 2
+    assert not fails(section_of(toy, batches.plan(str(log), "ab", exclusive="b")), count=2)
+    assert "sections_at_once" not in load_record(toy.record_path).machine
+
+
+def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
+    failing = section_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
+    odd = section_of(toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one")
+    assert fails(failing, odd, section_of(toy, batches.plan(str(log), "a")))
+    said = capsys.readouterr().err
+    assert "bad-one: measuring failed; what was there is kept: bad: as a test" in said and "in fail\n" in said
+    assert "odd-one: measuring failed; what was there is kept: odd: " in said
+    assert len(rows_of(toy)) == 2
+
+
+def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
+    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 2))), "mortal")
+    assert not fails(mortal, section_of(toy, batches.plan(str(log), "abcd", 0.1)), count=2)
+    assert capsys.readouterr().err.count("mortal/die: its process was killed; it is tried again") == 2
+    assert [row["case"] for row in rows_of(toy)] == [*"abcd", "sum"]
+    doomed = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
+    assert fails(doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2)
+    ended = "doomed: measuring failed; what was there is kept: die: its process was killed, as often as it was tried"
+    assert ended in capsys.readouterr().err
+    assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
+    assert begun(log).count("die") == 6 and not running(log)
+
+
+@pytest.mark.parametrize("names", ["aa", "", "A"])
+def test_batches_need_names_of_their_own(toy, log, names, capsys):
+    assert fails(section_of(toy, batches.plan(str(log), names)))
+    assert "batches need names of their own" in capsys.readouterr().err
+
+
+def test_the_loop_says_how_far_it_is_and_begins_with_what_takes_longest(toy, log):
+    section = section_of(toy, batches.plan(str(log), "ab"), batch_a_s=100.0, batch_b_s=200.0, batch_sum_s=9.0)
+    said = []
+
+    class Watched(Loop):
+        def _begin(self, *what):
+            super()._begin(*what)
+            said.append(self.status())
+
+    with host_pools(1) as pools:
+        loop = Watched([section], *pools)
+        assert not loop.run()
+    assert begun(log) == ["b", "a"]
+    assert said == [
+        "0 of 2 batches; toy/b running; about 5 min left",
+        "1 of 2 batches; toy/a running; about 2 min left",
+        "2 of 3 batches; toy/sum running; about 9 s left",
+    ]
+    assert loop.status() == "3 of 3 batches; nothing running; about 0 s left"
+    assert seconds_of([("batch_a_s", 4.0), ("batch_b_s", 2.0), ("alone_c_s", 5.0)], 2) == 9.0
+
+
+DRIVER = """
+import batches
+import signal
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from measured_report.editions.project import Project
+from measured_report.measuring import run
+from measured_report.measuring.batch import Batch
+from measured_report.measuring.loop import Loop
+from measured_report.measuring.pool import host_pools
+
+signal.signal(signal.SIGINT, run.stop)
+root, log = sys.argv[1:]
+toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
+slow = batches.single(Batch("slow", batches.work, (log, "slow", 600.0)))
+with host_pools(2) as pools:
+    Loop([batches.section_of(toy, batches.plan(log, "ab")), batches.section_of(toy, slow, "slow")], *pools).run()
+"""
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
+def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(toy, log, plain, sent):
+    toy.record_path.unlink()
+    command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
+    driver = subprocess.Popen(command, cwd=plain, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    while "begin slow" not in log.read_text() or not toy.record_path.exists():
+        assert driver.poll() is None, driver.stderr.read()
+        time.sleep(0.02)
+    driver.send_signal(sent)
+    stopped = time.monotonic()
+    said = driver.communicate()[1]
+    assert not running(log) and time.monotonic() - stopped < 5.0
+    assert driver.returncode == (130 if sent == signal.SIGINT else -sent)
+    assert ("stopped; what is finished is kept" in said) == (sent == signal.SIGINT) and "Traceback" not in said
+    assert [row["case"] for row in rows_of(toy)] == ["a", "b", "sum"]
+    assert [path.name for path in Path(toy.record_path).parent.glob("slow*")] == []
